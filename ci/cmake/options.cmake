@@ -1,0 +1,52 @@
+# Settings shared by all targets. Targets link `plumbline_options` privately.
+option(PLUMBLINE_BUILD_TESTS "Build the tests" ON)
+option(PLUMBLINE_WERROR "Treat warnings as errors" ON)
+set(PLUMBLINE_SANITIZE "" CACHE STRING "Value for -fsanitize=, empty for none")
+set(PLUMBLINE_ARCH "auto" CACHE STRING "Value for -march=; auto: x86-64-v3 where this machine runs it, else the compiler's default")
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+
+# A second build of the same sources, in whatever folder, takes seconds.
+find_program(PLUMBLINE_CCACHE ccache)
+if(PLUMBLINE_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${PLUMBLINE_CCACHE}")
+endif()
+
+if(PLUMBLINE_ARCH STREQUAL "auto")
+  include(CheckCXXSourceRuns)
+  set(CMAKE_REQUIRED_FLAGS "-march=x86-64-v3 -O1")
+  check_cxx_source_runs("
+    int main() { return __builtin_cpu_supports(\"avx2\") && __builtin_cpu_supports(\"fma\") ? 0 : 1; }"
+    PLUMBLINE_RUNS_X86_64_V3)
+  unset(CMAKE_REQUIRED_FLAGS)
+endif()
+
+add_library(plumbline_options INTERFACE)
+target_compile_features(plumbline_options INTERFACE cxx_std_20)
+# No contraction into fused operations: the same sums give the same bits under every instruction set.
+target_compile_options(plumbline_options INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow
+  -Wnon-virtual-dtor -Woverloaded-virtual)
+if(PLUMBLINE_WERROR)
+  target_compile_options(plumbline_options INTERFACE -Werror)
+endif()
+if(PLUMBLINE_ARCH STREQUAL "auto")
+  if(PLUMBLINE_RUNS_X86_64_V3)
+    target_compile_options(plumbline_options INTERFACE -march=x86-64-v3)
+  endif()
+elseif(PLUMBLINE_ARCH)
+  target_compile_options(plumbline_options INTERFACE -march=${PLUMBLINE_ARCH})
+endif()
+if(PLUMBLINE_SANITIZE)
+  # A finding ends the program: otherwise a test that provokes undefined behaviour stays green.
+  target_compile_options(plumbline_options INTERFACE -fsanitize=${PLUMBLINE_SANITIZE} -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
+  target_link_options(plumbline_options INTERFACE -fsanitize=${PLUMBLINE_SANITIZE})
+endif()

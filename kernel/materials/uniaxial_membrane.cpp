@@ -1,0 +1,118 @@
+#include "kernel/materials/uniaxial_membrane.hpp"
+
+#include <cmath>
+
+#include "kernel/summation.hpp"
+
+namespace plumbline {
+namespace {
+
+struct Direction {
+  double x, y;
+};
+
+Direction segment(const double* x, const double* y, int from, int to) {
+  const double dx = x[to] - x[from], dy = y[to] - y[from], length = std::sqrt(dx * dx + dy * dy);
+  return {dx / length, dy / length};
+}
+
+// Unit tangents from the chain. The normalised sum of two unit vectors has the mean of their angles. [York 7.1]
+void find_tangents(Columns& points, bool closed) {
+  const int n = points.points();
+  if (n < 2) return;
+  const double *x = points(column::position), *y = points(column::position, 1);
+  double *tx = points(column::tangent), *ty = points(column::tangent, 1);
+  for (int p = 0; p < n; ++p) {
+    const bool first = p == 0 && !closed, last = p == n - 1 && !closed;
+    const int before = (p + n - 1) % n, after = (p + 1) % n;
+    const Direction a = first ? segment(x, y, p, after) : segment(x, y, before, p);
+    const Direction b = last ? a : segment(x, y, p, after);
+    const double sx = a.x + b.x, sy = a.y + b.y, length = std::sqrt(sx * sx + sy * sy);
+    tx[p] = sx / length;
+    ty[p] = sy / length;
+  }
+}
+
+// t . e . t in the plane; the third strain rate is the engineering shear. [York 5.2]
+double tangential_rate(const Columns& points, int p) {
+  const double tx = points(column::tangent)[p], ty = points(column::tangent, 1)[p];
+  return points(column::strain_rate)[p] * tx * tx + points(column::strain_rate, 1)[p] * ty * ty +
+         points(column::strain_rate, 2)[p] * tx * ty;
+}
+
+}  // namespace
+
+void UniaxialMembrane::add_columns(Columns& points, int dim) const {
+  points.add(column::strain);
+  if (dim > 1) points.add(column::tangent, dim);
+}
+
+std::vector<const ColumnId*> UniaxialMembrane::internal_variables(const MaterialContext&) const {
+  return {&column::strain};
+}
+
+std::vector<double> UniaxialMembrane::rates(const Columns& points, const MaterialContext& context) const {
+  std::vector<double> rates(static_cast<std::size_t>(points.points()));
+  for (int p = 0; p < points.points(); ++p) {
+    rates[static_cast<std::size_t>(p)] = context.dim == 1 ? points(column::strain_rate)[p] : tangential_rate(points, p);
+  }
+  return rates;
+}
+
+double UniaxialMembrane::advance(Columns& points, const MaterialContext& context, double dt) const {
+  const double* volume = points(column::volume);
+  double* strain = points(column::strain);
+  const auto take = [&](int p, double rate) {
+    const double before = energy_density(strain[p]);
+    strain[p] += dt * rate;  // [York 5.3]
+    return volume[p] * (energy_density(strain[p]) - before);
+  };
+  const double* along = points(column::strain_rate);
+  if (context.dim == 1) return block_sum<double>(points.points(), [&](int p) { return take(p, along[p]); });
+  return block_sum<double>(points.points(), [&](int p) { return take(p, tangential_rate(points, p)); });
+}
+
+void UniaxialMembrane::evaluate_stress(Columns& points, const MaterialContext& context) const {
+  const double* strain = points(column::strain);
+  double* xx = points(column::stress);
+  const auto tension = [&](int p) { return carries(strain[p]) ? youngs_modulus * strain[p] : 0.0; };  // [York 5.5]
+  if (context.dim == 1) {
+    for (int p = 0; p < points.points(); ++p) xx[p] = tension(p);
+    return;
+  }
+  find_tangents(points, closed);
+  double *yy = points(column::stress, 1), *xy = points(column::stress, 2);
+  const double *tx = points(column::tangent), *ty = points(column::tangent, 1);
+  for (int p = 0; p < points.points(); ++p) {
+    const double s = tension(p);
+    xx[p] = s * tx[p] * tx[p];
+    yy[p] = s * ty[p] * ty[p];
+    xy[p] = s * tx[p] * ty[p];
+  }
+}
+
+double UniaxialMembrane::stored_energy(const Columns& points) const {
+  const double *volume = points(column::volume), *strain = points(column::strain);
+  return block_sum<double>(points.points(), [&](int p) { return volume[p] * energy_density(strain[p]); });
+}
+
+StepBounds UniaxialMembrane::step_bounds(const Columns& points, int dim) const {
+  const double *u = points(column::velocity), *v = points(column::velocity, dim - 1);
+  StepBounds bounds;
+  const double c = std::sqrt(youngs_modulus / density);
+  for (int p = 0; p < points.points(); ++p) {
+    const double signal = c + (dim == 1 ? std::abs(u[p]) : std::sqrt(u[p] * u[p] + v[p] * v[p]));
+    if (!(signal <= bounds.fastest)) bounds.fastest = signal;
+  }
+  return bounds;
+}
+
+Material::Fault UniaxialMembrane::first_fault(const Columns& points) const {
+  const double* strain = points(column::strain);
+  for (int p = 0; p < points.points(); ++p) {
+    if (!std::isfinite(strain[p])) return {p, column::strain.name(), strain[p], "the strain must be finite"};
+  }
+  return {};
+}
+
+}  // namespace plumbline

@@ -1,0 +1,30 @@
+// The engine behind the stages: chosen once per run by geometry, shape and transfer.
+#pragma once
+
+#include <memory>
+
+#include "kernel/ledger.hpp"
+#include "kernel/scene.hpp"
+#include "kernel/stages.hpp"
+
+namespace plumbline {
+
+class Engine : public Stages {
+ public:
+  // Initial densities and stresses, with strain rates zero.
+  virtual void initialise() = 0;
+  // Everything that the ledger's identity compares, summed from the points.
+  virtual Totals totals() const = 0;
+  // Densities and pressures by the scene's method where the points stand now, for measures.
+  virtual void refresh_density() = 0;
+  // Throws InadmissibleState if any point is.
+  virtual void check() const = 0;
+  // Upper limit of a stable step for Courant number 1, s: h / max(c_p + |v_p|), also h^2 / (2 dim diffusivity).
+  virtual double step_limit() const = 0;
+};
+
+// An engine on `scene`, booking into `ledger`; both must outlive it. Throws std::invalid_argument for an unknown shape or
+// transfer. `keep_loss`: points carry what the maps took, for return_transfer_loss().
+std::unique_ptr<Engine> make_engine(Scene& scene, Ledger& ledger, bool keep_loss);
+
+}  // namespace plumbline

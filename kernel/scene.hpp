@@ -1,0 +1,38 @@
+// A scene: grid, bodies, and the choices that hold for all of them.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "kernel/grid.hpp"
+#include "kernel/points/body.hpp"
+
+namespace plumbline {
+
+// How gas points get their density.
+//   cell        mass of the cell over its volume, for every point of the cell            [York 4.5]
+//   quadratic   the same with quadratic shapes about the cell centre                      [York 4.6]
+//   continuity  rho <- rho / (1 + dt div v)                                               [York 4.7]
+//   grid        sum_i N_ip M_i / |cell_i|                                                 [EC-APIC 2]
+enum class DensityMethod { cell, quadratic, continuity, grid };
+
+struct Scene {
+  GridSpec grid;
+  std::array<double, 2> gravity{0, 0};   // b, m/s^2
+  std::vector<Body> bodies;
+  std::string shape = "quadratic";       // linear, quadratic, cubic
+  std::string transfer = "apic";         // pic, flip, apic
+  DensityMethod density = DensityMethod::grid;
+};
+
+// Names that Scene::shape and Scene::transfer may take, and those of DensityMethod in its order, each with one line.
+struct Choice {
+  std::string name, title, source;
+};
+const std::vector<Choice>& shapes();
+const std::vector<Choice>& transfers();
+const std::vector<Choice>& densities();
+DensityMethod density_method(const std::string& name);   // throws std::out_of_range
+
+}  // namespace plumbline

@@ -1,0 +1,40 @@
+// Cubic B-splines centred on the nodes. (Steffen, Kirby, Berzins 2008, doi 10.1002/nme.2360)
+#pragma once
+
+#include <cmath>
+
+namespace plumbline {
+
+struct Cubic {
+  static constexpr int support = 4, first = -1, ghosts = 1;
+  static constexpr bool fixed_inertia = true;
+
+  // The node below the point, and the distance above it in cells: 0 <= local <= 1.
+  static int anchor(double x, int cells, double& local) {
+    int node = static_cast<int>(std::floor(x));
+    if (node >= cells) node = cells - 1;
+    local = x - node;
+    return node;
+  }
+  static void weights(double f, double (&w)[support]) {
+    const double b = 1.0 - f;
+    w[0] = b * b * b / 6.0;
+    w[1] = 2.0 / 3.0 - f * f + 0.5 * f * f * f;
+    w[2] = 2.0 / 3.0 - b * b + 0.5 * b * b * b;
+    w[3] = f * f * f / 6.0;
+  }
+  static void gradients(double f, double (&g)[support]) {
+    const double b = 1.0 - f;
+    g[0] = -0.5 * b * b;
+    g[1] = -2.0 * f + 1.5 * f * f;
+    g[2] = 2.0 * b - 1.5 * b * b;
+    g[3] = 0.5 * f * f;
+  }
+  static double inertia(double) { return 1.0 / 3.0; }  // [EC-APIC 5] D = h^2/3
+  static void affine_weights(double f, double (&a)[support]) {
+    weights(f, a);
+    for (int k = 0; k < support; ++k) a[k] *= 3.0 * (k + first - f);
+  }
+};
+
+}  // namespace plumbline

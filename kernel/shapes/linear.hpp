@@ -1,0 +1,36 @@
+// Linear (tent) shape functions on one cell. [York 3.15, appendix A.3.1]
+#pragma once
+
+#include <cmath>
+
+namespace plumbline {
+
+struct Linear {
+  static constexpr int support = 2;      // nodes per direction
+  static constexpr int first = 0;        // lowest node of the support, relative to the anchor node
+  static constexpr int ghosts = 0;       // node layers beyond a wall that a point inside can reach
+  static constexpr bool fixed_inertia = false;  // D depends on where the point stands in its cell
+
+  // The anchor node of a point at `x` (in cells from the first node line, 0 <= x <= cells), and its local coordinate.
+  static int anchor(double x, int cells, double& local) {
+    int node = static_cast<int>(std::floor(x));
+    if (node >= cells) node = cells - 1;  // a point on the last node line belongs to the last cell
+    local = x - node;
+    return node;
+  }
+  static void weights(double f, double (&w)[support]) {
+    w[0] = 1.0 - f;
+    w[1] = f;
+  }
+  // d N / d x in units of 1/h.
+  static void gradients(double, double (&g)[support]) {
+    g[0] = -1.0;
+    g[1] = 1.0;
+  }
+  // D / h^2 = sum_i N_i r_i^2 / h^2 with r_i = x_i - x_p.
+  static double inertia(double f) { return f * (1.0 - f); }
+  // N_i r_i h / D: for tents this is the gradient, finite even where D vanishes.
+  static void affine_weights(double f, double (&a)[support]) { gradients(f, a); }
+};
+
+}  // namespace plumbline

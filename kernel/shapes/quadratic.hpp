@@ -1,0 +1,35 @@
+// Quadratic B-splines centred on the nodes. [York A.3.2]
+#pragma once
+
+#include <cmath>
+
+namespace plumbline {
+
+struct Quadratic {
+  static constexpr int support = 3, first = -1, ghosts = 1;
+  static constexpr bool fixed_inertia = true;
+
+  // The nearest node, and the distance to it in cells: -1/2 <= local <= 1/2.
+  static int anchor(double x, int, double& local) {
+    const int node = static_cast<int>(std::floor(x + 0.5));
+    local = x - node;
+    return node;
+  }
+  static void weights(double f, double (&w)[support]) {
+    w[0] = 0.5 * (0.5 - f) * (0.5 - f);
+    w[1] = 0.75 - f * f;
+    w[2] = 0.5 * (0.5 + f) * (0.5 + f);
+  }
+  static void gradients(double f, double (&g)[support]) {
+    g[0] = f - 0.5;
+    g[1] = -2.0 * f;
+    g[2] = f + 0.5;
+  }
+  static double inertia(double) { return 0.25; }  // [EC-APIC 5] D = h^2/4
+  static void affine_weights(double f, double (&a)[support]) {
+    weights(f, a);
+    for (int k = 0; k < support; ++k) a[k] *= 4.0 * (k + first - f);
+  }
+};
+
+}  // namespace plumbline

@@ -1,0 +1,75 @@
+#include "kernel/simulation.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace plumbline {
+
+Simulation::Simulation(Scene scene, const std::string& integrator, StepControl control)
+    : scene_(std::move(scene)), control_(control) {
+  const IntegratorEntry* entry = find_integrator(integrator);
+  if (!entry) throw std::invalid_argument("no integrator " + integrator);
+  integrator_ = entry->make();
+  if (const std::string why = integrator_->refusal(scene_.shape, scene_.transfer); !why.empty()) {
+    throw std::invalid_argument("integrator " + integrator + " cannot work with shape " + scene_.shape +
+                                " and transfer " + scene_.transfer + ": " + why);
+  }
+  engine_ = make_engine(scene_, ledger_, integrator_->returns_transfer_loss());
+  engine_->initialise();
+  ledger_.open(engine_->totals());
+}
+
+void Simulation::step(double longest) {
+  try {
+    last_dt_ = std::min(longest, control_.dt ? *control_.dt : control_.cfl * engine_->step_limit());
+    ++step_;
+    integrator_->step(*engine_, last_dt_);
+    ledger_.close_step(engine_->totals());
+    engine_->check();
+  } catch (InadmissibleState& state) {
+    state.step = step_;
+    state.time = time_;
+    throw;
+  }
+  time_ += last_dt_;
+}
+
+void Simulation::run_until(double end, const std::function<void(const Simulation&)>& after_step) {
+  // A remainder below 1e-12 of the span is rounding of the sum of steps, not a step.
+  while (end - time_ > 1e-12 * end) {
+    step(end - time_);
+    if (after_step) after_step(*this);
+  }
+}
+
+long Simulation::points() const {
+  long total = 0;
+  for (const Body& body : scene_.bodies) total += body.points.points();
+  return total;
+}
+
+Checkpoint Simulation::save() const {
+  Checkpoint checkpoint{time_, step_, {}, {}, ledger_};
+  for (const Body& body : scene_.bodies) {
+    checkpoint.points.push_back(body.points);
+    checkpoint.ids.push_back(body.id);
+  }
+  return checkpoint;
+}
+
+void Simulation::restore(const Checkpoint& checkpoint) {
+  if (checkpoint.points.size() != scene_.bodies.size()) throw std::invalid_argument("checkpoint of another scene");
+  for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
+    if (checkpoint.points[b].points() != scene_.bodies[b].points.points()) {
+      throw std::invalid_argument("checkpoint of another scene");
+    }
+    scene_.bodies[b].points = checkpoint.points[b];
+    scene_.bodies[b].id = checkpoint.ids[b];
+  }
+  ledger_ = checkpoint.ledger;
+  time_ = checkpoint.time;
+  step_ = checkpoint.step;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,65 @@
+// A run: a scene under a time integrator from 0 to t_end.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "kernel/inadmissible.hpp"
+#include "kernel/ledger.hpp"
+#include "kernel/mechanics.hpp"
+#include "kernel/time_integrator.hpp"
+
+namespace plumbline {
+
+// The step: dt = cfl times the engine's step limit, or fixed.
+struct StepControl {
+  double cfl = 0.3;            // > 0
+  std::optional<double> dt;    // s, > 0; overrides cfl
+};
+
+// Everything a run is at one instant. Copy it to save a run; restoring it continues bitwise as if never interrupted.
+struct Checkpoint {
+  double time = 0;
+  long step = 0;
+  std::vector<Columns> points;          // of each body
+  std::vector<std::vector<int>> ids;
+  Ledger ledger;
+};
+
+class Simulation {
+ public:
+  // Throws std::invalid_argument for an unknown integrator, shape or transfer or a combination that cannot work.
+  Simulation(Scene scene, const std::string& integrator, StepControl control);
+
+  // Steps until `end` (s), the last step shortened to arrive there. after_step is called after each step.
+  // Throws InadmissibleState with step and time set.
+  void run_until(double end, const std::function<void(const Simulation&)>& after_step = {});
+
+  // One step, no longer than `longest`.
+  void step(double longest);
+
+  const Scene& scene() const { return scene_; }
+  const Ledger& ledger() const { return ledger_; }
+  double time() const { return time_; }
+  long steps() const { return step_; }
+  long points() const;
+  double last_dt() const { return last_dt_; }
+  // Densities and pressures where the points stand now.
+  void refresh_density() { engine_->refresh_density(); }
+
+  Checkpoint save() const;
+  void restore(const Checkpoint& checkpoint);
+
+ private:
+  Scene scene_;
+  Ledger ledger_;
+  StepControl control_;
+  std::unique_ptr<TimeIntegrator> integrator_;
+  std::unique_ptr<Engine> engine_;
+  double time_ = 0, last_dt_ = 0;
+  long step_ = 0;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,48 @@
+// A time integrator: one self-registering source file that composes stages. Nothing else is touched to add one.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kernel/stages.hpp"
+
+namespace plumbline {
+
+class TimeIntegrator {
+ public:
+  virtual ~TimeIntegrator() = default;
+
+  // Advances the scene by dt (s, > 0).
+  virtual void step(Stages& mpm, double dt) = 0;
+
+  // Why this integrator cannot work with the named shape and transfer; empty if it can.
+  virtual std::string refusal(const std::string& /*shape*/, const std::string& /*transfer*/) const { return {}; }
+
+  // Whether step() calls return_transfer_loss(): the bodies then carry a column for it.
+  virtual bool returns_transfer_loss() const { return false; }
+};
+
+struct IntegratorEntry {
+  std::string name, title, source;
+  std::function<std::unique_ptr<TimeIntegrator>()> make;
+};
+
+// All registered integrators in the order of their names.
+const std::vector<IntegratorEntry>& integrators();
+
+// The entry of that name, nullptr if there is none.
+const IntegratorEntry* find_integrator(const std::string& name);
+
+// Registers at start, or when a plug-in is loaded. A name that is taken already throws std::logic_error.
+struct RegisterIntegrator {
+  explicit RegisterIntegrator(IntegratorEntry entry);
+};
+
+}  // namespace plumbline
+
+// Registers integrator class Type under a name, with a one-line title and its source.
+#define PLUMBLINE_INTEGRATOR(Type, name, title, source)                 \
+  static const ::plumbline::RegisterIntegrator register_##Type{         \
+      {name, title, source, [] { return std::make_unique<Type>(); }}}

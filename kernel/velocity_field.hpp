@@ -1,0 +1,54 @@
+// The nodal arrays of one velocity field. Bodies that name the same field move together; bodies in contact do not.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "kernel/grid.hpp"
+
+namespace plumbline {
+
+// Below this nodal mass (kg) a quotient of sums would lose all digits to underflow. It is not a cut-off of light nodes.
+inline constexpr double least_mass = 1e-200;
+
+template <int dim>
+struct VelocityField {
+  using Vec = Eigen::Matrix<double, dim, 1>;
+
+  explicit VelocityField(const Grid<dim>& grid)
+      : touched(static_cast<std::size_t>(grid.rows()), {0, 0}),
+        mass(size(grid)),
+        momentum(size(grid), Vec::Zero()),
+        start(size(grid), Vec::Zero()),
+        force(size(grid), Vec::Zero()),
+        end(size(grid), Vec::Zero()),
+        midpoint(size(grid), Vec::Zero()),
+        remapped(size(grid), Vec::Zero()),
+        density(size(grid)) {}
+
+  static std::size_t size(const Grid<dim>& grid) { return static_cast<std::size_t>(grid.node_count()); }
+
+  std::vector<std::pair<int, int>> touched;  // [first, last) node of each row that a point reaches; empty: (0, 0)
+  std::vector<double> mass;                  // M_i; at ghost nodes what the points put there, also after folding
+  std::vector<Vec> momentum;                 // P_i
+  std::vector<Vec> start;                    // v_i at the start of the step
+  std::vector<Vec> force;                    // f_i, body force included
+  std::vector<Vec> end;                      // v~_i = v_i + dt f_i / M_i
+  std::vector<Vec> midpoint;                 // (v_i + v~_i) / 2
+  std::vector<Vec> remapped;                 // v_i from the updated point velocities [York 3.24]
+  std::vector<double> density;               // M_i / |cell_i|
+
+  // Calls visit(node) for every touched node, row by row.
+  template <class Visit>
+  void for_touched(const Grid<dim>& grid, Visit&& visit) const {
+    for (int row = 0; row < grid.rows(); ++row) {
+      const auto [first, last] = touched[static_cast<std::size_t>(row)];
+      const int base = row * grid.row_length();
+      for (int i = first; i < last; ++i) visit(static_cast<std::size_t>(base + i));
+    }
+  }
+};
+
+}  // namespace plumbline

@@ -1,0 +1,170 @@
+#include "kernel/walls.hpp"
+
+namespace plumbline {
+namespace {
+
+template <int dim>
+Eigen::Matrix<double, dim, 1> mirrored(Eigen::Matrix<double, dim, 1> value, int normal, bool no_slip) {
+  if (no_slip) return -value;
+  value[normal] = -value[normal];
+  return value;
+}
+
+template <int dim>
+Eigen::Matrix<double, dim, 1> constrained(Eigen::Matrix<double, dim, 1> value, int normal, bool no_slip) {
+  if (no_slip) return Eigen::Matrix<double, dim, 1>::Zero();
+  value[normal] = 0.0;
+  return value;
+}
+
+}  // namespace
+
+template <int dim>
+template <class Ghost, class OnWall>
+void Walls<dim>::for_walls(const VelocityField<dim>& field, int d, Ghost&& ghost, OnWall&& wall) const {
+  for (int side = 0; side < 2; ++side) {
+    if (grid_.wall(d, side) == Wall::free) continue;
+    const bool no_slip = grid_.wall(d, side) == Wall::no_slip;
+    const int outward = side == 0 ? -1 : 1;
+    const int line = side == 0 ? Grid<dim>::ghosts : grid_.nodes(d) - 1 - Grid<dim>::ghosts;
+    if (d == 0) {
+      for (int row = 0; row < grid_.rows(); ++row) {
+        const auto [first, last] = field.touched[static_cast<std::size_t>(row)];
+        const int base = row * grid_.row_length();
+        const int g = line + outward;
+        if (g >= first && g < last) ghost(base + g, base + line - outward, no_slip);
+        if (line >= first && line < last) wall(base + line, no_slip);
+      }
+    } else {
+      // Ghost columns are the first direction's: it folds them before, and fills them after, in these rows too.
+      const int low = grid_.wall(0, 0) == Wall::free ? 0 : Grid<dim>::ghosts;
+      const int high = grid_.nodes(0) - (grid_.wall(0, 1) == Wall::free ? 0 : Grid<dim>::ghosts);
+      const int length = grid_.row_length();
+      const auto for_row = [&](int row, auto&& visit) {
+        const auto [first, last] = field.touched[static_cast<std::size_t>(row)];
+        for (int i = std::max(first, low); i < std::min(last, high); ++i) visit(i);
+      };
+      const int beyond = (line + outward) * length, inside = (line - outward) * length;
+      for_row(line + outward, [&](int i) { ghost(beyond + i, inside + i, no_slip); });
+      for_row(line, [&](int i) { wall(line * length + i, no_slip); });
+    }
+  }
+}
+
+template <int dim>
+void Walls<dim>::include_mirrors(std::vector<std::pair<int, int>>& touched) const {
+  for (int side = 0; side < 2; ++side) {
+    if (grid_.wall(0, side) == Wall::free) continue;
+    const int line = side == 0 ? Grid<dim>::ghosts : grid_.nodes(0) - 1 - Grid<dim>::ghosts;
+    for (auto& [first, last] : touched) {
+      if (first >= last) continue;
+      if (side == 0 && first < line) last = std::max(last, 2 * line - first + 1);
+      if (side == 1 && last - 1 > line) first = std::min(first, 2 * line - (last - 1));
+    }
+  }
+  if constexpr (dim == 2) {
+    for (int side = 0; side < 2; ++side) {
+      if (grid_.wall(1, side) == Wall::free) continue;
+      const int line = side == 0 ? Grid<dim>::ghosts : grid_.nodes(1) - 1 - Grid<dim>::ghosts;
+      const int outward = side == 0 ? -1 : 1;
+      const auto beyond = touched[static_cast<std::size_t>(line + outward)];
+      auto& inside = touched[static_cast<std::size_t>(line - outward)];
+      if (beyond.first >= beyond.second) continue;
+      if (inside.first >= inside.second) inside = beyond;
+      inside = {std::min(inside.first, beyond.first), std::max(inside.second, beyond.second)};
+    }
+  }
+}
+
+template <int dim>
+void Walls<dim>::fold_mass(VelocityField<dim>& field) const {
+  for (int d = 0; d < dim; ++d) {
+    for_walls(
+        field, d,
+        [&](int g, int m, bool) {
+          field.mass[static_cast<std::size_t>(m)] += field.mass[static_cast<std::size_t>(g)];
+        },
+        [](int, bool) {});
+  }
+}
+
+template <int dim>
+WallAction<dim> Walls<dim>::fold(const VelocityField<dim>& field, std::vector<Vec>& values) const {
+  WallAction<dim> action;
+  for (int d = 0; d < dim; ++d) {
+    for_walls(
+        field, d,
+        [&](int g, int m, bool no_slip) {
+          const Vec beyond = values[static_cast<std::size_t>(g)];
+          const Vec folded = mirrored<dim>(beyond, d, no_slip);
+          values[static_cast<std::size_t>(m)] += folded;
+          values[static_cast<std::size_t>(g)].setZero();
+          action.linear += folded - beyond;
+          action.angular += cross<dim>(grid_.position(m), folded) - cross<dim>(grid_.position(g), beyond);
+        },
+        [&](int w, bool no_slip) {
+          Vec& value = values[static_cast<std::size_t>(w)];
+          const Vec kept = constrained<dim>(value, d, no_slip);
+          action.linear += kept - value;
+          action.angular += cross<dim>(grid_.position(w), Vec(kept - value));
+          value = kept;
+        });
+  }
+  return action;
+}
+
+template <int dim>
+void Walls<dim>::extend(const VelocityField<dim>& field, std::vector<Vec>& velocity) const {
+  for (int d = dim - 1; d >= 0; --d) {
+    for_walls(
+        field, d,
+        [&](int g, int m, bool no_slip) {
+          velocity[static_cast<std::size_t>(g)] = mirrored<dim>(velocity[static_cast<std::size_t>(m)], d, no_slip);
+        },
+        [&](int w, bool no_slip) {
+          velocity[static_cast<std::size_t>(w)] = constrained<dim>(velocity[static_cast<std::size_t>(w)], d, no_slip);
+        });
+  }
+}
+
+template <int dim>
+void Walls<dim>::extend_even(const VelocityField<dim>& field, std::vector<double>& values) const {
+  for (int d = dim - 1; d >= 0; --d) {
+    for_walls(
+        field, d,
+        [&](int g, int m, bool) { values[static_cast<std::size_t>(g)] = values[static_cast<std::size_t>(m)]; },
+        [](int, bool) {});
+  }
+}
+
+template <int dim>
+WallAction<dim> Walls<dim>::extension_impulse(const VelocityField<dim>& field, const std::vector<Vec>& u) const {
+  // Folding moved masses direction by direction; a ghost of the second direction passed on what it got from the first,
+  // so the masses met here are the ones that were moved.
+  WallAction<dim> action;
+  for (int d = 0; d < dim; ++d) {
+    for_walls(
+        field, d,
+        [&](int g, int m, bool) {
+          const double mass = field.mass[static_cast<std::size_t>(g)];
+          const Vec beyond = mass * u[static_cast<std::size_t>(g)], inside = mass * u[static_cast<std::size_t>(m)];
+          action.linear += beyond - inside;
+          action.angular += cross<dim>(grid_.position(g), beyond) - cross<dim>(grid_.position(m), inside);
+        },
+        [](int, bool) {});
+  }
+  return action;
+}
+
+template <int dim>
+double Walls<dim>::cell_share(int index, int d) const {
+  const int low = Grid<dim>::ghosts, high = grid_.nodes(d) - 1 - Grid<dim>::ghosts;
+  const bool on_wall = (index == low && grid_.wall(d, 0) != Wall::free) ||
+                       (index == high && grid_.wall(d, 1) != Wall::free);
+  return on_wall ? 0.5 : 1.0;
+}
+
+template class Walls<1>;
+template class Walls<2>;
+
+}  // namespace plumbline

@@ -1,0 +1,57 @@
+// Walls by mirror images. What points put on a ghost node is folded back to its mirror node after a map to the grid,
+// and ghost nodes are given the mirrored velocity before a map back, so that no stencil is ever truncated. A node on a
+// wall is its own mirror and loses its odd components. [EC-APIC walls]
+#pragma once
+
+#include "kernel/velocity_field.hpp"
+
+namespace plumbline {
+
+// What the walls gave to the nodes they acted on: sum of the changes, and of x cross the changes.
+template <int dim>
+struct WallAction {
+  Eigen::Matrix<double, dim, 1> linear = Eigen::Matrix<double, dim, 1>::Zero();
+  double angular = 0;
+};
+
+template <int dim>
+class Walls {
+ public:
+  using Vec = Eigen::Matrix<double, dim, 1>;
+  explicit Walls(const Grid<dim>& grid) : grid_(grid) {}
+
+  // Widens the touched rows so that the mirror node of each touched ghost node is touched too.
+  void include_mirrors(std::vector<std::pair<int, int>>& touched) const;
+
+  // Adds the ghosts' mass to their mirror nodes; the ghosts keep theirs for the impulse of the map back.
+  void fold_mass(VelocityField<dim>& field) const;
+
+  // Folds momenta or forces with the signs of velocity and removes what a wall node may not have.
+  WallAction<dim> fold(const VelocityField<dim>& field, std::vector<Vec>& values) const;
+
+  // Sets wall nodes' odd components to zero and ghosts to the mirrored value.
+  void extend(const VelocityField<dim>& field, std::vector<Vec>& velocity) const;
+
+  // Ghost nodes take the mirror node's density: a scalar is even.
+  void extend_even(const VelocityField<dim>& field, std::vector<double>& values) const;
+
+  // Momentum that the walls give to the points in a map back with the extended velocities u:
+  // sum over ghosts of M_g (u_g - u_mirror).
+  WallAction<dim> extension_impulse(const VelocityField<dim>& field, const std::vector<Vec>& u) const;
+
+  // Share of a full cell that belongs to node line `index` of direction d: 1/2 on a wall.
+  double cell_share(int index, int d) const;
+
+ private:
+  // Calls visit(node, mirror, d, no_slip) for each touched ghost node of direction d, and wall(node, d, no_slip) for
+  // each touched wall node.
+  template <class Ghost, class OnWall>
+  void for_walls(const VelocityField<dim>& field, int d, Ghost&& ghost, OnWall&& wall) const;
+
+  Grid<dim> grid_;
+};
+
+extern template class Walls<1>;
+extern template class Walls<2>;
+
+}  // namespace plumbline

@@ -1,0 +1,56 @@
+#include "reference/root.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_roots.h>
+
+#include <memory>
+#include <stdexcept>
+
+namespace plumbline::reference {
+namespace {
+
+double call(double x, void* f) { return (*static_cast<const std::function<double(double)>*>(f))(x); }
+
+struct Free {
+  void operator()(gsl_root_fsolver* solver) const { gsl_root_fsolver_free(solver); }
+};
+
+constexpr int most_iterations = 400;  // Brent needs at most the square of bisection's ~60, in practice about ten
+
+}  // namespace
+
+double brent_root(const std::function<double(double)>& f, double low, double high) {
+  // GSL reports a bad bracket or value through a process-wide handler that aborts: both are refused before it sees them.
+  if (!(f(low) < 0) || !(f(high) > 0)) throw std::runtime_error("brent_root: the function does not change sign");
+  auto checked = [&f](double x) {
+    const double value = f(x);
+    if (!std::isfinite(value)) throw std::runtime_error("brent_root: the function is not finite");
+    return value;
+  };
+  std::function<double(double)> target = checked;
+  gsl_function function{&call, &target};
+  const std::unique_ptr<gsl_root_fsolver, Free> solver(gsl_root_fsolver_alloc(gsl_root_fsolver_brent));
+  gsl_root_fsolver_set(solver.get(), &function, low, high);
+  for (int i = 0; i < most_iterations; ++i) {
+    gsl_root_fsolver_iterate(solver.get());
+    const double a = gsl_root_fsolver_x_lower(solver.get()), b = gsl_root_fsolver_x_upper(solver.get());
+    if (gsl_root_test_interval(a, b, 0, 4 * rounding::unit) == GSL_SUCCESS) break;
+  }
+  return gsl_root_fsolver_root(solver.get());
+}
+
+Bounded enclose_root(const std::function<Bounded(double)>& f, double guess, double slope, double least, double greatest) {
+  const Bounded residual = f(guess);
+  double radius = (std::abs(residual.value) + residual.bound) / slope * 1.125;
+  if (!(radius > 0) || !std::isfinite(radius)) radius = 0;
+  radius = std::max(radius, rounding::unit * std::abs(guess) + std::numeric_limits<double>::denorm_min());
+  for (int i = 0; i < 2200 && std::isfinite(radius); ++i, radius *= 1.25) {
+    const double low = guess - radius, high = guess + radius;
+    const bool below = low <= least || certainly_below(f(low), 0.0);
+    const bool above = high >= greatest || certainly_below(0.0, f(high));
+    if (below && above) return {guess, radius * rounding::inflate + rounding::unit * std::abs(guess)};
+  }
+  throw std::runtime_error("enclose_root: no error bound can be certified");
+}
+
+}  // namespace plumbline::reference

@@ -1,0 +1,365 @@
+"""Figures of the refinement studies: convergence, pairwise order, plateau, single-parameter studies, cost.
+
+Each function returns a Figure, or None where the files hold nothing to draw. No number is fitted here: orders,
+intervals and constants are those of the study files.
+"""
+
+from dataclasses import dataclass, field
+
+import numpy
+from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
+
+import svg
+import text
+
+ROUNDING = numpy.finfo(float).eps
+VARIED = {"cells": "cells", "dt": "time step", "ppc": "points per cell", "offset": "shift of the grid"}
+_AXIS = {"dt": "time step in s", "ppc": "points per cell", "offset": "shift of the grid in cells"}
+
+
+@dataclass
+class Key:
+    """One entry of the legend beside a figure."""
+
+    label: str
+    colour: str            # CSS colour
+    mark: str = ""         # o s ^ D v P, or none
+    dash: bool = False
+    band: bool = False
+
+
+@dataclass
+class Figure:
+    svg: str
+    title: str
+    caption: str
+    files: list
+    keys: list = field(default_factory=list)
+
+
+# --- axes -----------------------------------------------------------------------------------------------------
+
+def log_axis(axis, low, high):
+    """Decades, with 2 and 5 between where fewer than two decades are seen."""
+    decades = numpy.log10(high / low) if low > 0 else 1
+    subs = (1, 2, 5) if decades < 2 else (1,)
+    every = max(1, int(numpy.ceil(decades / 7)))
+    if every > 1:
+        first = int(numpy.floor(numpy.log10(low)))
+        axis.set_major_locator(FixedLocator([10.0 ** power for power in range(first, first + int(decades) + 3, every)]))
+        axis.set_minor_locator(NullLocator())
+    else:
+        axis.set_major_locator(LogLocator(10, subs=subs))
+        axis.set_minor_locator(LogLocator(10, subs=range(2, 10)) if decades < 5 else NullLocator())
+    axis.set_major_formatter(FuncFormatter(lambda value, _: tick(value)))
+    axis.set_minor_formatter(NullFormatter())
+
+
+def tick(value):
+    """Tick labels: 0.01 ... 999 plainly, powers of ten otherwise."""
+    if 0.009 < abs(value) < 1000:
+        return text.number(value, 3)
+    power = int(numpy.floor(numpy.log10(abs(value)) + 1e-9)) if value else 0
+    factor = value / 10.0 ** power
+    return f"10{text.superscript(power)}" if round(factor) == 1 else f"{round(factor)}·10{text.superscript(power)}"
+
+
+def plain_axis(axis):
+    axis.set_major_formatter(FuncFormatter(lambda value, _: text.number(round(value, 12), 5)))
+
+
+def _margins(values, factor=1.6):
+    positive = [value for value in values if value and value > 0]
+    return min(positive) / factor, max(positive) * factor
+
+
+def _marks(axes, entry, x, y, used):
+    """Filled marks for levels that enter the fit, hollow ones for those that do not."""
+    colour, mark = svg.series_colour(entry.style), svg.series_mark(entry.style)
+    for chosen, fill in ((used, colour), (~used, "none")):
+        if chosen.any():
+            axes.plot(x[chosen], y[chosen], mark, color=colour, markerfacecolor=fill, markeredgewidth=1.1)
+
+
+def _keys(series):
+    return [Key(entry.label, f"var(--s{entry.style % len(svg.SERIES) + 1})", svg.series_mark(entry.style)) for entry in series]
+
+
+def _with_errors(case, vary, measure):
+    return [entry for entry in case.studies(vary) if sum(error > 0 for _, error in entry.errors(measure)) > 1]
+
+
+def _files(series):
+    return [name for entry in series for name in entry.files]
+
+
+def theory(case, measure):
+    """The order that theory allows for a measure, or None."""
+    order = ((case.catalog.get("theory_order") or {}).get(measure) or {}).get("order")
+    return order if isinstance(order, (int, float)) else None
+
+
+# --- convergence ------------------------------------------------------------------------------------------------
+
+@dataclass
+class _Levels:
+    """The levels of one study as arrays: those with a positive error and a cell size."""
+
+    h: numpy.ndarray
+    error: numpy.ndarray
+    used: numpy.ndarray
+    fit: dict
+
+
+def _levels(entry, measure):
+    fit = entry.measures.get(measure) or {}
+    used = fit.get("levels_used") or [True] * len(entry.levels)
+    rows = [(level.get("h"), ((level.get("measures") or {}).get(measure) or {}).get("error"), flag)
+            for level, flag in zip(entry.levels, used)]
+    rows = [row for row in rows if row[0] and row[1] and row[1] > 0]
+    h, error, used = (numpy.array(column) for column in zip(*rows)) if rows else (numpy.array([]),) * 3
+    return _Levels(h, error, used.astype(bool), fit)
+
+
+def confidence_band(h, used_h, fit):
+    """(low, high) of the fitted line at h, from the interval of the order that the file states.
+
+    For a straight line through n points, the half width at x is t s sqrt(1/n + (x - mean)^2/Sxx), and that of the
+    slope is t s/sqrt(Sxx): the first follows from the second without fitting again.
+    """
+    low, high = fit.get("order_low"), fit.get("order_high")
+    if None in (low, high, fit.get("order"), fit.get("constant")) or len(used_h) < 3:
+        return None
+    x, mean = numpy.log(used_h), numpy.log(used_h).mean()
+    sxx = ((x - mean) ** 2).sum()
+    half = (high - low) / 2 * numpy.sqrt(sxx / len(x) + (numpy.log(h) - mean) ** 2)
+    line = fit["constant"] * h ** fit["order"]
+    return line * numpy.exp(-half), line * numpy.exp(half)
+
+
+def floors(series, measure):
+    """(largest reference bound, largest rounding floor) over the levels; None where not stated."""
+    found = [(level.get("measures") or {}).get(measure) or {} for entry in series for level in entry.levels]
+    bounds = [entry["reference_bound"] for entry in found if entry.get("reference_bound")]
+    scales = [entry["error"] / entry["relative_error"] for entry in found if entry.get("error") and entry.get("relative_error")]
+    return max(bounds, default=None), ROUNDING * max(scales) if scales else None
+
+
+def convergence(case, measure, prefix):
+    series = _with_errors(case, "cells", measure)
+    if not series:
+        return None
+    bound, rounding = floors(series, measure)
+    order = theory(case, measure)
+
+    def paint(axes):
+        shown = []
+        for entry in series:
+            levels = _levels(entry, measure)
+            shown += list(levels.error)
+            _fitted_line(axes, entry, levels)
+            _marks(axes, entry, levels.h, levels.error, levels.used)
+        _theory_line(axes, order, _levels(series[0], measure), shown)
+        low, high = _margins(shown, 2.2)
+        _floor_lines(axes, low, bound, rounding)
+        axes.set(xscale="log", yscale="log", ylim=axes.get_ylim() if min(low, axes.get_ylim()[0]) < low else (low, high),
+                 xlabel="cell size h", ylabel=f"error, {measure}")
+        log_axis(axes.xaxis, *axes.get_xlim())
+        log_axis(axes.yaxis, *axes.get_ylim())
+
+    orders = text.listing(f"{entry.label}: order {text.order(entry.measures.get(measure) or {})}" for entry in series)
+    caption = (f"Error in {measure} against cell size; the mesh gets finer to the left. On these axes an error C h^p is a straight "
+               f"line of slope p. Lines and shaded 95 % bands are the fits stated in the files ({orders}); hollow marks did not "
+               f"enter a fit. {_floor_words(bound, rounding)}")
+    keys = _keys(series) + ([Key(f"theory: slope {text.number(order)}", "var(--muted)", dash=True)] if order is not None else [])
+    return Figure(svg.draw(paint, prefix, f"Error in {measure} against cell size; {orders}"), f"Convergence of {measure}", caption,
+                  _files(series), keys)
+
+
+def _fitted_line(axes, entry, levels):
+    if levels.fit.get("order") is None or levels.fit.get("constant") is None or not levels.used.any():
+        return
+    colour = svg.series_colour(entry.style)
+    used_h = levels.h[levels.used]
+    h = numpy.geomspace(used_h.min(), used_h.max(), 30)
+    axes.plot(h, levels.fit["constant"] * h ** levels.fit["order"], color=colour, linewidth=1.1)
+    band = confidence_band(h, used_h, levels.fit)
+    if band:
+        axes.fill_between(h, *band, color=colour, alpha=0.16, linewidth=0)
+
+
+def _theory_line(axes, order, levels, shown):
+    if order is None or not len(levels.h):
+        return
+    h = numpy.array([levels.h.min(), levels.h.max()])
+    start = 0.62 * levels.error[levels.h.argmin()]
+    axes.plot(h, start * (h / h[0]) ** order, color=svg.MUTED, linewidth=0.9, dashes=(5, 3))
+    shown.append(start)
+
+
+def _floor_lines(axes, low, bound, rounding):
+    """Floors within three decades of the data are drawn; those far below are named at the lower edge."""
+    below = []
+    for value, name, dashes in ((bound, "reference bound", (1, 1.5)), (rounding, "rounding", (4, 1.5, 1, 1.5))):
+        if value and value > low * 1e-3:
+            axes.axhline(value, color=svg.MUTED, linewidth=0.9, dashes=dashes)
+            axes.annotate(name, (1, value), xycoords=("axes fraction", "data"), ha="right", va="bottom", fontsize=7.5)
+        elif value:
+            below.append(f"{name} {text.number(value, 2)}")
+    if below:
+        axes.annotate("↓ far below: " + ", ".join(below), (1, 0.015), xycoords="axes fraction", ha="right", va="bottom",
+                      fontsize=7.5, color=svg.MUTED)
+
+
+def _floor_words(bound, rounding):
+    known = [f"the reference is sure to {text.number(bound, 2)}" if bound else "", 
+             f"rounding sets in near {text.number(rounding, 2)}" if rounding else ""]
+    known = [words for words in known if words]
+    return f"What cannot be resolved: {text.listing(known)}; errors near these floors would say nothing about the scheme." if known else ""
+
+
+def pairwise(case, measure, prefix):
+    """Order between neighbouring levels."""
+    series = [entry for entry in _with_errors(case, "cells", measure) if (entry.measures.get(measure) or {}).get("pairwise")]
+    if not series:
+        return None
+    order = theory(case, measure)
+
+    def paint(axes):
+        shown = [order] if order is not None else []
+        for entry in series:
+            sizes = [level.get("h") or numpy.nan for level in entry.levels]
+            pairs = [(numpy.sqrt(coarse * fine), value) for coarse, fine, value
+                     in zip(sizes, sizes[1:], entry.measures[measure]["pairwise"]) if value is not None]
+            x, y = (numpy.array(column) for column in zip(*pairs)) if pairs else (numpy.array([]),) * 2
+            shown += list(y)
+            axes.plot(x, y, svg.series_mark(entry.style) + "-", color=svg.series_colour(entry.style), linewidth=0.9)
+        if order is not None:
+            axes.axhline(order, color=svg.MUTED, linewidth=0.9, dashes=(5, 3))
+        axes.set(xscale="log", xlabel="cell size h (geometric mean of the two levels)", ylabel="order between neighbours",
+                 ylim=(min(shown) - 0.25, max(shown) + 0.25))
+        log_axis(axes.xaxis, *axes.get_xlim())
+        plain_axis(axes.yaxis)
+
+    caption = (f"Order in {measure} from each pair of neighbouring levels. In the asymptotic range the values settle on one level; "
+               "a trend to the left (finer meshes) means that the fitted order is not the final word.")
+    keys = _keys(series) + ([Key(f"theory: {text.number(order)}", "var(--muted)", dash=True)] if order is not None else [])
+    return Figure(svg.draw(paint, prefix, f"Order of {measure} between neighbouring levels", height=2.5), "Order level by level",
+                  caption, _files(series), keys)
+
+
+def plateau(case, measure, prefix):
+    """E/h^p over the levels, relative to the finest."""
+    series = [entry for entry in _with_errors(case, "cells", measure) if any((entry.measures.get(measure) or {}).get("plateau") or [])]
+    if not series:
+        return None
+
+    def paint(axes):
+        axes.axhspan(0.85, 1.15, color=svg.MUTED, alpha=0.14, linewidth=0)
+        for entry in series:
+            rows = [(level.get("h"), value) for level, value in zip(entry.levels, entry.measures[measure]["plateau"])
+                    if value and level.get("h")]
+            x, y = (numpy.array(column) for column in zip(*rows))
+            axes.plot(x, y / y[x.argmin()], svg.series_mark(entry.style) + "-", color=svg.series_colour(entry.style), linewidth=0.9)
+        axes.set(xscale="log", xlabel="cell size h", ylabel="E/h^p over its finest value")
+        low, high = axes.get_ylim()
+        axes.set_ylim(min(low, 0.7), max(high, 1.3))
+        log_axis(axes.xaxis, *axes.get_xlim())
+        plain_axis(axes.yaxis)
+
+    caption = (f"Error in {measure} divided by h^p, p being the fitted order of each line, relative to the finest level. A flat line "
+               "means that one power of h describes all levels; the grey strip is the 15 % within which the three finest must lie to "
+               "count as asymptotic.")
+    keys = _keys(series) + [Key("± 15 % of the finest", "var(--muted)", band=True)]
+    return Figure(svg.draw(paint, prefix, f"Plateau of {measure}", height=2.5), "Plateau of the error constant", caption,
+                  _files(series), keys)
+
+
+# --- one parameter alone -----------------------------------------------------------------------------------------
+
+def variation(case, vary, measure, prefix):
+    """Error against the time step, the points per cell or the offset of the grid alone."""
+    series = [entry for entry in case.studies(vary) if entry.errors(measure)]
+    if not series:
+        return None
+
+    def paint(axes):
+        values, shown = [], []
+        for entry in series:
+            rows = sorted((level.get("value"), error) for level, error in entry.errors(measure)
+                          if level.get("value") is not None and error > 0)
+            x, y = (numpy.array(column) for column in zip(*rows)) if rows else (numpy.array([]),) * 2
+            values, shown = values + list(x), shown + list(y)
+            axes.plot(x, y, svg.series_mark(entry.style) + "-", color=svg.series_colour(entry.style), linewidth=0.9)
+        scale = "linear" if vary == "offset" else "log"
+        axes.set(xscale=scale, yscale="log", xlabel=_AXIS.get(vary, vary), ylabel=f"error, {measure}")
+        if shown:
+            axes.set_ylim(*_margins(shown, 1.4))
+        if scale == "log" and values:
+            log_axis(axes.xaxis, *axes.get_xlim())
+        log_axis(axes.yaxis, *axes.get_ylim())
+
+    why = " ".join(dict.fromkeys(entry.why[0].upper() + entry.why[1:].rstrip(".") + "." for entry in series if entry.why))
+    see = {"dt": "Mesh and points stay as they are. A level line means that the step costs no accuracy; an error that grows towards "
+                 "small steps betrays a loss at every step.",
+           "ppc": "Mesh and step rule stay as they are; a level line means that more points would not help.",
+           "offset": "Only the place of the grid under the points changes, by less than one cell; the spread is the part of the error "
+                     "that is an accident of this place."}.get(vary, "")
+    name = VARIED.get(vary, vary)
+    caption = f"Error in {measure} when only the {name} changes. {see} {why}".strip()
+    return Figure(svg.draw(paint, prefix, f"Error in {measure} against {name}", height=2.5), f"{name.capitalize()} alone", caption,
+                  _files(series), _keys(series))
+
+
+# --- cost -----------------------------------------------------------------------------------------------------------
+
+def wall_time(level):
+    return level.get("wall_s")
+
+
+def point_steps(level):
+    return level["points"] * level["steps"] if level.get("points") and level.get("steps") else None
+
+
+COSTS = {"time": (wall_time, "wall time in s", "error against wall time",
+                  "Wall time is that of the machine named below and varies from run to run."),
+         "work": (point_steps, "point-steps (points × steps)", "error against point-steps",
+                  "Point-steps count the work free of the machine.")}
+
+
+def front(points):
+    """Those (cost, error) that no other beats in both, by growing cost."""
+    best, chosen = numpy.inf, []
+    for cost, error in sorted(points):
+        if error < best:
+            best = error
+            chosen.append((cost, error))
+    return chosen
+
+
+def cost(case, measure, kind, prefix):
+    """Error against cost of every line of the case, with the front of the best."""
+    price, axis, title, remark = COSTS[kind]
+    rows = [(entry, [(price(level), error) for level, error in entry.errors(measure) if price(level) and error > 0])
+            for entry in case.series if entry.vary in ("cells", "")]
+    rows = [(entry, points) for entry, points in rows if points]
+    if not rows:
+        return None
+
+    def paint(axes):
+        best = front([point for _, points in rows for point in points])
+        axes.plot(*zip(*best), color=svg.INK, linewidth=3.2, alpha=0.16, solid_capstyle="round")
+        for entry, points in rows:
+            axes.plot(*zip(*points), svg.series_mark(entry.style) + "-", color=svg.series_colour(entry.style), linewidth=0.9)
+        axes.plot(*zip(*best), "o", markersize=9, color=svg.INK, markerfacecolor="none", markeredgewidth=0.8, linestyle="none")
+        axes.set(xscale="log", yscale="log", xlabel=axis, ylabel=f"error, {measure}")
+        axes.set_ylim(*_margins([error for _, points in rows for _, error in points], 1.8))
+        axes.set_xlim(*_margins([value for _, points in rows for value, _ in points], 1.8))
+        log_axis(axes.xaxis, *axes.get_xlim())
+        log_axis(axes.yaxis, *axes.get_ylim())
+
+    series = [entry for entry, _ in rows]
+    caption = (f"Error in {measure} against {axis.split(' in ')[0]}, one mark per run. Lower and further left is better; ringed marks on the "
+               f"broad line are the front: no other run is both cheaper and more accurate. {remark}")
+    keys = _keys(series) + [Key("front of the best", "currentColor", "ring")]
+    return Figure(svg.draw(paint, prefix, f"{measure}: {title}", height=2.7), title[0].upper() + title[1:], caption, _files(series), keys)

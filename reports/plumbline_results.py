@@ -1,0 +1,326 @@
+"""Reads the result files of Plumbline: one run, one refinement study or one set of verdicts per HDF5 file.
+
+    import plumbline_results
+    run = plumbline_results.load("results/sod-default-100-0123456789ab.h5")
+    run.measures["density.L1"]["error"], run.profile["density"], run.ledger["energy"]["residual"]
+
+    python plumbline_results.py FILE --csv gates > gates.csv
+
+Needs numpy and h5py. Numbers keep the units the file states; non-finite numbers are None in the JSON parts.
+Exit status: 0; 2 the file has no such table; 4 the file is damaged, missing or of a newer format.
+"""
+
+import argparse
+import csv
+import json
+import os
+import pathlib
+import sys
+from dataclasses import dataclass, field
+
+import h5py
+import numpy
+
+FORMAT_VERSION = 1
+OLDEST_FORMAT_VERSION = 1
+KINDS = ("run", "study", "verdicts")
+GATE_COLUMNS = ("case", "id", "scheme", "quantity", "low", "high", "origin", "reason", "measured",
+                "interval_low", "interval_high", "margin", "verdict", "cause", "run_ids")
+MEASURE_COLUMNS = ("value", "error", "relative_error", "reference", "reference_bound", "unit")
+FIT_COLUMNS = ("order", "order_low", "order_high", "constant", "asymptotic", "reason")
+LEVEL_COLUMNS = ("h", "value", "points", "steps", "wall_s", "point_steps_per_s", "verdict", "finished", "file")
+
+
+class ResultsError(Exception):
+    """A result file that cannot be used; the text says why."""
+
+
+class DamagedFile(ResultsError):
+    """The file is truncated, no HDF5, no file of Plumbline, or a part of it is missing or malformed."""
+
+
+class NewerFormat(ResultsError):
+    """The file was made by a newer version of Plumbline than this reader knows."""
+
+
+class NoSuchTable(ResultsError, KeyError):
+    """The file is whole, but holds no table of that name."""
+
+    def __str__(self):
+        return self.args[0]
+
+
+class Columns(dict):
+    """Columns of equal length by name (float64 arrays), with `units`, `labels`, `abscissa` and `kind`."""
+
+    def __init__(self, columns, units=None, labels=None, abscissa="", kind=""):
+        super().__init__(columns)
+        self.units = units or {}
+        self.labels = labels or {}
+        self.abscissa = abscissa
+        self.kind = kind
+
+
+@dataclass
+class Result:
+    """One result file. `run`, `study` and `verdicts` hold the JSON object of the file's own kind, else {}."""
+
+    kind: str
+    name: str
+    format: int
+    run: dict = field(default_factory=dict)
+    study: dict = field(default_factory=dict)
+    verdicts: dict = field(default_factory=dict)
+    measures: dict = field(default_factory=dict)
+    gates: list = field(default_factory=list)
+    provenance: dict = field(default_factory=dict)
+    settings: dict = field(default_factory=dict)
+    catalog: dict = field(default_factory=dict)
+    ledger: dict = field(default_factory=dict)
+    profile: Columns = field(default_factory=lambda: Columns({}))
+
+    def table_names(self):
+        """Names of the tables that this file can give as CSV."""
+        return [name for name, build in _TABLES.items() if build(self)[1]]
+
+    def table(self, name):
+        """(header, rows) of a table; raises NoSuchTable."""
+        if name not in _TABLES:
+            raise NoSuchTable(f"unknown table '{name}'; there are: {', '.join(_TABLES)}")
+        header, rows = _TABLES[name](self)
+        if not rows:
+            raise NoSuchTable(f"{self.name} has no table '{name}'; it has: {', '.join(self.table_names())}")
+        return header, rows
+
+    def to_csv(self, name, target):
+        """Writes a table to `target`, a path or an open text stream."""
+        write_csv(*self.table(name), target)
+
+
+@dataclass
+class Folder:
+    """All result files of one folder by kind, each list sorted by file name; `damaged`: (name, reason)."""
+
+    runs: list = field(default_factory=list)
+    studies: list = field(default_factory=list)
+    verdicts: list = field(default_factory=list)
+    damaged: list = field(default_factory=list)
+
+
+def load(path):
+    """Reads one file. Raises DamagedFile, NewerFormat, or FileNotFoundError."""
+    path = pathlib.Path(path)
+    if not path.exists():
+        raise FileNotFoundError(f"{path}: no such file")
+    try:
+        with h5py.File(path, "r") as file:
+            return _read(file, path.name)
+    except ResultsError:
+        raise
+    except (OSError, RuntimeError, KeyError, ValueError, TypeError, AttributeError) as error:
+        raise DamagedFile(f"cannot be read: {_first_line(error)}") from error
+
+
+def load_folder(path):
+    """Reads every *.h5 file directly in the folder; what cannot be used is listed, never raised."""
+    path = pathlib.Path(path)
+    if not path.is_dir():
+        raise NotADirectoryError(f"{path}: no such folder")
+    folder = Folder()
+    lists = {"run": folder.runs, "study": folder.studies, "verdicts": folder.verdicts}
+    for file in sorted(path.glob("*.h5"), key=lambda entry: entry.name):
+        try:
+            result = load(file)
+            lists[result.kind].append(result)
+        except (ResultsError, OSError) as error:
+            folder.damaged.append((file.name, str(error)))
+    return folder
+
+
+def write_csv(header, rows, target):
+    """Comma-separated, a point as decimal mark, shortest digits that give the same number back."""
+    if hasattr(target, "write"):
+        writer = csv.writer(target, lineterminator="\n")
+        writer.writerow(header)
+        writer.writerows([_cell(value) for value in row] for row in rows)
+        return
+    with open(target, "w", encoding="utf-8", newline="") as stream:
+        write_csv(header, rows, stream)
+
+
+# --- reading ------------------------------------------------------------------------------------------------
+
+def _read(file, name):
+    version = _format_version(file)
+    kind = _text(file.attrs.get("kind"))
+    if kind not in KINDS:
+        raise DamagedFile(f"unknown kind of result '{kind}'")
+    result = Result(kind=kind, name=name, format=version)
+    setattr(result, kind, _json(file, kind, dict, required=True))
+    for part, shape in (("measures", dict), ("gates", list), ("provenance", dict), ("settings", dict),
+                        ("catalog", dict)):
+        setattr(result, part, _json(file, part, shape))
+    if kind == "study":
+        result.measures = _json(file, "fit", dict) or result.study.get("measures") or {}
+        result.settings = result.settings or result.study.get("settings") or {}
+    result.ledger = {quantity: Columns(_columns(group)) for quantity, group in _groups(file, "ledger")}
+    if "profile" in file:
+        result.profile = _profile(file["profile"])
+    return result
+
+
+def _format_version(file):
+    if "plumbline_format" not in file.attrs:
+        raise DamagedFile("not a result file of Plumbline: the attribute plumbline_format is missing")
+    version = int(numpy.asarray(file.attrs["plumbline_format"]).reshape(-1)[0])
+    if version > FORMAT_VERSION:
+        raise NewerFormat(f"made by a newer version: format {version}, this reader knows up to {FORMAT_VERSION}")
+    if version < OLDEST_FORMAT_VERSION:
+        raise DamagedFile(f"format {version} is not known, the oldest known is {OLDEST_FORMAT_VERSION}")
+    return version
+
+
+def _json(file, part, shape, required=False):
+    if part not in file:
+        if required:
+            raise DamagedFile(f"the part /{part} is missing")
+        return shape()
+    try:
+        value = json.loads(_text(file[part][()]), parse_constant=_refuse_constant)
+    except ValueError as error:
+        raise DamagedFile(f"the part /{part} is not valid JSON: {_first_line(error)}") from error
+    if not isinstance(value, shape):
+        raise DamagedFile(f"the part /{part} should be a JSON {'object' if shape is dict else 'list'}")
+    return value
+
+
+def _refuse_constant(name):
+    raise ValueError(f"{name} stands where a number or null should")
+
+
+def _text(value):
+    """Fixed and variable strings of HDF5 alike."""
+    if isinstance(value, numpy.ndarray):
+        value = value.reshape(-1)[0]
+    if isinstance(value, bytes):
+        return value.decode("utf-8").rstrip("\0")
+    return "" if value is None else str(value)
+
+
+def _groups(file, name):
+    return list(file[name].items()) if name in file else []
+
+
+def _columns(group):
+    columns = {name: numpy.asarray(data[()], dtype=float).reshape(-1) for name, data in group.items()}
+    lengths = {name: len(values) for name, values in columns.items()}
+    if len(set(lengths.values())) > 1:
+        raise DamagedFile(f"the columns of {group.name} differ in length: {lengths}")
+    return columns
+
+
+def _profile(group):
+    units = {name: _text(data.attrs.get("unit")) for name, data in group.items()}
+    labels = {name: _text(data.attrs.get("label")) for name, data in group.items()}
+    return Columns(_columns(group), units, labels, _text(group.attrs.get("abscissa")), _text(group.attrs.get("kind")))
+
+
+def _first_line(error):
+    lines = str(error).splitlines()
+    return lines[0] if lines else type(error).__name__
+
+
+# --- tables -------------------------------------------------------------------------------------------------
+
+def _cell(value):
+    if value is None:
+        return ""
+    if isinstance(value, (bool, numpy.bool_)):
+        return "true" if value else "false"
+    if isinstance(value, (float, numpy.floating)):
+        return repr(float(value))
+    if isinstance(value, (list, tuple)):
+        return ";".join(str(_cell(item)) for item in value)
+    if isinstance(value, dict):
+        return json.dumps(value, sort_keys=True, ensure_ascii=False)
+    return value
+
+
+def gate_row(gate):
+    """One gate in the order of GATE_COLUMNS."""
+    expected = gate.get("expected") or {}
+    low, high = gate.get("interval") or (None, None)
+    flat = {**gate, "low": expected.get("low"), "high": expected.get("high"), "interval_low": low, "interval_high": high}
+    return [flat.get(column) for column in GATE_COLUMNS]
+
+
+def _gates_table(result):
+    return list(GATE_COLUMNS), [gate_row(gate) for gate in result.gates or result.verdicts.get("gates", [])]
+
+
+def _measures_table(result):
+    columns = FIT_COLUMNS if result.kind == "study" else MEASURE_COLUMNS
+    rows = [[name] + [values.get(column) for column in columns] for name, values in sorted(result.measures.items())]
+    return ["measure", *columns], rows
+
+
+def _levels_table(result):
+    levels = result.study.get("levels") or []
+    names = sorted({name for level in levels for name in level.get("measures") or {}})
+    rows = [[level.get("settings", {}).get("cells")] + [level.get(column) for column in LEVEL_COLUMNS]
+            + [(level.get("measures", {}).get(name) or {}).get("error") for name in names] for level in levels]
+    return ["cells", *LEVEL_COLUMNS, *(f"{name}.error" for name in names)], rows
+
+
+def _ledger_table(result):
+    names = ["time", "step"]
+    names += sorted({name for columns in result.ledger.values() for name in columns} - set(names))
+    rows = [[quantity] + [columns[name][row] if name in columns else None for name in names]
+            for quantity, columns in sorted(result.ledger.items())
+            for row in range(len(next(iter(columns.values()), ())))]
+    return ["quantity", *names], rows
+
+
+def _profile_table(result):
+    first = result.profile.abscissa
+    names = sorted(result.profile, key=lambda name: (name != first, name))
+    return names, [list(row) for row in zip(*(result.profile[name] for name in names))]
+
+
+def _pairs_table(part):
+    return lambda result: (["key", "value"], [[key, value] for key, value in sorted(getattr(result, part).items())])
+
+
+_TABLES = {"measures": _measures_table, "gates": _gates_table, "ledger": _ledger_table, "profile": _profile_table,
+           "levels": _levels_table, "settings": _pairs_table("settings"), "provenance": _pairs_table("provenance")}
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(description="Shows what a result file holds, or writes one of its tables as CSV.")
+    parser.add_argument("file", metavar="FILE")
+    parser.add_argument("--csv", metavar="TABLE", choices=list(_TABLES), help=f"one of: {', '.join(_TABLES)}")
+    options = parser.parse_args(arguments)
+    try:
+        result = load(options.file)
+        if options.csv:
+            result.to_csv(options.csv, sys.stdout)
+        else:
+            print(f"{result.name}: {result.kind}, format {result.format}; tables: {', '.join(result.table_names())}")
+        sys.stdout.flush()
+    except NoSuchTable as error:
+        return _complain(error, 2)
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    except (ResultsError, OSError) as error:
+        return _complain(f"{options.file}: {error}" if isinstance(error, ResultsError) else error, 4)
+    return 0
+
+
+def _complain(message, status):
+    print(f"plumbline_results: {message}", file=sys.stderr)
+    return status
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,190 @@
+"""Figures of single runs: the profile over the exact solution, and what the ledger could not account for."""
+
+import numpy
+
+import figures
+import svg
+import text
+from figures import Figure, Key
+
+LEVEL_NAMES = ("coarsest", "middle", "finest")
+REFERENCE = "_reference"
+_BINS = 320
+_ERROR_BINS = 160
+_QUANTITIES = {"mass": "mass", "momentum_x": "momentum along x", "momentum_y": "momentum along y",
+               "angular_momentum": "angular momentum", "energy": "energy"}
+
+
+def fields(profile):
+    """Names of the columns that have an exact counterpart."""
+    return [name for name in profile if name + REFERENCE in profile]
+
+
+def envelope(x, y, bins=_BINS):
+    """At most two values per bin, the smallest and the largest in their order: fewer points, the same picture."""
+    order = numpy.argsort(x, kind="stable")
+    x, y = x[order], y[order]
+    finite = numpy.isfinite(x) & numpy.isfinite(y)
+    x, y = x[finite], y[finite]
+    if len(x) <= 2 * bins:
+        return x, y
+    kept = []
+    for part in numpy.array_split(numpy.arange(len(x)), bins):
+        kept += sorted({part[y[part].argmin()], part[y[part].argmax()]})
+    return x[kept], y[kept]
+
+
+def largest_in_bins(x, error, bins=_ERROR_BINS):
+    """Bin edges and the largest |error| in each of equal intervals; NaN where a bin is empty."""
+    edges = numpy.linspace(numpy.nanmin(x), numpy.nanmax(x), min(bins, max(len(x) // 2, 1)) + 1)
+    index = numpy.clip(numpy.digitize(x, edges) - 1, 0, len(edges) - 2)
+    largest = numpy.full(len(edges) - 1, numpy.nan)
+    for place, value in zip(index, numpy.abs(error)):
+        if not value <= largest[place]:      # also replaces the first NaN
+            largest[place] = value
+    return edges, largest
+
+
+def chosen_levels(entry, results):
+    """[(name, run object, profile)]: the coarsest, middle and finest level that have a profile."""
+    found = [(level, results[level.get("file")].profile) for level in entry.levels if level.get("file") in results]
+    found = [(level, profile) for level, profile in found if fields(profile) and profile.abscissa in profile]
+    if len(found) > 3:
+        found = [found[0], found[len(found) // 2], found[-1]]
+    names = {1: ("finest",), 2: ("coarsest", "finest")}.get(len(found), LEVEL_NAMES)
+    return [(name, level, profile) for name, (level, profile) in zip(names, found)]
+
+
+def profile(entry, name, levels, prefix):
+    """One field of one line of the case: exact and computed above, the error below."""
+    last = levels[-1][2]
+    present = [(which, level, columns) for which, level, columns in levels if name + REFERENCE in columns]
+    if not present:
+        return None
+
+    def paint(axes):
+        upper, lower = axes
+        columns = present[-1][2]
+        x, y = envelope(columns[columns.abscissa], columns[name + REFERENCE])
+        upper.plot(x, y, color=svg.INK, linewidth=3.4, alpha=0.22, solid_capstyle="round")
+        for which, _, columns in present:
+            _computed(upper, lower, which, columns, name)
+        upper.set_ylabel(axis_label(last, name))
+        figures.plain_axis(upper.yaxis)
+        _error_axis(lower)
+        lower.set_xlabel(axis_label(last, last.abscissa))
+        figures.plain_axis(lower.xaxis)
+
+    label = _label(last, name)
+    cells = text.listing(f"{which} {_size(level)}" for which, level, _ in present)
+    caption = (f"{label[0].upper() + label[1:]} of {entry.label} ({cells}): above, computed values over the exact solution (broad grey line); below, "
+               "the size of the difference, the largest in each of equal intervals, on a logarithmic axis (five decades at most). "
+               "Better levels lie closer to the grey line and lower in the lower plot.")
+    keys = [Key("exact", "currentColor", band=True)]
+    keys += [Key(f"{which}: {_size(level)}", _variable(which), "dot" if _is_sparse(columns, name) else "") for which, level, columns in present]
+    drawing = svg.draw(paint, prefix, f"{label} of {entry.label} over the exact solution, with the error below", height=3.5, nrows=2,
+                       sharex=True, gridspec_kw={"height_ratios": [2.1, 1]})
+    return Figure(drawing, f"{label[0].upper() + label[1:]}, {entry.label}", caption, [level.get("file") for _, level, _ in present], keys)
+
+
+def _computed(upper, lower, which, columns, name):
+    colour = svg.LEVELS[LEVEL_NAMES.index(which)]
+    x, y = columns[columns.abscissa], columns[name]
+    style = {"marker": ".", "markersize": 3.2, "linestyle": "none"} if _is_sparse(columns, name) else {"linewidth": 1.0}
+    line, = upper.plot(*envelope(x, y), color=colour, **style)
+    line.set_gid(f"class:level-{which}")
+    edges, largest = largest_in_bins(x, y - columns[name + REFERENCE])
+    largest[~(largest > 0)] = numpy.nan
+    if numpy.isfinite(largest).any():
+        stairs, = lower.plot(numpy.repeat(edges, 2)[1:-1], numpy.repeat(largest, 2), color=colour, linewidth=0.9)
+        stairs.set_gid(f"class:level-{which}")
+
+
+def _is_sparse(columns, name):
+    return len(columns[name]) <= 2 * _BINS and columns.kind == "space"
+
+
+def _error_axis(axes):
+    values = numpy.concatenate([line.get_ydata() for line in axes.lines] or [[]])
+    values = values[numpy.isfinite(values)] if len(values) else values
+    axes.set_ylabel("|error|")
+    if not len(values):
+        axes.annotate("no difference", (0.5, 0.5), xycoords="axes fraction", ha="center")
+        return
+    high = values.max() * 2
+    axes.set(yscale="log", ylim=(max(values.min() / 2, high * 1e-5), high))
+    figures.log_axis(axes.yaxis, *axes.get_ylim())
+
+
+def _variable(which):
+    return f"var(--l{LEVEL_NAMES.index(which) + 1})"
+
+
+def _size(level):
+    cells = (level.get("settings") or {}).get("cells")
+    return f"{text.count(cells)} cells" if isinstance(cells, (int, float)) else level.get("file") or "?"
+
+
+def _label(columns, name):
+    return columns.labels.get(name) or name.replace("_", " ")
+
+
+def axis_label(columns, name):
+    unit = columns.units.get(name)
+    return f"{_label(columns, name)} in {unit}" if unit and unit != "1" else _label(columns, name)
+
+
+# --- ledger ---------------------------------------------------------------------------------------------------------
+
+def quantity_name(quantity):
+    return _QUANTITIES.get(quantity, quantity.replace("_", " "))
+
+
+def drift(quantity, finest, prefix):
+    """Residual of the books over their scale against time, for [(series, run result)].
+
+    The file states the largest |residual|/scale of all steps (`relative_drift`), which fixes the scale of the column.
+    """
+    lines, closed = [], []
+    for entry, result in finest:
+        relative = relative_residual(result, quantity)
+        if relative is None:
+            continue
+        if relative.any():
+            lines.append((entry, result, relative))
+        else:
+            closed.append((entry, result))
+    if not lines and not closed:
+        return None
+
+    def paint(axes):
+        for entry, result, relative in lines:
+            x, y = envelope(result.ledger[quantity]["time"], numpy.where(relative > 0, relative, numpy.nan))
+            axes.plot(x, y, color=svg.series_colour(entry.style), linewidth=1.0)
+        axes.axhline(figures.ROUNDING, color=svg.MUTED, linewidth=0.9, dashes=(4, 1.5, 1, 1.5))
+        high = max([relative.max() for _, _, relative in lines] + [1e-13])
+        axes.set(yscale="log", ylim=(1e-18, high * 10), xlabel="time in s", ylabel="|residual| / scale")
+        figures.log_axis(axes.yaxis, *axes.get_ylim())
+        figures.plain_axis(axes.xaxis)
+
+    name = quantity_name(quantity)
+    exact = f" Closed to the last bit at every stored step: {text.listing(entry.label for entry, _ in closed)}." if closed else ""
+    caption = (f"What the books of {name} leave unexplained: change of all stores less all booked flows, over the scale of the run. The "
+               f"dash-dotted line is the rounding of one operation; a residual that stays within some orders of it is the sum of many "
+               f"roundings, one that grows steadily is a leak.{exact}")
+    keys = [Key(entry.label, f"var(--s{entry.style % len(svg.SERIES) + 1})") for entry, _, _ in lines]
+    keys.append(Key("rounding of one operation", "var(--muted)", dash=True))
+    drawing = svg.draw(paint, prefix, f"Residual of {name} against time", height=2.4)
+    files = [result.name for _, result, _ in lines] + [result.name for _, result in closed]
+    return Figure(drawing, f"Drift of {name}", caption, files, keys)
+
+
+def relative_residual(result, quantity):
+    """|residual|/scale of a ledger quantity, or None where the file does not hold it."""
+    columns = result.ledger.get(quantity) or {}
+    stated = ((result.run.get("ledger") or {}).get(quantity) or {}).get("relative_drift")
+    if "residual" not in columns or "time" not in columns or not len(columns["time"]) or stated is None:
+        return None
+    residual = numpy.abs(columns["residual"])
+    largest = numpy.nanmax(residual, initial=0.0)
+    return residual / largest * abs(stated) if largest > 0 else numpy.zeros_like(residual)

@@ -1,0 +1,72 @@
+"""Turns a matplotlib figure into inline SVG that follows the page: colours and font are CSS variables.
+
+matplotlib draws with stand-in colours; each is replaced by a variable of the style sheet, so that one drawing is
+legible on a light and on a dark page. Identifiers get a prefix of their own, as many figures share one document.
+"""
+
+import io
+import re
+
+import matplotlib
+from matplotlib.backends.backend_svg import FigureCanvasSVG
+from matplotlib.figure import Figure
+
+INK, GRID, MUTED = "#010203", "#010204", "#010205"
+SERIES = tuple(f"#f100{index:02x}" for index in range(1, 7))       # one colour per line of a case
+LEVELS = tuple(f"#f200{index:02x}" for index in range(1, 4))       # coarsest, middle, finest
+MARKS = ("o", "s", "^", "D", "v", "P")
+_VARIABLES = {INK: "currentColor", GRID: "var(--grid)", MUTED: "var(--muted)",
+              **{colour: f"var(--s{index + 1})" for index, colour in enumerate(SERIES)},
+              **{colour: f"var(--l{index + 1})" for index, colour in enumerate(LEVELS)}}
+_STYLE = {"svg.fonttype": "none", "svg.hashsalt": "plumbline", "font.family": "DejaVu Sans", "font.size": 8.5,
+          "axes.edgecolor": MUTED, "axes.labelcolor": INK, "axes.linewidth": 0.7, "text.color": INK,
+          "xtick.color": MUTED, "ytick.color": MUTED, "xtick.labelcolor": INK, "ytick.labelcolor": INK,
+          "xtick.labelsize": 8, "ytick.labelsize": 8, "axes.labelsize": 8.5,
+          "axes.grid": True, "grid.color": GRID, "grid.linewidth": 0.6, "axes.axisbelow": True,
+          "axes.spines.top": False, "axes.spines.right": False, "lines.linewidth": 1.4, "lines.markersize": 4.5,
+          "path.simplify": True, "path.simplify_threshold": 0.3, "figure.constrained_layout.use": True}
+WIDTH = 4.7    # inches; at 390 pixels of page the text is then still about 9 pixels high
+
+
+def series_colour(style):
+    return SERIES[style % len(SERIES)]
+
+
+def series_mark(style):
+    return MARKS[style % len(MARKS)]
+
+
+def draw(paint, prefix, label, height=2.9, **subplots):
+    """SVG text of the figure that `paint(axes)` fills; `subplots` goes to Figure.subplots."""
+    with matplotlib.rc_context():
+        matplotlib.rcdefaults()
+        matplotlib.rcParams.update(_STYLE)
+        figure = Figure(figsize=(WIDTH, height))
+        FigureCanvasSVG(figure)
+        paint(figure.subplots(**subplots))
+        stream = io.StringIO()
+        figure.savefig(stream, format="svg", transparent=True, metadata={"Date": None})
+    return _inline(stream.getvalue(), prefix, label)
+
+
+def escape(text):
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace('"', "&quot;")
+
+
+def _inline(text, prefix, label):
+    text = text[text.index("<svg"):]
+    text = re.sub(r"<metadata>.*?</metadata>|<style.*?</style>|<!--.*?-->", "", text, flags=re.DOTALL)
+    box = re.search(r'viewBox="[^"]*"', text).group(0)
+    text = re.sub(r"^<svg[^>]*>", f'<svg {box} role="img" aria-label="{escape(label)}">', text)
+    text = text.replace("xlink:href", "href").replace(' transform="rotate(-0 ', ' transform="rotate(0 ')
+    text = re.sub(r"font: ([\d.]+)px [^;\"]*", r"font: \1px var(--font)", text)
+    text = re.sub("|".join(_VARIABLES), lambda match: _VARIABLES[match.group(0)], text)
+    text = re.sub(r'id="class:([\w-]+)[^"]*"', r'class="\1"', text)
+    text = _own_identifiers(text, prefix)
+    return re.sub(r">\s+<", "><", re.sub(r" *\n *", " ", text)).strip()
+
+
+def _own_identifiers(text, prefix):
+    used = set(re.findall(r'(?:href="#|url\(#)([^")]+)', text))
+    text = re.sub(r' id="([^"]*)"', lambda m: f' id="{prefix}-{m.group(1)}"' if m.group(1) in used else "", text)
+    return re.sub(r'(href="#|url\(#)', rf"\g<1>{prefix}-", text)
