@@ -1,7 +1,7 @@
 # Shared by the scripts in ci/: sourced, never run. Leaves the shell in the source root.
 # shellcheck shell=bash
 script=$(realpath "$0")
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
+cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit
 export OMP_NUM_THREADS=1   # the tests and the studies run side by side; threads inside a run only slow them
 # shellcheck disable=SC2034  # used by the scripts that source this one
 jobs=$(nproc)

@@ -37,11 +37,12 @@ inline Bounded result(double value, double propagated, double ulps = 1) {
 
 inline Bounded operator-(Bounded a) { return {-a.value, a.bound}; }
 
-// Sums of two doubles never underflow, and adding or subtracting zero is exact.
+/// A sum never underflows, is exact where it is zero and where one term is zero.
 inline Bounded operator+(Bounded a, Bounded b) {
   const double sum = a.value + b.value;
-  if (a.value == 0 || b.value == 0) return {sum, a.bound + b.bound == 0 ? 0 : (a.bound + b.bound) * rounding::inflate};
-  return rounding::result(sum, a.bound + b.bound);  // [Higham 3.3]
+  const double own = a.value == 0 || b.value == 0 ? 0 : rounding::unit * std::abs(sum);
+  const double bound = (a.bound + b.bound + own) * rounding::inflate;  // [Higham 3.3]
+  return {sum, std::isfinite(sum) && bound >= 0 ? bound : rounding::infinity};
 }
 inline Bounded operator-(Bounded a, Bounded b) { return a + (-b); }
 

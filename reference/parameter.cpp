@@ -21,15 +21,21 @@ std::string text(double value) {
 
 ParameterError::ParameterError(std::string key_, double value_, std::string allowed_)
     : std::invalid_argument(key_ + " = " + text(value_) + " is not allowed: " + allowed_),
-      key(std::move(key_)), value(value_), allowed(std::move(allowed_)) {}
+      key(std::move(key_)),
+      value(value_),
+      allowed(std::move(allowed_)) {}
 
 UnknownParameter::UnknownParameter(std::string key_, std::vector<std::string> known_)
-    : std::invalid_argument("there is no parameter " + key_), key(std::move(key_)), known(std::move(known_)) {}
+    : std::invalid_argument("there is no parameter " + key_),
+      key(std::move(key_)),
+      known(std::move(known_)) {}
 
 std::string allowed_text(const Parameter& p) {
   const bool low_open = p.low_open || std::isinf(p.low), high_open = p.high_open || std::isinf(p.high);
-  return (low_open ? "(" : "[") + text(p.low) + ", " + text(p.high) + (high_open ? ")" : "]") +
-         (p.unit == "1" ? "" : " " + p.unit);
+  std::string allowed = low_open ? "(" : "[";
+  allowed += text(p.low) + ", " + text(p.high) + (high_open ? ")" : "]");
+  if (!p.unit.empty() && p.unit != "1") allowed += " " + p.unit;
+  return allowed;
 }
 
 void check(const Parameter& p, double value) {

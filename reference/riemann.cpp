@@ -50,7 +50,7 @@ RiemannSolution::RiemannSolution(const RiemannProblem& problem) : problem_(probl
   place_waves();
 }
 
-// One gas expands freely: its edge moves with u +- 2 a / (gamma - 1) [Toro sec. 4.6].
+// One gas expands freely: its edge moves with u +- 2 a / (gamma - 1) (Toro, section 4.6).
 void RiemannSolution::solve_into_vacuum() {
   vacuum_ = true;
   const WaveCurve& gas = left_ ? *left_ : *right_;
@@ -76,7 +76,8 @@ Bounded RiemannSolution::star_pressure() const {
   const double guess = std::log(std::max({problem_.left.pressure, problem_.right.pressure, ram}));
   const double least = -700, greatest = 700;
   double low = std::clamp(guess, least, greatest), high = low;
-  for (double step = 1; high < greatest && !(f(std::exp(high)).value > 0); step *= 2) high = std::min(high + step, greatest);
+  for (double step = 1; high < greatest && !(f(std::exp(high)).value > 0); step *= 2)
+    high = std::min(high + step, greatest);
   for (double step = 1; low > least && !(f(std::exp(low)).value < 0); step *= 2) low = std::max(low - step, least);
   double p = 0;
   if (f(std::exp(low)).value < 0) {
@@ -85,7 +86,10 @@ Bounded RiemannSolution::star_pressure() const {
     if (polished > 0 && std::abs(f(polished).value) <= std::abs(f(p).value)) p = polished;
   }
   const double at = p > 0 ? p : std::exp(least), slope = left_->slope(at) + right_->slope(at);
-  return enclose_root(f, p, slope, 0, rounding::infinity);
+  const Bounded root = enclose_root(f, p, slope, 0, rounding::infinity);
+  // Rounding leaves open whether there is a vacuum: say so with a bound that covers both answers.
+  const bool may_be_vacuum = lowest(root) <= 0 && !certainly_below(at_zero, 0.0);
+  return may_be_vacuum ? Bounded(0, highest(root) * rounding::inflate) : root;
 }
 
 void RiemannSolution::solve_star() {

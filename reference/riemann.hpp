@@ -1,6 +1,6 @@
 #pragma once
-// Exact solution of the Riemann problem of the Euler equations for an ideal gas, vacuum included [Toro ch. 4], with
-// computed error bounds.
+// Exact solution of the Riemann problem of the Euler equations for an ideal gas, vacuum included, with computed error
+// bounds. Source: Toro, 3rd ed., chapter 4.
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace plumbline::reference {
 
-/// Two gases of the same gamma, parted at x = 0 until t = 0. Any consistent units. Keys of errors: `left.density`, ...
+/// Two gases of the same gamma, parted at x = 0 until t = 0. Any consistent units.
 struct RiemannProblem {
   GasState left, right;
   double gamma = 1.4;
@@ -37,7 +37,7 @@ struct Sample {
 
 class RiemannSolution {
  public:
-  /// Throws ParameterError unless gamma > 1, all numbers are finite, density and pressure >= 0, no pressure without
+  /// Throws ParameterError (keys `gamma`, `left.density`, ...) unless gamma > 1, all numbers are finite, density and pressure >= 0, no pressure without
   /// density, and at most one side is a vacuum; std::runtime_error if no bound can be certified (overflow).
   explicit RiemannSolution(const RiemannProblem& problem);
 
@@ -70,7 +70,7 @@ class RiemannSolution {
   StarRegion star_;
   Wave left_wave_, right_wave_;
   bool vacuum_ = false;
-  Bounded edges_[5];  // left head, left tail, contact, right tail, right head: region i lies left of edge i
+  Bounded edges_[5];    // left head, left tail, contact, right tail, right head: region i lies left of edge i
   Sample constant_[6];  // states of the regions that are not fans (1 and 4 are)
   bool fan_[6] = {};
 };

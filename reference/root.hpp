@@ -15,6 +15,7 @@ double brent_root(const std::function<double(double)>& f, double low, double hig
 /// The first try is |f| plus its rounding over `slope`, the derivative there (it need only be roughly right).
 /// The root is known to lie in [least, greatest]: no sign is needed where the interval reaches either.
 /// Throws std::runtime_error if no bound can be certified.
-Bounded enclose_root(const std::function<Bounded(double)>& f, double guess, double slope, double least, double greatest);
+Bounded enclose_root(const std::function<Bounded(double)>& f, double guess, double slope, double least,
+                     double greatest);
 
 }  // namespace plumbline::reference

@@ -3,13 +3,17 @@
 namespace plumbline::reference {
 
 WaveCurve::WaveCurve(const GasState& gas, double gamma, int direction)
-    : gas_(gas), direction_(direction), gamma_(gamma), gamma_minus_(gamma_ - 1.0), gamma_plus_(gamma_ + 1.0) {
-  A_ = Bounded(2) / (gamma_plus_ * gas.density);                // [Toro 4.8]
-  B_ = gamma_minus_ / gamma_plus_ * gas.pressure;               // [Toro 4.8]
-  a_ = sqrt(gamma_ * gas.pressure / gas.density);               // [Toro 3.6]
-  e_ = Bounded(gas.pressure) / (gamma_minus_ * gas.density);    // [Toro 1.20]
+    : gas_(gas),
+      direction_(direction),
+      gamma_(gamma),
+      gamma_minus_(gamma_ - 1.0),
+      gamma_plus_(gamma_ + 1.0) {
+  A_ = Bounded(2) / (gamma_plus_ * gas.density);              // [Toro 4.8]
+  B_ = gamma_minus_ / gamma_plus_ * gas.pressure;             // [Toro 4.8]
+  a_ = sqrt(gamma_ * gas.pressure / gas.density);             // ideal gas: a^2 = gamma p/rho
+  e_ = Bounded(gas.pressure) / (gamma_minus_ * gas.density);  // ideal gas: p = (gamma - 1) rho e
   escape_ = Bounded(2) * a_ / gamma_minus_;
-  if (gas.pressure == 0) B_ = a_ = e_ = escape_ = 0.0;          // a cold gas, exactly
+  if (gas.pressure == 0) B_ = a_ = e_ = escape_ = 0.0;  // a cold gas, exactly
 }
 
 Bounded WaveCurve::velocity_change(double p) const {
@@ -35,18 +39,20 @@ Bounded WaveCurve::density(double p) const {
 }
 
 Bounded WaveCurve::energy(double p) const {
-  if (is_shock(p)) return Bounded(p) / (gamma_minus_ * density(p));  // [Toro 1.20]
+  if (is_shock(p)) return Bounded(p) / (gamma_minus_ * density(p));  // ideal gas
   if (p == 0) return 0.0;
-  return e_ * pow(Bounded(p) / gas_.pressure, gamma_minus_ / gamma_);  // [Toro 1.20] with [Toro 4.53]
+  return e_ * pow(Bounded(p) / gas_.pressure, gamma_minus_ / gamma_);  // with [Toro 4.53]
 }
 
 Bounded WaveCurve::sound_speed(double p) const {
-  if (is_shock(p)) return sqrt(gamma_ * p / density(p));  // [Toro 3.6]
+  if (is_shock(p)) return sqrt(gamma_ * p / density(p));  // ideal gas
   if (p == 0) return 0.0;
   return a_ * pow(Bounded(p) / gas_.pressure, gamma_minus_ / (Bounded(2) * gamma_));  // [Toro 4.54]
 }
 
-Bounded WaveCurve::mass_flux(double p) const { return sqrt((Bounded(p) + B_) / A_); }  // [Toro 4.20]
+Bounded WaveCurve::mass_flux(double p) const {
+  return sqrt((Bounded(p) + B_) / A_);
+}  // rho_K a_K sqrt(...) of [Toro 4.52]
 
 Bounded WaveCurve::velocity_behind(Bounded p) const {
   const Bounded change = over_interval([this](double q) { return velocity_change(q); }, p);
@@ -55,7 +61,7 @@ Bounded WaveCurve::velocity_behind(Bounded p) const {
 
 Bounded WaveCurve::shock_speed(Bounded p) const {
   const Bounded flux = over_interval([this](double q) { return mass_flux(q); }, p);
-  return Bounded(gas_.velocity) + Bounded(direction_) * flux / gas_.density;  // [Toro 4.51]
+  return Bounded(gas_.velocity) + Bounded(direction_) * flux / gas_.density;  // [Toro 4.52]
 }
 
 Bounded WaveCurve::head(Bounded p) const {
@@ -78,10 +84,10 @@ WaveCurve::Ray WaveCurve::ray(double xi) const {
   const Bounded ratio = (Bounded(2) - out * gamma_minus_ * (u - xi) / a_) / gamma_plus_;  // a / a_K
   const Bounded thinning = pow(ratio, Bounded(2) / gamma_minus_);
   const Bounded cooling = ratio * ratio;
-  return {Bounded(gas_.density) * thinning,                                                        // [Toro 4.56]
+  return {Bounded(gas_.density) * thinning,                                                       // [Toro 4.56]
           Bounded(2) / gamma_plus_ * (Bounded(xi) - out * a_ + Bounded(0.5) * gamma_minus_ * u),  // [Toro 4.56]
-          Bounded(gas_.pressure) * thinning * cooling,                                             // [Toro 4.56]
-          e_ * cooling};                                                                           // [Toro 1.20]
+          Bounded(gas_.pressure) * thinning * cooling,                                            // [Toro 4.56]
+          e_ * cooling};                                                                          // e goes as a^2
 }
 
 }  // namespace plumbline::reference

@@ -18,12 +18,12 @@ class WaveCurve {
   double slope(double p) const;             // df_K/dp for p > 0, without a bound
   Bounded density(double p) const;
   Bounded sound_speed(double p) const;
-  Bounded energy(double p) const;  // specific internal energy
+  Bounded energy(double p) const;     // specific internal energy
   Bounded mass_flux(double p) const;  // through the shock, by area and time
 
   Bounded velocity_behind(Bounded p) const;
-  Bounded head(Bounded p) const;                       // speed of the shock, or of the rarefaction's first ray
-  Bounded tail(Bounded p, Bounded velocity) const;     // speed of the shock, or of the rarefaction's last ray
+  Bounded head(Bounded p) const;                    // speed of the shock, or of the rarefaction's first ray
+  Bounded tail(Bounded p, Bounded velocity) const;  // speed of the shock, or of the rarefaction's last ray
 
   const GasState& gas() const { return gas_; }
   Bounded own_sound_speed() const { return a_; }

@@ -5,8 +5,9 @@ from dataclasses import dataclass, field
 
 VERDICTS = ("PASS", "FAIL", "INCONCLUSIVE", "XFAIL", "XPASS", "INVALID", "NONE")
 URGENCY = ("INVALID", "FAIL", "XPASS", "INCONCLUSIVE", "XFAIL", "PASS", "NONE")   # the order of lists: missed first
-MISSED = ("INVALID", "FAIL", "XPASS", "INCONCLUSIVE")
+GREEN = ("XFAIL", "PASS", "NONE")
 # What a study resolves level by level; two studies are told apart by the settings that remain.
+_VARY_ORDER = {"cells": 0, "": 1, "dt": 2, "ppc": 3, "offset": 4}
 SIZE_KEYS = frozenset(("cells", "h", "dt", "offset"))
 
 
@@ -91,7 +92,7 @@ def gather(folder):
     for case in cases.values():
         case.gates = most_urgent_first(case.gates)
         case.other_gates = most_urgent_first(case.other_gates)
-        _label(case.series)
+        _label(case)
     return dict(sorted(cases.items()))
 
 
@@ -102,8 +103,13 @@ def newest_gates(folder):
         tier = result.verdicts.get("tier") or ""
         for gate in result.gates or result.verdicts.get("gates") or []:
             key = (tier, gate.get("case"), gate.get("scheme"), gate.get("id"))
-            found[key] = {**gate, "tier": tier, "file": result.name}
+            found[key] = {**_stated(gate), "tier": tier, "file": result.name}
     return list(found.values())
+
+
+def _stated(gate):
+    """The gate with a verdict: one that states none lacks data, which is what INVALID means."""
+    return {**gate, "verdict": gate.get("verdict") or "INVALID"}
 
 
 def _case(cases, name):
@@ -124,7 +130,7 @@ def _take_other_gates(cases, result):
     known = {_identity(gate) for gate in case.all_gates}
     for gate in result.gates:
         if _identity(gate) not in known:
-            case.other_gates.append({"case": name, **gate, "file": result.name})
+            case.other_gates.append({"case": name, **_stated(gate), "file": result.name})
 
 
 def _identity(gate):
@@ -170,19 +176,24 @@ def _distinctive(settings, vary=""):
     return {key: value for key, value in settings.items() if key not in SIZE_KEYS and key != vary}
 
 
-def _label(series):
+def _label(case):
     """Names each line by its scheme and by what sets it apart from others of that scheme; equal names, equal colour."""
-    for entry in series:
-        rivals = [_distinctive(other.settings, other.vary) for other in series if other.scheme == entry.scheme
-                  and other.vary == entry.vary]
+    for entry in case.series:
         own = _distinctive(entry.settings, entry.vary)
-        differing = sorted(key for key in own if any(other.get(key) != own[key] for other in rivals))
-        choices = ", ".join(f"{key}={_short(own[key])}" for key in differing)
+        keys = _differing(case.series, entry, ("cells", "")) | _differing(case.series, entry, (entry.vary,))
+        choices = ", ".join(f"{key}={_short(own[key])}" for key in sorted(keys & set(own)))
         entry.label = f"{entry.scheme} · {choices}" if choices else entry.scheme
-    _tell_apart(series)
-    labels = sorted({entry.label for entry in series})
-    for entry in series:
+    _tell_apart(case.series)
+    case.series.sort(key=lambda entry: (entry.scheme != "default", entry.scheme, _VARY_ORDER.get(entry.vary, 9), entry.label))
+    labels = list(dict.fromkeys(entry.label for entry in case.series))
+    for entry in case.series:
         entry.style = labels.index(entry.label)
+
+
+def _differing(series, entry, kinds):
+    """Keys in which the lines of this scheme and of these kinds differ among themselves."""
+    rivals = [_distinctive(other.settings, other.vary) for other in series if other.scheme == entry.scheme and other.vary in kinds]
+    return {key for settings in rivals for key in settings if any(other.get(key) != settings[key] for other in rivals)}
 
 
 def _tell_apart(series):

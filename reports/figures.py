@@ -7,7 +7,7 @@ intervals and constants are those of the study files.
 from dataclasses import dataclass, field
 
 import numpy
-from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
+from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, MaxNLocator, NullFormatter, NullLocator
 
 import svg
 import text
@@ -40,28 +40,34 @@ class Figure:
 # --- axes -----------------------------------------------------------------------------------------------------
 
 def log_axis(axis, low, high):
-    """Decades, with 2 and 5 between where fewer than two decades are seen."""
-    decades = numpy.log10(high / low) if low > 0 else 1
-    subs = (1, 2, 5) if decades < 2 else (1,)
-    every = max(1, int(numpy.ceil(decades / 7)))
-    if every > 1:
-        first = int(numpy.floor(numpy.log10(low)))
-        axis.set_major_locator(FixedLocator([10.0 ** power for power in range(first, first + int(decades) + 3, every)]))
-        axis.set_minor_locator(NullLocator())
-    else:
-        axis.set_major_locator(LogLocator(10, subs=subs))
-        axis.set_minor_locator(LogLocator(10, subs=range(2, 10)) if decades < 5 else NullLocator())
+    """Ticks of a logarithmic axis: decades; 1, 2, 5; all digits; whatever gives at least three labels."""
+    ticks = log_ticks(low, high)
+    axis.set_major_locator(FixedLocator(ticks))
     axis.set_major_formatter(FuncFormatter(lambda value, _: tick(value)))
+    decades = numpy.log10(high / low)
+    axis.set_minor_locator(LogLocator(10, subs=range(2, 10), numticks=99) if decades < 5 else NullLocator())
     axis.set_minor_formatter(NullFormatter())
 
 
+def log_ticks(low, high):
+    """Tick positions within [low, high], 0 < low < high."""
+    first, last = int(numpy.floor(numpy.log10(low))), int(numpy.ceil(numpy.log10(high)))
+    every = max(1, round((last - first) / 6))
+    for digits in ((1,), (1, 2, 5), (1, 1.5, 2, 3, 4, 5, 6, 8)):
+        ticks = [digit * 10.0 ** power for power in range(first, last + 1, every if digits == (1,) else 1) for digit in digits]
+        inside = [value for value in ticks if low <= value <= high]
+        if len(inside) >= 3:
+            return inside
+    return [value for value in MaxNLocator(5).tick_values(low, high) if low <= value <= high]
+
+
 def tick(value):
-    """Tick labels: 0.01 ... 999 plainly, powers of ten otherwise."""
-    if 0.009 < abs(value) < 1000:
+    """Tick labels: 0.001 ... 9999 plainly, powers of ten otherwise."""
+    if 0.0009 < abs(value) < 10000:
         return text.number(value, 3)
     power = int(numpy.floor(numpy.log10(abs(value)) + 1e-9)) if value else 0
-    factor = value / 10.0 ** power
-    return f"10{text.superscript(power)}" if round(factor) == 1 else f"{round(factor)}·10{text.superscript(power)}"
+    factor = text.number(round(value / 10.0 ** power, 2))
+    return f"10{text.superscript(power)}" if factor == "1" else f"{factor}·10{text.superscript(power)}"
 
 
 def plain_axis(axis):
@@ -161,18 +167,17 @@ def convergence(case, measure, prefix):
             _marks(axes, entry, levels.h, levels.error, levels.used)
         _theory_line(axes, order, _levels(series[0], measure), shown)
         low, high = _margins(shown, 2.2)
-        _floor_lines(axes, low, bound, rounding)
-        axes.set(xscale="log", yscale="log", ylim=axes.get_ylim() if min(low, axes.get_ylim()[0]) < low else (low, high),
-                 xlabel="cell size h", ylabel=f"error, {measure}")
+        low = min([low] + _floor_lines(axes, low, bound, rounding))
+        axes.set(xscale="log", yscale="log", ylim=(low, high), xlabel="cell size h", ylabel=f"error, {measure}")
         log_axis(axes.xaxis, *axes.get_xlim())
         log_axis(axes.yaxis, *axes.get_ylim())
 
     orders = text.listing(f"{entry.label}: order {text.order(entry.measures.get(measure) or {})}" for entry in series)
-    caption = (f"Error in {measure} against cell size; the mesh gets finer to the left. On these axes an error C h^p is a straight "
+    caption = (f"Error in {measure} against cell size; the mesh gets finer to the left. On these axes an error C hᵖ is a straight "
                f"line of slope p. Lines and shaded 95 % bands are the fits stated in the files ({orders}); hollow marks did not "
                f"enter a fit. {_floor_words(bound, rounding)}")
     keys = _keys(series) + ([Key(f"theory: slope {text.number(order)}", "var(--muted)", dash=True)] if order is not None else [])
-    return Figure(svg.draw(paint, prefix, f"Error in {measure} against cell size; {orders}"), f"Convergence of {measure}", caption,
+    return Figure(svg.draw(paint, prefix, f"Error in {measure} against cell size; {orders}", height=3.7), f"Convergence of {measure}", caption,
                   _files(series), keys)
 
 
@@ -198,17 +203,19 @@ def _theory_line(axes, order, levels, shown):
 
 
 def _floor_lines(axes, low, bound, rounding):
-    """Floors within three decades of the data are drawn; those far below are named at the lower edge."""
-    below = []
+    """Draws floors within three decades of the data and returns their half values; names others at the lower edge."""
+    drawn, below = [], []
     for value, name, dashes in ((bound, "reference bound", (1, 1.5)), (rounding, "rounding", (4, 1.5, 1, 1.5))):
         if value and value > low * 1e-3:
             axes.axhline(value, color=svg.MUTED, linewidth=0.9, dashes=dashes)
             axes.annotate(name, (1, value), xycoords=("axes fraction", "data"), ha="right", va="bottom", fontsize=7.5)
+            drawn.append(value / 2)
         elif value:
             below.append(f"{name} {text.number(value, 2)}")
     if below:
         axes.annotate("↓ far below: " + ", ".join(below), (1, 0.015), xycoords="axes fraction", ha="right", va="bottom",
                       fontsize=7.5, color=svg.MUTED)
+    return drawn
 
 
 def _floor_words(bound, rounding):
@@ -244,12 +251,12 @@ def pairwise(case, measure, prefix):
     caption = (f"Order in {measure} from each pair of neighbouring levels. In the asymptotic range the values settle on one level; "
                "a trend to the left (finer meshes) means that the fitted order is not the final word.")
     keys = _keys(series) + ([Key(f"theory: {text.number(order)}", "var(--muted)", dash=True)] if order is not None else [])
-    return Figure(svg.draw(paint, prefix, f"Order of {measure} between neighbouring levels", height=2.5), "Order level by level",
+    return Figure(svg.draw(paint, prefix, f"Order of {measure} between neighbouring levels", height=2.2), "Order level by level",
                   caption, _files(series), keys)
 
 
 def plateau(case, measure, prefix):
-    """E/h^p over the levels, relative to the finest."""
+    """E/hᵖ over the levels, relative to the finest."""
     series = [entry for entry in _with_errors(case, "cells", measure) if any((entry.measures.get(measure) or {}).get("plateau") or [])]
     if not series:
         return None
@@ -261,17 +268,17 @@ def plateau(case, measure, prefix):
                     if value and level.get("h")]
             x, y = (numpy.array(column) for column in zip(*rows))
             axes.plot(x, y / y[x.argmin()], svg.series_mark(entry.style) + "-", color=svg.series_colour(entry.style), linewidth=0.9)
-        axes.set(xscale="log", xlabel="cell size h", ylabel="E/h^p over its finest value")
+        axes.set(xscale="log", xlabel="cell size h", ylabel="E/hᵖ over its finest value")
         low, high = axes.get_ylim()
         axes.set_ylim(min(low, 0.7), max(high, 1.3))
         log_axis(axes.xaxis, *axes.get_xlim())
         plain_axis(axes.yaxis)
 
-    caption = (f"Error in {measure} divided by h^p, p being the fitted order of each line, relative to the finest level. A flat line "
+    caption = (f"Error in {measure} divided by hᵖ, p being the fitted order of each line, relative to the finest level. A flat line "
                "means that one power of h describes all levels; the grey strip is the 15 % within which the three finest must lie to "
                "count as asymptotic.")
     keys = _keys(series) + [Key("± 15 % of the finest", "var(--muted)", band=True)]
-    return Figure(svg.draw(paint, prefix, f"Plateau of {measure}", height=2.5), "Plateau of the error constant", caption,
+    return Figure(svg.draw(paint, prefix, f"Plateau of {measure}", height=2.2), "Plateau of the error constant", caption,
                   _files(series), keys)
 
 

@@ -15,6 +15,7 @@ import csv
 import json
 import os
 import pathlib
+import re
 import sys
 from dataclasses import dataclass, field
 
@@ -118,7 +119,7 @@ def load(path):
     except ResultsError:
         raise
     except (OSError, RuntimeError, KeyError, ValueError, TypeError, AttributeError) as error:
-        raise DamagedFile(f"cannot be read: {_first_line(error)}") from error
+        raise DamagedFile(_why_unreadable(error)) from error
 
 
 def load_folder(path):
@@ -223,6 +224,13 @@ def _profile(group):
     units = {name: _text(data.attrs.get("unit")) for name, data in group.items()}
     labels = {name: _text(data.attrs.get("label")) for name, data in group.items()}
     return Columns(_columns(group), units, labels, _text(group.attrs.get("abscissa")), _text(group.attrs.get("kind")))
+
+
+def _why_unreadable(error):
+    ends = re.search(r"truncated file: eof = (\d+).*stored_eof = (\d+)", str(error))
+    if ends:
+        return f"truncated: {ends.group(1)} of {ends.group(2)} bytes are there"
+    return f"cannot be read: {_first_line(error)}"
 
 
 def _first_line(error):

@@ -51,7 +51,7 @@ def chosen_levels(entry, results):
     found = [(level, profile) for level, profile in found if fields(profile) and profile.abscissa in profile]
     if len(found) > 3:
         found = [found[0], found[len(found) // 2], found[-1]]
-    names = {1: ("finest",), 2: ("coarsest", "finest")}.get(len(found), LEVEL_NAMES)
+    names = {0: (), 1: ("finest",), 2: ("coarsest", "finest")}.get(len(found), LEVEL_NAMES)
     return [(name, level, profile) for name, (level, profile) in zip(names, found)]
 
 
@@ -76,12 +76,12 @@ def profile(entry, name, levels, prefix):
         figures.plain_axis(lower.xaxis)
 
     label = _label(last, name)
-    cells = text.listing(f"{which} {_size(level)}" for which, level, _ in present)
-    caption = (f"{label[0].upper() + label[1:]} of {entry.label} ({cells}): above, computed values over the exact solution (broad grey line); below, "
-               "the size of the difference, the largest in each of equal intervals, on a logarithmic axis (five decades at most). "
-               "Better levels lie closer to the grey line and lower in the lower plot.")
+    sizes = [f"{which} {_size(level)}" if len(levels) > 1 else _size(level) for which, level, _ in present]
+    caption = (f"{label[0].upper() + label[1:]} computed by {entry.label} over the exact solution (broad grey line), and below it the size of "
+               f"the difference: {text.listing(sizes)}.")
     keys = [Key("exact", "currentColor", band=True)]
-    keys += [Key(f"{which}: {_size(level)}", _variable(which), "dot" if _is_sparse(columns, name) else "") for which, level, columns in present]
+    keys += [Key(size, _variable(which), "dot" if _is_sparse(columns, name) else "")
+             for size, (which, _, columns) in zip(sizes, present)]
     drawing = svg.draw(paint, prefix, f"{label} of {entry.label} over the exact solution, with the error below", height=3.5, nrows=2,
                        sharex=True, gridspec_kw={"height_ratios": [2.1, 1]})
     return Figure(drawing, f"{label[0].upper() + label[1:]}, {entry.label}", caption, [level.get("file") for _, level, _ in present], keys)
@@ -145,16 +145,9 @@ def drift(quantity, finest, prefix):
 
     The file states the largest |residual|/scale of all steps (`relative_drift`), which fixes the scale of the column.
     """
-    lines, closed = [], []
-    for entry, result in finest:
-        relative = relative_residual(result, quantity)
-        if relative is None:
-            continue
-        if relative.any():
-            lines.append((entry, result, relative))
-        else:
-            closed.append((entry, result))
-    if not lines and not closed:
+    lines = [(entry, result, relative_residual(result, quantity)) for entry, result in finest]
+    lines = [(entry, result, relative) for entry, result, relative in lines if relative is not None and relative.any()]
+    if not lines:
         return None
 
     def paint(axes):
@@ -168,15 +161,25 @@ def drift(quantity, finest, prefix):
         figures.plain_axis(axes.xaxis)
 
     name = quantity_name(quantity)
-    exact = f" Closed to the last bit at every stored step: {text.listing(entry.label for entry, _ in closed)}." if closed else ""
-    caption = (f"What the books of {name} leave unexplained: change of all stores less all booked flows, over the scale of the run. The "
-               f"dash-dotted line is the rounding of one operation; a residual that stays within some orders of it is the sum of many "
-               f"roundings, one that grows steadily is a leak.{exact}")
+    largest = text.listing(f"{text.number(relative.max(), 2)} for {entry.label}" for entry, _, relative in lines)
+    caption = (f"What the books of {name} leave unexplained in the finest run of each line, over the scale of the run: at most {largest}. "
+               "The dash-dotted line is the rounding of one operation.")
     keys = [Key(entry.label, f"var(--s{entry.style % len(svg.SERIES) + 1})") for entry, _, _ in lines]
     keys.append(Key("rounding of one operation", "var(--muted)", dash=True))
     drawing = svg.draw(paint, prefix, f"Residual of {name} against time", height=2.4)
-    files = [result.name for _, result, _ in lines] + [result.name for _, result in closed]
-    return Figure(drawing, f"Drift of {name}", caption, files, keys)
+    return Figure(drawing, f"Drift of {name}", caption, [result.name for _, result, _ in lines], keys)
+
+
+def closed(quantity, finest):
+    """Labels of the lines whose books of a quantity close to the last bit at every stored step."""
+    found = [(entry, relative_residual(result, quantity)) for entry, result in finest]
+    return [entry.label for entry, relative in found if relative is not None and not relative.any()]
+
+
+def quantities(finest):
+    """Quantities that the ledgers hold, in the order of the page."""
+    held = dict.fromkeys(quantity for _, result in finest for quantity in result.ledger)
+    return sorted(held, key=lambda quantity: list(_QUANTITIES).index(quantity) if quantity in _QUANTITIES else len(_QUANTITIES))
 
 
 def relative_residual(result, quantity):
@@ -187,4 +190,6 @@ def relative_residual(result, quantity):
         return None
     residual = numpy.abs(columns["residual"])
     largest = numpy.nanmax(residual, initial=0.0)
-    return residual / largest * abs(stated) if largest > 0 else numpy.zeros_like(residual)
+    if largest > 0:
+        return residual / largest * abs(stated) if stated else None
+    return numpy.zeros_like(residual)

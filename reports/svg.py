@@ -6,6 +6,7 @@ legible on a light and on a dark page. Identifiers get a prefix of their own, as
 
 import io
 import re
+from xml.etree import ElementTree
 
 import matplotlib
 from matplotlib.backends.backend_svg import FigureCanvasSVG
@@ -21,7 +22,7 @@ _VARIABLES = {INK: "currentColor", GRID: "var(--grid)", MUTED: "var(--muted)",
 _STYLE = {"svg.fonttype": "none", "svg.hashsalt": "plumbline", "font.family": "DejaVu Sans", "font.size": 8.5,
           "axes.edgecolor": MUTED, "axes.labelcolor": INK, "axes.linewidth": 0.7, "text.color": INK,
           "xtick.color": MUTED, "ytick.color": MUTED, "xtick.labelcolor": INK, "ytick.labelcolor": INK,
-          "xtick.labelsize": 8, "ytick.labelsize": 8, "axes.labelsize": 8.5,
+          "xtick.labelsize": 8, "ytick.labelsize": 8, "axes.labelsize": 8.5, "axes.labelpad": 8,
           "axes.grid": True, "grid.color": GRID, "grid.linewidth": 0.6, "axes.axisbelow": True,
           "axes.spines.top": False, "axes.spines.right": False, "lines.linewidth": 1.4, "lines.markersize": 4.5,
           "path.simplify": True, "path.simplify_threshold": 0.3, "figure.constrained_layout.use": True}
@@ -59,7 +60,7 @@ def _inline(text, prefix, label):
     box = re.search(r'viewBox="[^"]*"', text).group(0)
     text = re.sub(r"^<svg[^>]*>", f'<svg {box} role="img" aria-label="{escape(label)}">', text)
     text = text.replace("xlink:href", "href").replace(' transform="rotate(-0 ', ' transform="rotate(0 ')
-    text = re.sub(r"font: ([\d.]+)px [^;\"]*", r"font: \1px var(--font)", text)
+    text = re.sub(r"font: ([\d.]+)px [^;\"]*", r"font: calc(\1px * var(--zoom)) var(--font)", text)
     text = re.sub("|".join(_VARIABLES), lambda match: _VARIABLES[match.group(0)], text)
     text = re.sub(r'id="class:([\w-]+)[^"]*"', r'class="\1"', text)
     text = _own_identifiers(text, prefix)
@@ -70,3 +71,37 @@ def _own_identifiers(text, prefix):
     used = set(re.findall(r'(?:href="#|url\(#)([^")]+)', text))
     text = re.sub(r' id="([^"]*)"', lambda m: f' id="{prefix}-{m.group(1)}"' if m.group(1) in used else "", text)
     return re.sub(r'(href="#|url\(#)', rf"\g<1>{prefix}-", text)
+
+
+# --- sketches from the catalog ------------------------------------------------------------------------------------
+
+_SHAPES = frozenset("svg g path line polyline polygon rect circle ellipse text tspan defs marker use title desc "
+                    "linearGradient radialGradient stop pattern clipPath".split())
+
+
+def sketch(source, prefix, label):
+    """A drawing of the catalog, checked: shapes and text only, nothing that runs or loads; "" if it is not that."""
+    try:
+        root = ElementTree.fromstring(source)
+    except ElementTree.ParseError:
+        return ""
+    for element in root.iter():
+        element.tag = _local(element.tag)
+        if element.tag not in _SHAPES:
+            return ""
+        element.attrib = {_local(name): value for name, value in element.attrib.items() if _harmless(_local(name), value)}
+    if root.tag != "svg" or "viewBox" not in root.attrib:
+        return ""
+    for name in ("width", "height"):
+        root.attrib.pop(name, None)
+    root.attrib.update({"role": "img", "aria-label": label})
+    return _own_identifiers(ElementTree.tostring(root, encoding="unicode", short_empty_elements=False), prefix)
+
+
+def _local(name):
+    return name.rpartition("}")[2]
+
+
+def _harmless(name, value):
+    loads = "url(" in value.replace("url(#", "") or "javascript:" in value.lower()
+    return not name.lower().startswith("on") and not loads and (name != "href" or value.startswith("#"))

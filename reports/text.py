@@ -26,7 +26,7 @@ def number(value, digits=3):
     if -3 <= exponent < 5:
         return sign + _plain(f"{abs(value):.{max(digits - 1 - exponent, 0)}f}")
     mantissa = _plain(mantissa)
-    return f"{sign}{mantissa} × 10{superscript(exponent)}"
+    return f"{sign}{mantissa}\u202f×\u202f10{superscript(exponent)}"
 
 
 def _plain(digits):
@@ -88,11 +88,17 @@ def measured(value, bounds):
     return number(value, digits)
 
 
-def order(fit, digits=3):
-    """'0.985 [0.952, 1.03]' of a fitted measure."""
+def fixed(value, places=3):
+    """A number with a fixed count of decimals, so that several stand comparable below each other."""
+    return MISSING if value is None else f"{value:.{places}f}".replace("-", "−")
+
+
+def order(fit):
+    """'0.985 [0.952, 1.031]' of a fitted measure."""
     if fit.get("order") is None:
         return MISSING
-    return f"{number(fit['order'], digits)} {interval((fit.get('order_low'), fit.get('order_high')), digits)}".strip()
+    ends = [fit.get("order_low"), fit.get("order_high")]
+    return fixed(fit["order"]) + ("" if None in ends else f" [{fixed(ends[0])}, {fixed(ends[1])}]")
 
 
 def seconds(value):

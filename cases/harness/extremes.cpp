@@ -91,16 +91,16 @@ Parabola fit_parabola(const std::vector<double>& u, const std::vector<double>& y
   return {sum / count - c2 * beta, linear / u2 - c2 * alpha, c2};
 }
 
-Extreme interpolate(const History& history, const Turn& turn, double noise) {
+// Vertex of the least-squares parabola through the samples of the window, or nothing where it is no extreme of the
+// kind wanted inside the window. Times and values are centred: that keeps the digits of a fine step at a late time.
+std::optional<Extreme> vertex_in(const History& history, const Window& window, const Turn& turn) {
   const auto [times, values] = history;
-  const Window inner = stretch(values, turn.index, depth_factor * noise);
-  const Window window{inner.first > 0 ? inner.first - 1 : 0, std::min(inner.last + 1, values.size() - 1)};
   const double begin = times[window.first], span = times[window.last] - begin;
   const std::size_t count = window.last - window.first + 1;
   double mean = 0;
   for (std::size_t i = window.first; i <= window.last; ++i)
     mean += (times[i] - begin) / span / static_cast<double>(count);
-  std::vector<double> u, y;  // centred and scaled: keeps the digits of a fine step at a late time
+  std::vector<double> u, y;
   for (std::size_t i = window.first; i <= window.last; ++i) {
     u.push_back((times[i] - begin) / span - mean);
     y.push_back(values[i] - values[turn.index]);
@@ -108,10 +108,18 @@ Extreme interpolate(const History& history, const Turn& turn, double noise) {
   const Parabola p = fit_parabola(u, y);
   const double vertex = -p.c1 / (2 * p.c2);
   const bool bends_rightly = turn.maximum ? p.c2 < 0 : p.c2 > 0;
-  if (bends_rightly && u.front() <= vertex && vertex <= u.back())
-    return {begin + (vertex + mean) * span, values[turn.index] + p.c0 + p.c1 * vertex / 2, turn.maximum};
-  const Window flat = stretch(values, turn.index, 0);  // a lopsided flat top: its middle is the best guess
-  return {(times[flat.first] + times[flat.last]) / 2, values[turn.index], turn.maximum};
+  if (!bends_rightly || vertex < u.front() || vertex > u.back()) return {};
+  return Extreme{begin + (vertex + mean) * span, values[turn.index] + p.c0 + p.c1 * vertex / 2, turn.maximum};
+}
+
+Extreme interpolate(const History& history, const Turn& turn, double noise) {
+  const auto [times, values] = history;
+  const Window flat = stretch(values, turn.index, 0);
+  const Extreme middle{(times[flat.first] + times[flat.last]) / 2, values[turn.index], turn.maximum};
+  if (noise == 0 && flat.last - flat.first >= 2) return middle;
+  const Window inner = stretch(values, turn.index, depth_factor * noise);
+  const Window window{inner.first > 0 ? inner.first - 1 : 0, std::min(inner.last + 1, values.size() - 1)};
+  return vertex_in(history, window, turn).value_or(middle);
 }
 
 }  // namespace

@@ -111,8 +111,7 @@ std::vector<Point> select(const std::vector<Level>& levels, OrderFit& fit) {
     fit.error.push_back(error);
     fit.why_unused.push_back(why_unused(level, error));
     fit.used.push_back(fit.why_unused.back().empty());
-    if (fit.used.back())
-      points.push_back({std::log(level.h), scatter.mean, scatter.variance});
+    if (fit.used.back()) points.push_back({std::log(level.h), scatter.mean, scatter.variance});
   }
   return points;
 }
@@ -126,8 +125,7 @@ void weigh(std::vector<Point>& points) {
 void add_checks(const std::vector<Point>& points, OrderFit& fit) {
   for (std::size_t k = 0; k < points.size(); ++k) {
     fit.plateau.push_back(std::exp(points[k].y - fit.order * points[k].x));
-    if (k > 0)
-      fit.pairwise.push_back((points[k].y - points[k - 1].y) / (points[k].x - points[k - 1].x));
+    if (k > 0) fit.pairwise.push_back((points[k].y - points[k - 1].y) / (points[k].x - points[k - 1].x));
     if (points.size() > 2) {
       std::vector<Point> others = points;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
@@ -186,8 +184,8 @@ OrderFit fit_order(std::span<const Level> given, Weighting weighting) {
     fit.asymptotic = is_asymptotic(fit);
   }
   if (points.size() < least_levels)
-    fit.reason = std::to_string(points.size()) + " of " + std::to_string(levels.size()) +
-                 " levels can be used, " + std::to_string(least_levels) + " are needed";
+    fit.reason = std::to_string(points.size()) + " of " + std::to_string(levels.size()) + " levels can be used, " +
+                 std::to_string(least_levels) + " are needed";
   else if (!std::isfinite(fit.low) || !std::isfinite(fit.high))
     fit.reason = "the fit is not finite";
   fit.usable = fit.reason.empty();

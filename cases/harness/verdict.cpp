@@ -4,7 +4,6 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <regex>
 #include <stdexcept>
 
 #include "cases/harness/order.hpp"
@@ -40,9 +39,13 @@ bool covers(const Range& outer, const Range& inner) {
   return low && high;
 }
 
-bool has_date_and_commit(const std::string& stamp) {
-  static const std::regex form("[0-9]{4}-[0-9]{2}-[0-9]{2}[ ,]+.*\\b[0-9a-f]{7,40}\\b.*");
-  return std::regex_match(stamp, form);
+// "2026-11-21 a1b2c3d": a date, then at least seven hexadecimal digits.
+bool has_date_and_commit(std::string_view stamp) {
+  constexpr std::string_view date = "dddd-dd-dd ", digits = "0123456789", hexadecimal = "0123456789abcdef";
+  if (stamp.size() < date.size() + 7) return false;
+  for (std::size_t k = 0; k < date.size(); ++k)
+    if (date[k] == 'd' ? digits.find(stamp[k]) == std::string_view::npos : stamp[k] != date[k]) return false;
+  return stamp.find_first_not_of(hexadecimal, date.size()) == std::string_view::npos;
 }
 
 std::string defect(const Range& expected, const ExpectedFailure& failure) {
@@ -109,11 +112,14 @@ Judgement judge_stop(const Gate& gate, const Measured::Stop& stop) {
   const StopBand& band = *gate.expected_failure->stops;
   const bool expected = stop.field == band.field && band.step_low <= stop.step && stop.step <= band.step_high;
   if (expected) return {Verdict::xfail, {}, what};
-  return {Verdict::fail, {}, what + ", expected between step " + std::to_string(band.step_low) + " and " +
-                                 std::to_string(band.step_high) + " in field " + band.field};
+  return {Verdict::fail,
+          {},
+          what + ", expected between step " + std::to_string(band.step_low) + " and " + std::to_string(band.step_high) +
+              " in field " + band.field};
 }
 
-// The end of the interval that decides whether an order gate is met, and the one that decides whether it is missed.
+// Of an interval: the end that decides whether an order gate is met, and the one that decides whether it is
+// missed. A value has both in one.
 struct Ends {
   double next_to_bound, far;
 };
@@ -140,8 +146,8 @@ Judgement judge_numbers(const Gate& gate, const Measured& measured) {
 }
 
 // Worst first.
-constexpr std::array severity{Verdict::invalid, Verdict::fail, Verdict::xpass, Verdict::inconclusive,
-                              Verdict::xfail,   Verdict::pass};
+constexpr std::array severity{Verdict::invalid,      Verdict::fail,  Verdict::xpass,
+                              Verdict::inconclusive, Verdict::xfail, Verdict::pass};
 
 }  // namespace
 
@@ -175,8 +181,7 @@ Measured measured_order(const OrderFit& fit) {
 }
 
 void validate(const Gate& gate) {
-  if (const std::string why = defect(gate); !why.empty())
-    throw std::invalid_argument("gate '" + gate.id + "': " + why);
+  if (const std::string why = defect(gate); !why.empty()) throw std::invalid_argument("gate '" + gate.id + "': " + why);
 }
 
 double tolerance(const Range& expected) {

@@ -53,7 +53,7 @@ struct ExpectedFailure {
   std::string cause;
   Range band;
   std::optional<StopBand> stops;
-  std::string frozen_on;  // date and commit of the measurement behind the band; empty if the band is not our own figure
+  std::string frozen_on;  // date and commit of the measurement behind the band; empty if it is not our own
 };
 
 struct Gate {
@@ -91,36 +91,38 @@ struct Judgement {
 // What `judge` needs of an order fit.
 Measured measured_order(const OrderFit& fit);
 
-// Throws std::invalid_argument naming the gate if its declaration is not complete:
-// no id, quantity or reason; neither end, a NaN or infinite end, low above high; an order gate without exactly one end;
-// a frozen gate that is one-sided or lacks date and commit; an expected failure without cause, without band and
-// stop, with an impossible band, or with a band that lies wholly inside the expected range (it could not fail).
+// Throws std::invalid_argument naming the gate if its declaration is not complete: no id, quantity or
+// reason; neither end, a NaN or infinite end, low above high; an order gate without exactly one end; a
+// frozen gate that is one-sided or lacks date and commit; an expected failure without cause, without band
+// and stop, with an impossible band, or with a band that lies wholly inside the expected range (it could
+// not fail).
 void validate(const Gate& gate);
 
-// The gate's tolerance, the room it leaves: half the width of a two-sided range, the size of the bound of a one-sided
-// one (an error of at most 0.007 has the tolerance 0.007; a bound of 0 has none).
+// The gate's tolerance, the room it leaves: half the width of a two-sided range, the size of the bound of a
+// one-sided one (an error of at most 0.007 has the tolerance 0.007; a bound of 0 has none).
 double tolerance(const Range& expected);
 
-// How far inside the expected range: 0 at its end, negative beyond, in units of the tolerance. An upper bound b gives
-// 1 - value/b (b > 0), a lower one value/b - 1, two ends the distance to the nearer end over half the width.
-// Absent where the tolerance is 0.
+// How far inside the expected range: 0 at its end, negative beyond, in units of the tolerance. An upper
+// bound b gives 1 - value/b (b > 0), a lower one value/b - 1, two ends the distance to the nearer end over
+// half the width. Absent where the tolerance is 0.
 std::optional<double> margin(const Range& expected, double value);
 
 // The verdict, in this order:
 //  1. `invalid` -> INVALID.
 //  2. A stopped run -> XFAIL where the gate's expected failure names its step and field; otherwise FAIL.
-//  3. The reference is not good enough -> INVALID: its bound is above 1 % of the tolerance and above 10 ulp of the
-//     scale, or not a number. (Order gates are exempt: there the estimator sets single levels aside.)
+//  3. The reference is not good enough -> INVALID: its bound is above 1 % of the tolerance and above 10 ulp
+//     of the scale, or not a number. (Order gates are exempt: there the estimator sets single levels
+//     aside.)
 //  4. A value or interval that is not a number -> INVALID.
 //  5. `inconclusive` -> INCONCLUSIVE.
 //  6. No value, or no interval for an order gate, or a value outside its own interval -> INVALID.
-//  7. The gate is met (value in the range; interval of an order gate wholly on the right side of the one bound)
-//     -> PASS, or XPASS where a failure is expected.
+//  7. The gate is met (value in the range; interval of an order gate wholly on the right side of the one
+//     bound) -> PASS, or XPASS where a failure is expected.
 //  8. It is not met: FAIL, or XFAIL where the value lies in the band of the expected failure.
-//  9. The interval of an order gate straddles the bound: INCONCLUSIVE; but FAIL where a failure is expected and the
-//     point estimate is outside its band. An expected failure that is not established is not green.
-// The margin of an order gate is that of the interval's end next to the bound, so that it is >= 0 exactly on PASS.
-// Throws what `validate` throws.
+//  9. The interval of an order gate straddles the bound: INCONCLUSIVE; but FAIL where a failure is expected
+//     and the point estimate is outside its band. An expected failure that is not established is not green.
+// The margin of an order gate is that of the interval's end next to the bound, so that it is >= 0 exactly
+// where the gate is met. Throws what `validate` throws.
 Judgement judge(const Gate& gate, const Measured& measured);
 
 struct Counts {
@@ -130,11 +132,12 @@ struct Counts {
 };
 Counts tally(std::span<const Verdict> verdicts);
 
-// The verdict of a whole: the worst of INVALID, FAIL, XPASS, INCONCLUSIVE, XFAIL, PASS; NONE if nothing was judged.
+// The verdict of a whole: the worst of INVALID, FAIL, XPASS, INCONCLUSIVE, XFAIL, PASS; NONE if nothing was
+// judged.
 Verdict overall(std::span<const Verdict> verdicts);
 
-// 0 if every verdict is PASS, XFAIL or NONE (or INCONCLUSIVE where allowed), else 1. An empty set is 1: nothing
-// was judged; a run without gates passes NONE.
+// 0 if every verdict is PASS, XFAIL or NONE (or INCONCLUSIVE where allowed), else 1. An empty set is 1:
+// nothing was judged; a run without gates passes NONE.
 int exit_status(std::span<const Verdict> verdicts, bool allow_inconclusive);
 
 }  // namespace plumbline

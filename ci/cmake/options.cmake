@@ -1,4 +1,5 @@
 # Settings shared by all targets. Targets link `plumbline_options` privately.
+include(GNUInstallDirs)
 option(PLUMBLINE_BUILD_TESTS "Build the tests" ON)
 option(PLUMBLINE_WERROR "Treat warnings as errors" ON)
 set(PLUMBLINE_SANITIZE "" CACHE STRING "Value for -fsanitize=, empty for none")

@@ -13,7 +13,8 @@ CLEAN = {
     "kernel/step.cpp": '#include "kernel/grid.hpp"\n// v = p / m  [York 3.16-3.18]\n// x += v dt  [York 3.21, 3.22]\n',
     "kernel/CMakeLists.txt": "find_package(Eigen3 REQUIRED)  # never GSL\n",
     "reference/riemann.cpp": "#include <gsl/gsl_roots.h>\n// f(p)  [Toro 4.5]\n",
-    "cases/harness/results.cpp": '#include <hdf5.h>\n#include <nlohmann/json.hpp>\n#include "kernel/grid.hpp"\n',
+    "cases/harness/build_info.hpp.in": "// made by CMake\n",
+    "cases/harness/results.cpp": '#include "build_info.hpp"\n#include <hdf5.h>\n#include <nlohmann/json.hpp>\n#include "kernel/grid.hpp"\n',
     "reports/render.py": "import json\nimport numpy as np\nimport matplotlib.pyplot as plt\n",
     "tests/kernel/step_test.cpp": "#include <gsl/gsl_math.h>\n// [York 3.16, 3.17] and [York 3.18]; [York 3.20-3.22]\n",
     "tests/reference/riemann_test.cpp": "// [Toro 4.5]\n",
@@ -94,6 +95,11 @@ def test_index_names_source_and_test_lines(tree):
 def test_code_that_looks_like_a_tag_is_none(tree):
     text = 'auto f = [A](int i) { return A[i]; };\n[[maybe_unused]] int b[3];  // range [0, 1), unit [m], [N 2](x)\n'
     assert run("check_equations", tree(files={"kernel/step.cpp": text})).returncode == 0
+
+
+def test_tests_of_the_checks_count_for_no_equation(tree):
+    files = {"kernel/step.cpp": "// [York 9.9]\n", "tests/ci/test_checks.py": "# [York 9.9]\n"}
+    assert run("check_equations", tree(files=files)).returncode == 1
 
 
 def test_backward_range_is_refused(tree):

@@ -20,6 +20,8 @@ PROVENANCE = {"version": "0.1.0", "git": "0123456789abcdef0123456789abcdef012345
               "instruction_set": "x86-64-v3 (AVX2, FMA)", "threads": 1,
               "libraries": {"Eigen": "3.4.0", "GSL": "2.7.1", "HDF5": "1.10.8"},
               "command": "plumbline verify --tier quick", "started": "2026-11-21T08:00:00Z"}
+SETTINGS = {"integrator": "energy", "transfer": "apic", "shape": "quadratic", "density": "quadratic", "cfl": 0.3,
+            "points": "equal-mass", "viscosity.linear": 1.0, "viscosity.quadratic": 1.0, "gamma": 1.4}
 SKETCH = """<svg viewBox="0 0 320 96" fill="none" stroke="currentColor" stroke-width="1.5">
 <rect x="10" y="20" width="300" height="40"/><line x1="160" y1="14" x2="160" y2="66" stroke-dasharray="4 3"/>
 <g fill="currentColor" stroke="none" font-size="12"><text x="28" y="44">ρ = 1, p = 1</text>
@@ -109,15 +111,15 @@ def run_object(case, scheme, cells, settings, measures, **more):
     name = f"{case}-{scheme}-{cells}-{digest(case, scheme, cells, settings, more.get('value'))}.h5"
     run = {"case": case, "scheme": scheme, "settings": {**settings, "cells": cells}, "verdict": "NONE", "finished": True,
            "stop": None, "steps": steps, "points": points, "wall_s": wall, "point_steps_per_s": points * steps / wall,
-           "measures": measures, "ledger": ledger_json(3e-15), "gates": [], "provenance": PROVENANCE, "file": name,
+           "measures": measures, "ledger": ledger_json(more.pop("drift", 3e-15)), "gates": [], "provenance": PROVENANCE, "file": name,
            "h": 1 / cells, "time": 0.143}
     return {**run, **more}
 
 
-def write_run(folder, run, profile=None, kind="space", drift=3e-15):
+def write_run(folder, run, profile=None, kind="space"):
     parts = {"run": run, **{name: run[name] for name in ("measures", "gates", "provenance", "settings")}}
     with create(folder / run["file"], "run", parts) as file:
-        write_ledger(file, drift, run["time"])
+        write_ledger(file, run["ledger"]["energy"]["relative_drift"], run["time"])
         if profile:
             abscissa = "x" if kind == "space" else "time"
             write_columns(file, "profile", profile, abscissa=abscissa, kind=kind)
@@ -181,14 +183,14 @@ def sod_profile(cells, wide):
 
 
 def sod_study(folder, scheme, errors, wide, choices, **more):
-    settings = {"integrator": "energy", "transfer": "apic", "shape": "quadratic", "density": "quadratic", "cfl": 0.3,
-                "points": "equal-mass", "viscosity.linear": 1.0, "viscosity.quadratic": 1.0, "gamma": 1.4, **choices}
+    settings = {**SETTINGS, **choices}
     levels = []
     for cells, error in zip(CELLS, errors):
         measures = {"density.L1": measure(error), "density.Linf": measure(30 * error ** 0.5 * 0.05),
                     "velocity.L1": measure(2 * error)}
-        levels.append(run_object("sod", scheme, cells, settings, measures, value=cells))
-        write_run(folder, levels[-1], sod_profile(cells, wide), drift=3e-15 if scheme == "default" else 2e-13)
+        levels.append(run_object("sod", scheme, cells, settings, measures, value=cells,
+                                 drift=3e-15 * wide if scheme == "default" else 2e-13))
+        write_run(folder, levels[-1], sod_profile(cells, wide))
     sizes = [level["h"] for level in levels]
     fits = {name: fit([level["measures"][name]["error"] for level in levels], sizes, more.get("used")) for name in levels[0]["measures"]}
     return write_study(folder, "sod", scheme, "cells", levels, fits, sod_catalog(), **more)
@@ -197,7 +199,7 @@ def sod_study(folder, scheme, errors, wide, choices, **more):
 def sod_dt_study(folder):
     levels = []
     for level, dt in enumerate((2e-4, 1e-4, 5e-5, 2.5e-5, 1.25e-5)):
-        settings = {"integrator": "energy", "transfer": "apic", "shape": "quadratic", "points": "equal-mass", "dt": dt}
+        settings = {**SETTINGS, "cfl": None, "dt": dt}
         levels.append(run_object("sod", "default", 200, settings, {"density.L1": measure(0.0030 + 2 * dt)}, value=dt,
                                  steps=int(0.143 / dt)))
     errors, steps = [entry["measures"]["density.L1"]["error"] for entry in levels], [entry["value"] for entry in levels]
@@ -254,7 +256,7 @@ def all_gates():
 
 def write_verdicts(folder, gates=None, declared=None):
     gates = all_gates() if gates is None else gates
-    counts = {verdict: sum(entry["verdict"] == verdict for entry in gates) for verdict in VERDICTS}
+    counts = {verdict: sum(entry.get("verdict") == verdict for entry in gates) for verdict in VERDICTS}
     verdicts = {"gates": gates, "counts": counts, "executed": len(gates), "declared": len(gates) if declared is None else declared,
                 "tier": "quick"}
     parts = {"verdicts": verdicts, "gates": gates, "catalog": {"sod": sod_catalog(), "spring-mass": spring_catalog()},
@@ -288,6 +290,12 @@ def write_all(folder, damaged=True):
     if damaged:
         names["truncated"] = write_truncated(folder, names["run"])
     return names
+
+
+def spring_files_only(folder):
+    """A small whole folder."""
+    folder.mkdir(parents=True, exist_ok=True)
+    return spring_files(folder)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,122 @@
+#include "cases/commands/command.hpp"
+
+#include <dlfcn.h>
+#include <fmt/color.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+
+namespace plumbline {
+
+Provenance Invocation::provenance() const {
+  Provenance p = build_provenance();
+  p.threads = options.threads;
+  p.command = command;
+  return p;
+}
+
+void add_json(CLI::App& app, CommonOptions& options) {
+  app.add_option("--json", options.json, "write JSON to a file, or - for standard output");
+  app.add_option("--plugin", options.plugins, "shared library that registers integrators (repeatable)")->expected(1);
+}
+
+void add_run_options(CLI::App& app, CommonOptions& options) {
+  add_json(app, options);
+  app.add_option("--scheme", options.schemes, "scheme (repeatable)")->expected(1);
+  app.add_option("--integrator", options.integrators, "the case's default scheme with this integrator (repeatable)")->expected(1);
+  app.add_option("--set", options.settings, "key=value (repeatable); `plumbline explain CASE` lists the keys")->expected(1);
+  app.add_option("--threads", options.threads, "threads for independent runs")->check(CLI::Range(1, 1024));
+  app.add_option("--results", options.results, "results folder");
+  app.add_flag("--allow-inconclusive", options.allow_inconclusive, "INCONCLUSIVE does not make the exit status red");
+}
+
+std::vector<SchemeChoice> chosen_schemes(const CommonOptions& options) {
+  std::vector<SchemeChoice> chosen;
+  for (const std::string& scheme : options.schemes) chosen.push_back({scheme, {}});
+  for (const std::string& integrator : options.integrators) chosen.push_back({"default", {{"integrator", integrator}}});
+  if (chosen.empty()) chosen.push_back({"default", {}});
+  return chosen;
+}
+
+namespace {
+
+bool colours() { return ::isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR"); }
+
+fmt::color colour_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass:
+      return fmt::color::green;
+    case Verdict::xfail:
+    case Verdict::none:
+      return fmt::color::gray;
+    case Verdict::inconclusive:
+      return fmt::color::orange;
+    default:
+      return fmt::color::red;
+  }
+}
+
+std::string range_text(const Range& range) {
+  if (range.low && range.high) return fmt::format("{:.6g} ... {:.6g}", *range.low, *range.high);
+  return range.low ? fmt::format(">= {:.6g}", *range.low) : fmt::format("<= {:.6g}", range.high.value_or(0));
+}
+
+}  // namespace
+
+std::string coloured(Verdict verdict) {
+  const std::string text = fmt::format("{:12}", name(verdict));
+  return colours() ? fmt::format(fmt::fg(colour_of(verdict)), "{}", text) : text;
+}
+
+void Output::gates(const std::vector<JudgedGate>& gates) const {
+  for (const JudgedGate& g : gates) {
+    const std::string measured = g.measured.value ? fmt::format("{:.6g}", *g.measured.value) : "-";
+    const std::string interval =
+        g.measured.interval ? fmt::format(" [{:.4g}, {:.4g}]", g.measured.interval->first, g.measured.interval->second) : "";
+    const std::string note = g.judgement.note.empty() ? g.measured.note : g.judgement.note;
+    line("{} {:11} {:36} {}{}, expected {}{}", coloured(g.judgement.verdict), g.case_name, g.gate.id, measured, interval,
+         range_text(g.gate.expected), note.empty() ? "" : " (" + note + ")");
+  }
+}
+
+void write_json(const CommonOptions& options, const Json& document) {
+  if (options.json.empty()) return;
+  const std::string text = document.dump(1);
+  if (options.json == "-") {
+    fmt::print("{}\n", text);
+    return;
+  }
+  std::ofstream file(options.json);
+  file << text << "\n";
+  if (!file.flush()) throw FileError(options.json, options.json + ": cannot be written");
+}
+
+Progress terminal_progress(const std::string& what) {
+  if (!::isatty(STDERR_FILENO)) return {};
+  return [what](std::size_t done, std::size_t of, const RunResult& last) {
+    fmt::print(stderr, "\r\033[K{}: {} of {} runs, last {} cells in {:.2f} s", what, done, of, last.settings.integer("cells"),
+               last.wall_s);
+    std::fflush(stderr);
+  };
+}
+
+void end_progress() {
+  if (::isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
+}
+
+void load_plugins(const std::vector<std::string>& files) {
+  for (const std::string& file : files) {
+    // dlopen searches system folders for a bare name; a plug-in is a file.
+    const std::string path = file.find('/') == std::string::npos ? "./" + file : file;
+    if (!::dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL)) throw FileError(file, fmt::format("plug-in {}: {}", file, ::dlerror()));
+  }
+}
+
+int exit_of(bool stopped, const std::vector<JudgedGate>& gates, bool allow_inconclusive) {
+  if (stopped) return exit_stopped;
+  return exit_status(verdicts(gates), allow_inconclusive);
+}
+
+}  // namespace plumbline

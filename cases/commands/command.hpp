@@ -1,0 +1,84 @@
+// What all commands share: options, output, plug-ins.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cases/harness/documents.hpp"
+#include "cases/harness/verification.hpp"
+
+namespace plumbline {
+
+struct CommonOptions {
+  std::vector<std::string> schemes, integrators, settings, plugins;
+  int threads = 1;
+  std::string results = "results", json;
+  bool allow_inconclusive = false;
+};
+
+// One command: options into its own App, and what it does; returns the exit status.
+struct Command {
+  CLI::App* app = nullptr;
+  std::function<int()> execute;
+};
+
+struct Invocation {
+  CommonOptions options;
+  std::string command;                      // for provenance
+  Provenance provenance() const;
+};
+
+Command add_list(CLI::App& app, Invocation& invocation);
+Command add_explain(CLI::App& app, Invocation& invocation);
+Command add_run(CLI::App& app, Invocation& invocation);
+Command add_converge(CLI::App& app, Invocation& invocation);
+Command add_verify(CLI::App& app, Invocation& invocation);
+Command add_reference(CLI::App& app, Invocation& invocation);
+Command add_bench(CLI::App& app, Invocation& invocation);
+
+// Adds --json (and, where asked, the options of commands that run something).
+void add_json(CLI::App& app, CommonOptions& options);
+void add_run_options(CLI::App& app, CommonOptions& options);
+
+// The schemes to run: --scheme, and default with each --integrator; `default` if neither is given. With the overrides
+// that each means.
+struct SchemeChoice {
+  std::string scheme;
+  std::vector<Override> overrides;
+};
+std::vector<SchemeChoice> chosen_schemes(const CommonOptions& options);
+
+// Human text: standard output, or standard error while JSON goes to standard output.
+class Output {
+ public:
+  explicit Output(const CommonOptions& options) : to_error_(options.json == "-") {}
+  template <class... Args>
+  void line(fmt::format_string<Args...> text, Args&&... args) const {
+    fmt::print(to_error_ ? stderr : stdout, "{}\n", fmt::format(text, std::forward<Args>(args)...));
+  }
+  void gates(const std::vector<JudgedGate>& gates) const;
+
+ private:
+  bool to_error_;
+};
+
+// The verdict's name, coloured on a terminal unless NO_COLOR is set.
+std::string coloured(Verdict verdict);
+
+// Writes the document to the --json target, if any.
+void write_json(const CommonOptions& options, const Json& document);
+
+// A progress line on a terminal; nothing elsewhere.
+Progress terminal_progress(const std::string& what);
+void end_progress();
+
+void load_plugins(const std::vector<std::string>& files);
+
+// Exit status of finished work: 3 if a run stopped, else by verdicts.
+int exit_of(bool stopped, const std::vector<JudgedGate>& gates, bool allow_inconclusive);
+
+}  // namespace plumbline

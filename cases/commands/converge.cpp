@@ -1,0 +1,118 @@
+#include "cases/commands/command.hpp"
+
+namespace plumbline {
+namespace {
+
+struct ConvergeOptions {
+  std::string case_name, vary = "cells";
+  std::vector<int> cells;
+};
+
+std::vector<double> levels(const Case& entry, Vary vary, const std::vector<int>& cells) {
+  switch (vary) {
+    case Vary::cells:
+      return cells.empty() ? entry.default_levels() : std::vector<double>(cells.begin(), cells.end());
+    case Vary::dt:
+      return {1, 0.5, 0.25, 0.125, 0.0625};
+    case Vary::ppc:
+      return {8, 16, 32, 64, 128};
+    default:
+      return {0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875};
+  }
+}
+
+// The plan of these choices: the declared one with the same settings, or one without expectations.
+struct ChosenPlan {
+  StudyPlan plan;
+  bool declared = false;
+};
+
+ChosenPlan plan_for(const Case& entry, const SchemeChoice& choice, Vary vary, const ConvergeOptions& options,
+                    const std::vector<std::string>& typed) {
+  StudyPlan plan{.id = "study", .title = "refinement in " + name(vary), .why = "No order is claimed for these choices.",
+                 .scheme = choice.scheme, .overrides = choice.overrides, .vary = vary, .values = levels(entry, vary, options.cells)};
+  if (vary != Vary::cells && options.cells.size() > 1) {
+    throw UsageError("--cells", fmt::format("{} meshes", options.cells.size()), "one mesh", {}, "--vary " + name(vary) + " refines on one mesh: give --cells one number");
+  }
+  if (vary != Vary::cells && !options.cells.empty()) plan.overrides.emplace_back("cells", static_cast<double>(options.cells.front()));
+  const Settings wanted = planned_runs(entry, plan, Tier::quick, typed).front().settings;
+  for (StudyPlan declared : entry.studies()) {
+    if (declared.vary != vary || declared.scheme != choice.scheme) continue;
+    declared.values = plan.values;
+    if (!(planned_runs(entry, declared, Tier::quick).front().settings == wanted)) continue;
+    return {std::move(declared), true};
+  }
+  return {std::move(plan), false};
+}
+
+void print(const Output& out, const StudyResult& study, const std::vector<JudgedGate>& gates, bool declared) {
+  out.line("{} under {}: {}. {}", study.entry->name(), study.scheme, study.plan.title, study.plan.why);
+  for (const StudyLevel& at : study.levels) {
+    std::string errors;
+    for (const Measure& m : at.run.measures) {
+      const bool minor = m.name.size() > 3 && (m.name.ends_with(".L2") || m.name.ends_with(".Linf"));
+      if (!minor) errors += fmt::format("  {} {:.4g}", m.name, m.error);
+    }
+    out.line("  {:>8.5g}  h {:.4g}  steps {:6}  {:.3g} s{}{}", at.value, at.h, at.run.steps, at.run.wall_s, errors,
+             at.run.stop ? "  STOPPED" : "");
+  }
+  for (const auto& [measure, fit] : study.fits) {
+    if (measure.ends_with(".L2") || measure.ends_with(".Linf")) continue;
+    out.line("  order of {:16} {:.3f} [{:.3f}, {:.3f}]  constant {:.3g}  {}{}", measure, fit.order, fit.low, fit.high, fit.constant,
+             fit.asymptotic ? "asymptotic" : "not asymptotic", fit.reason.empty() ? "" : " (" + fit.reason + ")");
+  }
+  double drift = 0;
+  for (const StudyLevel& at : study.levels) drift = std::max(drift, at.run.ledger.energy.relative_drift(false));
+  out.line("  largest relative drift of energy {:.1e}; expectation: {}", drift, declared ? "declared" : "none");
+  out.gates(gates);
+}
+
+int execute(const Invocation& invocation, const ConvergeOptions& options) {
+  const Case& entry = find_case(options.case_name);
+  const Vary vary = vary_from(options.vary);
+  const CommonOptions& common = invocation.options;
+  std::vector<ChosenPlan> plans;
+  for (const SchemeChoice& choice : chosen_schemes(common)) plans.push_back(plan_for(entry, choice, vary, options, common.settings));
+  const ResultsFolder folder(common.results);
+  const Output out(common);
+  const Provenance provenance = invocation.provenance();
+  Json document{{"case", entry.name()}, {"studies", Json::array()}};
+  std::vector<JudgedGate> all;
+  bool stopped = false;
+  for (const auto& [plan, declared] : plans) {
+    const auto planned = planned_runs(entry, plan, Tier::quick, declared ? std::vector<std::string>{} : common.settings);
+    StudyResult study = run_study(entry, plan, planned, common.threads, terminal_progress(entry.name() + " " + plan.id));
+    end_progress();
+    for (StudyLevel& at : study.levels) {
+      folder.write_run(at.run, {}, provenance);
+      stopped = stopped || at.run.stop;
+    }
+    std::vector<CaseGate> gates;
+    for (CaseGate& gate : entry.gates()) {
+      if (declared && gate.study == plan.id) gates.push_back(std::move(gate));
+    }
+    for (CaseGate& gate : generic_gates(plan.id, study.levels.front().run.dim)) gates.push_back(std::move(gate));
+    const auto judged = judge_gates(gates, study);
+    folder.write_study(study, judged, provenance);
+    print(out, study, judged, declared);
+    document["studies"].push_back(study_document(study, judged, provenance));
+    all.insert(all.end(), judged.begin(), judged.end());
+  }
+  write_json(common, document);
+  return exit_of(stopped, all, common.allow_inconclusive);
+}
+
+}  // namespace
+
+Command add_converge(CLI::App& app, Invocation& invocation) {
+  CLI::App* sub = app.add_subcommand("converge", "a refinement study: errors, fitted order with interval, cost");
+  sub->footer("Example: plumbline converge sod --cells 100,200,400,800,1600 --scheme default --scheme york1997");
+  auto options = std::make_shared<ConvergeOptions>();
+  sub->add_option("case", options->case_name, "the case")->required();
+  sub->add_option("--cells", options->cells, "meshes, separated by commas")->delimiter(',');
+  sub->add_option("--vary", options->vary, "what is refined: cells, dt, ppc or offset");
+  add_run_options(*sub, invocation.options);
+  return {sub, [&invocation, options] { return execute(invocation, *options); }};
+}
+
+}  // namespace plumbline

@@ -1,0 +1,94 @@
+#include "cases/commands/command.hpp"
+#include "kernel/materials/ideal_gas.hpp"
+#include "kernel/materials/uniaxial_membrane.hpp"
+#include "reference/registry.hpp"
+
+namespace plumbline {
+namespace {
+
+Json choices(const std::vector<Choice>& all) {
+  Json list = Json::array();
+  for (const Choice& c : all) list.push_back({{"name", c.name}, {"title", c.title}, {"source", c.source}});
+  return list;
+}
+
+Json scheme_entries() {
+  Json list = Json::array();
+  for (const std::string& scheme : scheme_names()) {
+    Json resolved = Json::object();
+    for (const Case* entry : cases()) resolved[entry->name()] = to_json(entry->settings(scheme, {}));
+    list.push_back({{"name", scheme}, {"title", scheme_title(scheme)}, {"source", scheme_source(scheme)}, {"settings", resolved}});
+  }
+  return list;
+}
+
+Json case_entries() {
+  Json list = Json::array();
+  for (const Case* entry : cases()) {
+    const Statement s = entry->statement();
+    Json keys = Json::array();
+    for (const Key& key : entry->keys()) keys.push_back(key.name);
+    list.push_back({{"name", s.name}, {"title", s.title}, {"source", s.source}, {"cells_along", s.cells_along}, {"keys", keys},
+                    {"kind", name(entry->kind())}});
+  }
+  return list;
+}
+
+Json document() {
+  Json all{{"cases", case_entries()}, {"schemes", scheme_entries()}};
+  all["integrators"] = Json::array();
+  for (const IntegratorEntry& i : integrators()) {
+    all["integrators"].push_back({{"name", i.name}, {"title", i.title}, {"source", i.source}});
+  }
+  all["shapes"] = choices(shapes());
+  all["transfers"] = choices(transfers());
+  all["densities"] = choices(densities());
+  all["materials"] = Json::array({{{"name", IdealGas().name()}, {"title", "ideal gas with energy equation and viscosities"}, {"source", "York 1997, chapter 4"}},
+                                  {{"name", UniaxialMembrane().name()}, {"title", "one layer of points, tension along the tangent, one-way law"}, {"source", "York 1997, chapter 5"}}});
+  all["references"] = Json::array();
+  for (const reference::Reference* r : reference::references()) {
+    all["references"].push_back({{"name", r->name()}, {"title", r->title()}, {"source", r->source()}});
+  }
+  all["problems"] = Json::array();
+  return all;
+}
+
+void print(const Output& out, const Json& all) {
+  for (const auto& [group, entries] : all.items()) {
+    if (entries.empty()) continue;
+    out.line("{}", group);
+    for (const auto& e : entries) {
+      out.line("  {:18} {}  [{}]", e.at("name").get<std::string>(), e.at("title").get<std::string>(), e.at("source").get<std::string>());
+      if (e.contains("cells_along")) {
+        std::string keys;
+        for (const auto& key : e.at("keys")) keys += " " + key.get<std::string>();
+        out.line("  {:18} cells along {}; own keys:{}", "", e.at("cells_along").get<std::string>(), keys);
+      }
+      if (group == "schemes") {
+        for (const auto& [case_name, settings] : e.at("settings").items()) {
+          std::string text;
+          for (const char* key : {"shape", "transfer", "integrator", "density", "points", "ppc", "cfl", "dt", "viscosity.linear", "viscosity.quadratic"}) {
+            if (settings.contains(key)) text += fmt::format(" {}={}", key, settings.at(key).is_string() ? settings.at(key).template get<std::string>() : settings.at(key).dump());
+          }
+          out.line("  {:18} {}:{}", "", case_name, text);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Command add_list(CLI::App& app, Invocation& invocation) {
+  CLI::App* sub = app.add_subcommand("list", "cases, schemes, integrators, shapes, transfers, materials, references");
+  sub->footer("Example: plumbline list --json -");
+  add_json(*sub, invocation.options);
+  return {sub, [&invocation] {
+            const Json all = document();
+            if (invocation.options.json != "-") print(Output(invocation.options), all);
+            write_json(invocation.options, all);
+            return 0;
+          }};
+}
+
+}  // namespace plumbline

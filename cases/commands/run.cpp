@@ -1,0 +1,125 @@
+#include <chrono>
+
+#include "cases/commands/command.hpp"
+
+namespace plumbline {
+namespace {
+
+struct RunOptions {
+  std::string case_name;
+  std::optional<int> cells;
+  bool dry = false;
+};
+
+// The declared study and level that these choices are one run of, if any.
+struct Declared {
+  StudyPlan plan;
+  double value = 0;
+};
+
+std::optional<Declared> declared_run(const Case& entry, const std::string& scheme, const Settings& settings) {
+  for (const StudyPlan& plan : entry.studies()) {
+    if (plan.scheme != scheme || plan.vary == Vary::dt) continue;
+    for (const Tier tier : {Tier::quick, Tier::full}) {
+      for (const PlannedRun& planned : planned_runs(entry, plan, tier)) {
+        if (!planned.is_offset && planned.settings == settings) return Declared{plan, planned.value};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<JudgedGate> judge_run(const Case& entry, const RunResult& run, const std::optional<Declared>& declared) {
+  StudyPlan plan = declared ? declared->plan : StudyPlan{.id = "run", .title = "one run", .why = {}};
+  StudyResult study{&entry, plan, run.scheme, {}, {}, {}, nullptr};
+  study.levels.push_back({declared ? declared->value : run.settings.number("cells"), run.h, run, {}});
+  std::vector<CaseGate> gates;
+  for (CaseGate& gate : entry.gates()) {
+    if (declared && gate.study == plan.id && gate.levels.size() == 1 && gate.also.empty()) gates.push_back(std::move(gate));
+  }
+  for (CaseGate& gate : generic_gates(plan.id, run.dim)) gates.push_back(std::move(gate));
+  return judge_gates(gates, study);
+}
+
+void print(const Output& out, const RunResult& run, const std::vector<JudgedGate>& gates, bool expected) {
+  out.line("{} under {}: {} points, {} steps to t = {:.6g} s in {:.4g} s, {:.3g} point-steps/s", run.case_name, run.scheme,
+           run.points, run.steps, run.end_time, run.wall_s, run.point_steps_per_s());
+  if (run.stop) {
+    out.line("STOPPED at step {} (t = {:.6g} s): {}; point {}, field {}, value {:.6g}", run.stop->step, run.stop->time,
+             run.stop->reason, run.stop->point, run.stop->field, run.stop->value);
+  }
+  for (const Measure& m : run.measures) {
+    if (m.value) {
+      out.line("  {:18} {:.8g} {} (reference {:.8g}, error {:.3g})", m.name, *m.value, m.unit, m.reference.value_or(0), m.error);
+    } else {
+      out.line("  {:18} error {:.4g} {}, relative {:.3g}, reference bound {:.1e}", m.name, m.error, m.unit, m.error / m.scale,
+               m.reference_bound);
+    }
+  }
+  const Ledger& l = run.ledger;
+  out.line("  ledger             energy {:.8g} -> {:.8g} J (kinetic {:.4g}, internal {:.4g}, elastic {:.4g}), relative drift {:.1e}",
+           l.energy.initial(), l.energy.store(), l.stores.kinetic, l.stores.internal, l.stores.elastic, l.energy.relative_drift(false));
+  for (int f = 0; f < flow_count; ++f) {
+    const double amount = l.energy.flow(static_cast<Flow>(f));
+    if (amount != 0) out.line("    {:16} {:+.6e} J", flow_names[static_cast<std::size_t>(f)], amount);
+  }
+  out.line("  momentum drift {:.1e}, mass drift {:.1e}; expectation: {}", l.momentum[0].relative_drift(true),
+           l.mass.relative_drift(false), expected ? "declared" : "none");
+  out.gates(gates);
+}
+
+int dry_run(const Output& out, const Invocation& invocation, const Case& entry, const std::string& scheme, const Settings& settings) {
+  const auto problem = entry.problem(settings);
+  Simulation simulation(problem->scene(), settings.text("integrator"), step_control(settings));
+  simulation.step(HUGE_VAL);
+  const double steps = std::ceil(problem->end_time() / simulation.last_dt());
+  const double points = static_cast<double>(simulation.points());
+  const GridSpec& grid = simulation.scene().grid;
+  const double cells = static_cast<double>(grid.cells[0]) * (grid.dim > 1 ? grid.cells[1] : 1);
+  const double bytes = points * 8 * simulation.scene().bodies.front().points.doubles_per_point() + cells * 8 * (2 + 6 * grid.dim);
+  constexpr double rate = 1e7;  // point-steps per second of one slow core
+  out.line("{} under {}: {} points, {} cells, about {} steps, {:.3g} MB, about {:.2g} s", entry.name(), scheme, points, cells, steps,
+           bytes / 1e6, points * steps / rate);
+  write_json(invocation.options, {{"case", entry.name()}, {"scheme", scheme}, {"settings", to_json(settings)}, {"dry_run", true},
+                                  {"points", points}, {"cells", cells}, {"steps", steps}, {"bytes", bytes},
+                                  {"estimated_s", points * steps / rate}});
+  return 0;
+}
+
+int execute(const Invocation& invocation, const RunOptions& options) {
+  const Case& entry = find_case(options.case_name);
+  const auto chosen = chosen_schemes(invocation.options);
+  if (chosen.size() > 1) throw UsageError("--scheme", chosen[1].scheme, "one scheme or integrator", {}, "run takes one scheme or integrator; converge takes several");
+  std::vector<Override> overrides = chosen[0].overrides;
+  if (options.cells) overrides.emplace_back("cells", static_cast<double>(*options.cells));
+  const Settings settings = entry.settings(chosen[0].scheme, overrides, invocation.options.settings);
+  const Output out(invocation.options);
+  if (options.dry) return dry_run(out, invocation, entry, chosen[0].scheme, settings);
+  const ResultsFolder folder(invocation.options.results);
+  RunResult run = run_experiment(entry, chosen[0].scheme, settings);
+  if (chosen[0].scheme == "default") run.scheme = integrator_scheme(entry, settings.text("integrator"));
+  const auto declared = declared_run(entry, chosen[0].scheme, settings);
+  const std::vector<JudgedGate> gates = judge_run(entry, run, declared);
+  const Provenance provenance = invocation.provenance();
+  folder.write_run(run, gates, provenance);
+  print(out, run, gates, declared.has_value());
+  Json document = run_document(run, gates, provenance);
+  document["expectation"] = declared ? "declared" : "none";
+  write_json(invocation.options, document);
+  return exit_of(run.stop.has_value(), gates, invocation.options.allow_inconclusive);
+}
+
+}  // namespace
+
+Command add_run(CLI::App& app, Invocation& invocation) {
+  CLI::App* sub = app.add_subcommand("run", "one run: measures, ledger, speed, and one result file");
+  sub->footer("Example: plumbline run sod --cells 200 --scheme york1997 --set gamma=1.67");
+  auto options = std::make_shared<RunOptions>();
+  sub->add_option("case", options->case_name, "the case")->required();
+  sub->add_option("--cells", options->cells, "cells along the case's reference length");
+  sub->add_flag("--dry-run", options->dry, "print points, cells, steps, memory and estimated time only");
+  add_run_options(*sub, invocation.options);
+  return {sub, [&invocation, options] { return execute(invocation, *options); }};
+}
+
+}  // namespace plumbline

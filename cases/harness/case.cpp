@@ -1,0 +1,70 @@
+#include "cases/harness/case.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "cases/harness/errors.hpp"
+
+namespace plumbline {
+namespace {
+
+std::vector<const Case*>& registered() {
+  static std::vector<const Case*> all;
+  return all;
+}
+
+constexpr std::array vary_names{"cells", "dt", "ppc", "offset"};
+
+}  // namespace
+
+std::string name(Vary vary) { return vary_names[static_cast<std::size_t>(vary)]; }
+
+Vary vary_from(const std::string& text) {
+  for (std::size_t k = 0; k < vary_names.size(); ++k) {
+    if (text == vary_names[k]) return static_cast<Vary>(k);
+  }
+  throw unknown_name("--vary", text, {vary_names.begin(), vary_names.end()});
+}
+
+RegisterCase::RegisterCase(const Case* entry) {
+  auto& all = registered();
+  const auto place = std::upper_bound(all.begin(), all.end(), entry,
+                                      [](const Case* a, const Case* b) { return a->name() < b->name(); });
+  all.insert(place, entry);
+}
+
+const std::vector<const Case*>& cases() { return registered(); }
+
+const Case& find_case(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Case* entry : cases()) {
+    if (entry->name() == name) return *entry;
+    names.push_back(entry->name());
+  }
+  throw unknown_name("case", name, names);
+}
+
+Settings Case::settings(const std::string& scheme, const std::vector<Override>& overrides,
+                        const std::vector<std::string>& typed) const {
+  const auto known = scheme_names();
+  if (std::find(known.begin(), known.end(), scheme) == known.end()) throw unknown_name("scheme", scheme, known);
+  std::vector<Key> all = kind_keys(kind());
+  for (Key& key : keys()) all.push_back(std::move(key));
+  Settings settings(std::move(all));
+  for (const auto& [key, value] : scheme_choices(scheme, kind())) settings.set(key, value, name());
+  for (const auto& [key, value] : points_and_end(scheme)) settings.set(key, value, name());
+  for (const auto& [key, value] : overrides) settings.set(key, value, name());
+  for (const std::string& assignment : typed) settings.set_text(assignment, name());
+  derive(settings, scheme);
+  if (const IntegratorEntry* entry = find_integrator(settings.text("integrator"))) {
+    const std::string &shape = settings.text("shape"), &transfer = settings.text("transfer");
+    if (const std::string why = entry->make()->refusal(shape, transfer); !why.empty()) {
+      const std::string choice = "integrator=" + entry->name, with = "shape=" + shape + ", transfer=" + transfer;
+      throw UsageError("integrator", entry->name, "another integrator, shape or transfer", {},
+                       choice + " cannot work with " + with + ": " + why);
+    }
+  }
+  return settings;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,173 @@
+#include "cases/harness/experiment.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+
+#include "cases/harness/errors.hpp"
+
+namespace plumbline {
+namespace {
+
+volatile std::sig_atomic_t arrived_signal = 0;
+extern "C" void note_signal(int signal_number) { arrived_signal = signal_number; }
+
+// Keeps every k-th step's row, with k doubled whenever twice the allowed number has gathered, and the extreme row.
+class LedgerRecorder {
+ public:
+  explicit LedgerRecorder(int dim) : dim_(dim) {}
+
+  void record(const Simulation& simulation) {
+    const Ledger& ledger = simulation.ledger();
+    if (simulation.steps() % stride_ == 0) {
+      rows_.push_back(row(simulation));
+      if (rows_.size() >= 2 * most_rows) thin();
+    }
+    if (ledger.energy.largest_residual() != extreme_) {
+      extreme_ = ledger.energy.largest_residual();
+      extreme_row_ = row(simulation);
+    }
+    last_row_due_ = simulation.steps() % stride_ != 0;
+  }
+
+  LedgerHistory history(const Simulation& simulation) {
+    if (last_row_due_) rows_.push_back(row(simulation));
+    while (rows_.size() > most_rows) thin();
+    if (!extreme_row_.empty()) rows_.push_back(extreme_row_);
+    std::sort(rows_.begin(), rows_.end());
+    rows_.erase(std::unique(rows_.begin(), rows_.end()), rows_.end());
+    LedgerHistory history;
+    const auto names = columns();
+    for (const auto& [quantity, column] : names) history.series.push_back({quantity, column, {}});
+    for (const auto& r : rows_) {
+      history.step.push_back(r[0]);
+      history.time.push_back(r[1]);
+      for (std::size_t k = 0; k < names.size(); ++k) history.series[k].values.push_back(r[k + 2]);
+    }
+    return history;
+  }
+
+ private:
+  static constexpr std::size_t most_rows = 1999;  // one more for the extreme
+
+  void thin() {
+    stride_ *= 2;
+    std::vector<std::vector<double>> kept;
+    for (auto& r : rows_) {
+      if (static_cast<long>(r[0]) % stride_ == 0) kept.push_back(std::move(r));
+    }
+    rows_ = std::move(kept);
+  }
+
+  std::vector<std::pair<std::string, const Account*>> accounts(const Ledger& ledger) const {
+    std::vector<std::pair<std::string, const Account*>> all{{"mass", &ledger.mass}, {"momentum_x", &ledger.momentum[0]}};
+    if (dim_ > 1) {
+      all.push_back({"momentum_y", &ledger.momentum[1]});
+      all.push_back({"angular_momentum", &ledger.angular_momentum});
+    }
+    all.push_back({"energy", &ledger.energy});
+    return all;
+  }
+
+  std::vector<std::pair<std::string, std::string>> columns() const {
+    std::vector<std::pair<std::string, std::string>> names;
+    for (const auto& [quantity, account] : accounts(Ledger{})) {
+      names.push_back({quantity, "store"});
+      for (const std::string_view flow : flow_names) names.push_back({quantity, std::string(flow)});
+      names.push_back({quantity, "residual"});
+    }
+    for (const char* store : {"kinetic", "internal", "elastic", "viscous"}) names.push_back({"energy", store});
+    return names;
+  }
+
+  std::vector<double> row(const Simulation& simulation) const {
+    const Ledger& ledger = simulation.ledger();
+    std::vector<double> values{static_cast<double>(simulation.steps()), simulation.time()};
+    for (const auto& [quantity, account] : accounts(ledger)) {
+      values.push_back(account->store());
+      for (int f = 0; f < flow_count; ++f) values.push_back(account->flow(static_cast<Flow>(f)));
+      values.push_back(account->residual());
+    }
+    const EnergyStores& stores = ledger.stores;
+    values.insert(values.end(), {stores.kinetic, stores.internal, stores.elastic, ledger.viscous});
+    return values;
+  }
+
+  int dim_;
+  long stride_ = 1;
+  bool last_row_due_ = false;
+  double extreme_ = 0;
+  std::vector<double> extreme_row_;
+  std::vector<std::vector<double>> rows_;
+};
+
+}  // namespace
+
+const Measure* RunResult::find(const std::string& measure) const {
+  for (const Measure& m : measures) {
+    if (m.name == measure) return &m;
+  }
+  return nullptr;
+}
+
+void end_runs_on_signals() {
+  std::signal(SIGINT, note_signal);
+  std::signal(SIGTERM, note_signal);
+}
+
+void throw_if_interrupted() {
+  if (arrived_signal != 0) throw Interrupted(arrived_signal);
+}
+
+StepControl step_control(const Settings& settings) {
+  StepControl control;
+  if (settings.is_set("dt")) control.dt = settings.number("dt");
+  if (settings.is_set("cfl")) control.cfl = settings.number("cfl");
+  if (!control.dt && !settings.is_set("cfl")) {
+    throw UsageError("cfl", "none", "(0, inf)", {"cfl", "dt"}, "neither cfl nor dt is set: set one of them");
+  }
+  return control;
+}
+
+RunResult run_experiment(const Case& entry, const std::string& scheme, const Settings& settings) {
+  const auto problem = entry.problem(settings);
+  Scene scene = problem->scene();
+  RunResult result(entry.name(), scheme, settings);
+  result.dim = scene.grid.dim;
+  result.h = scene.grid.h;
+  result.end_time = problem->end_time();
+  try {
+    Simulation simulation(std::move(scene), settings.text("integrator"), step_control(settings));
+    LedgerRecorder recorder(result.dim);
+    const auto start = std::chrono::steady_clock::now();
+    const auto finish = [&] {
+      result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      result.steps = simulation.steps();
+      result.points = simulation.points();
+      result.doubles_per_point = simulation.scene().bodies.front().points.doubles_per_point();
+      result.dt = result.steps > 0 ? simulation.time() / static_cast<double>(result.steps) : 0;
+      result.ledger = simulation.ledger();
+      result.history = recorder.history(simulation);
+    };
+    try {
+      simulation.run_until(result.end_time, [&](const Simulation& now) {
+        problem->observe(now);
+        recorder.record(now);
+        throw_if_interrupted();
+      });
+      finish();
+    } catch (const InadmissibleState&) {
+      finish();
+      throw;
+    }
+    simulation.refresh_density();
+    result.measures = problem->measures(simulation);
+    result.profile = problem->profile(simulation);
+    result.finished = true;
+  } catch (const InadmissibleState& state) {
+    result.stop = Stop{state.reason, state.body, state.field, state.step, state.time, state.point, state.value};
+  }
+  return result;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,66 @@
+// One run of a case under one set of choices: what came of it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/harness/case.hpp"
+
+namespace plumbline {
+
+// Rows of the ledger over the run, at most 2000 evenly spaced, and the row of the largest energy residual.
+struct LedgerHistory {
+  std::vector<double> step, time;
+  struct Series {
+    std::string quantity, column;
+    std::vector<double> values;
+  };
+  std::vector<Series> series;
+};
+
+struct Stop {
+  std::string reason, body, field;
+  long step = 0;
+  double time = 0;
+  int point = 0;
+  double value = 0;
+};
+
+struct RunResult {
+  RunResult(std::string of_case, std::string under_scheme, Settings with)
+      : case_name(std::move(of_case)), scheme(std::move(under_scheme)), settings(std::move(with)) {}
+
+  std::string case_name, scheme;
+  Settings settings;
+  int dim = 1;
+  double h = 0;                 // cell size, m
+  double dt = 0;                // mean step, s
+  bool finished = false;
+  std::optional<Stop> stop;
+  long steps = 0, points = 0;
+  int doubles_per_point = 0;
+  double end_time = 0;          // s
+  double wall_s = 0;            // stepping alone
+  Ledger ledger;
+  LedgerHistory history;
+  std::vector<Measure> measures;   // empty if stopped
+  Profile profile;
+  std::string file;             // name in the results folder, once written
+
+  const Measure* find(const std::string& measure) const;
+  double point_steps_per_s() const { return wall_s > 0 ? static_cast<double>(points) * static_cast<double>(steps) / wall_s : 0; }
+};
+
+// The step control that the settings ask for. UsageError if neither cfl nor dt is set.
+StepControl step_control(const Settings& settings);
+
+// Runs it. A stop on an inadmissible state is a result; throws Interrupted if a signal arrives.
+RunResult run_experiment(const Case& entry, const std::string& scheme, const Settings& settings);
+
+// SIGINT and SIGTERM end the runs under way at their next step: installs the handlers.
+void end_runs_on_signals();
+// Throws Interrupted if one has arrived.
+void throw_if_interrupted();
+
+}  // namespace plumbline

@@ -1,0 +1,41 @@
+// Numbers that gates judge, taken from a study, and the generic gates that hold for every case and scheme.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cases/harness/study.hpp"
+
+namespace plumbline {
+
+// A gate with its verdict, as results carry it.
+struct JudgedGate {
+  Gate gate;
+  std::string case_name, scheme, study;
+  Measured measured;
+  Judgement judgement;
+  std::vector<std::string> run_ids;   // files of the runs it read
+};
+
+// The error of a measure at one level; its value; its ratio between two levels; its fitted order.
+CaseGate error_gate(std::string study, const std::string& measure, double level, Gate gate, Tier tier = Tier::quick);
+CaseGate value_gate(std::string study, const std::string& measure, double level, Gate gate, Tier tier = Tier::quick);
+CaseGate ratio_gate(std::string study, const std::string& measure, double level, double over, Gate gate,
+                    Tier tier = Tier::quick);
+CaseGate order_gate(std::string study, const std::string& measure, Gate gate, Tier tier = Tier::quick);
+// The point estimate of the fitted order.
+CaseGate fitted_order_gate(std::string study, const std::string& measure, Gate gate, Tier tier = Tier::quick);
+// Largest relative drift of the energy ledger over all levels.
+CaseGate drift_gate(std::string study, Gate gate, Tier tier = Tier::quick);
+// Any number of a whole study.
+CaseGate study_gate(std::string study, Gate gate, std::function<Measured(const StudyResult&)> measure,
+                    std::vector<double> levels = {}, Tier tier = Tier::quick);
+
+// finite, mass, momentum (and angular momentum from 2-D on), ledger residual: true of every scheme.
+std::vector<CaseGate> generic_gates(const std::string& study, int dim);
+
+// Judges the gates whose levels the study has. A gate that throws is INVALID.
+std::vector<JudgedGate> judge_gates(const std::vector<CaseGate>& gates, const StudyResult& study);
+
+}  // namespace plumbline

@@ -1,0 +1,128 @@
+#include "cases/harness/hdf5_file.hpp"
+
+#include <fmt/format.h>
+#include <hdf5.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "cases/harness/errors.hpp"
+
+namespace plumbline {
+namespace {
+
+// An HDF5 identifier that is closed by the function of its kind.
+class Handle {
+ public:
+  Handle(hid_t id, herr_t (*close)(hid_t), const std::string& file, const std::string& what) : id_(id), close_(close) {
+    if (id < 0) throw FileError(file, fmt::format("{}: cannot {}", file, what));
+  }
+  ~Handle() { close_(id_); }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  operator hid_t() const { return id_; }
+
+ private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+void silence_hdf5() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+
+}  // namespace
+
+struct Hdf5Writer::Impl {
+  std::string path, temporary;
+  hid_t file = -1;
+
+  void require(bool good, const std::string& what) const {
+    if (!good) throw FileError(path, fmt::format("{}: cannot write {}", path, what));
+  }
+};
+
+Hdf5Writer::Hdf5Writer(std::string path) : impl_(std::make_unique<Impl>()) {
+  silence_hdf5();
+  impl_->path = std::move(path);
+  impl_->temporary = fmt::format("{}.{}.part", impl_->path, ::getpid());
+  impl_->file = H5Fcreate(impl_->temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  if (impl_->file < 0) throw FileError(impl_->path, fmt::format("{}: cannot be written", impl_->path));
+}
+
+Hdf5Writer::~Hdf5Writer() {
+  if (impl_->file >= 0) H5Fclose(impl_->file);
+  std::error_code ignored;
+  if (!impl_->temporary.empty()) std::filesystem::remove(impl_->temporary, ignored);
+}
+
+void Hdf5Writer::attribute(const std::string& object, const std::string& name, const std::string& text) {
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, impl_->path, "make a string type");
+  H5Tset_size(type, text.size() + 1);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, impl_->path, "make a space");
+  const Handle attribute(H5Acreate_by_name(impl_->file, object.c_str(), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT,
+                                           H5P_DEFAULT), H5Aclose, impl_->path, "write attribute " + name);
+  impl_->require(H5Awrite(attribute, type, text.c_str()) >= 0, name);
+}
+
+void Hdf5Writer::attribute(const std::string& object, const std::string& name, std::int64_t number) {
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, impl_->path, "make a space");
+  const Handle attribute(H5Acreate_by_name(impl_->file, object.c_str(), name.c_str(), H5T_STD_I64LE, space, H5P_DEFAULT,
+                                           H5P_DEFAULT, H5P_DEFAULT), H5Aclose, impl_->path, "write attribute " + name);
+  impl_->require(H5Awrite(attribute, H5T_NATIVE_INT64, &number) >= 0, name);
+}
+
+void Hdf5Writer::group(const std::string& path) {
+  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, impl_->path, "make a property list");
+  H5Pset_create_intermediate_group(links, 1);
+  const Handle group(H5Gcreate2(impl_->file, path.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, impl_->path,
+                     "write group " + path);
+}
+
+void Hdf5Writer::text(const std::string& path, const std::string& text) {
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, impl_->path, "make a string type");
+  H5Tset_size(type, text.size() + 1);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, impl_->path, "make a space");
+  const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, impl_->path, "make a property list");
+  H5Pset_obj_track_times(creation, false);  // the same content gives the same bytes
+  const Handle data(H5Dcreate2(impl_->file, path.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose,
+                    impl_->path, "write " + path);
+  impl_->require(H5Dwrite(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()) >= 0, path);
+}
+
+void Hdf5Writer::numbers(const std::string& path, std::span<const double> values) {
+  const hsize_t size = values.size();
+  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, impl_->path, "make a property list");
+  H5Pset_create_intermediate_group(links, 1);
+  const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose, impl_->path, "make a space");
+  const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, impl_->path, "make a property list");
+  H5Pset_obj_track_times(creation, false);
+  const Handle data(H5Dcreate2(impl_->file, path.c_str(), H5T_IEEE_F64LE, space, links, creation, H5P_DEFAULT), H5Dclose,
+                    impl_->path, "write " + path);
+  if (size > 0) {
+    impl_->require(H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, path);
+  }
+}
+
+void Hdf5Writer::commit() {
+  const herr_t closed = H5Fclose(impl_->file);
+  impl_->file = -1;
+  impl_->require(closed >= 0, "its end");
+  std::error_code error;
+  std::filesystem::rename(impl_->temporary, impl_->path, error);
+  if (error) throw FileError(impl_->path, fmt::format("{}: {}", impl_->path, error.message()));
+  impl_->temporary.clear();
+}
+
+std::string read_hdf5_text(const std::string& file, const std::string& path) {
+  silence_hdf5();
+  const Handle handle(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, file, "be opened as HDF5");
+  const Handle data(H5Dopen2(handle, path.c_str(), H5P_DEFAULT), H5Dclose, file, "find " + path);
+  const Handle type(H5Dget_type(data), H5Tclose, file, "read the type of " + path);
+  std::string text(H5Tget_size(type), '\0');
+  if (H5Dread(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0) throw FileError(file, file + ": cannot read " + path);
+  text.resize(text.find('\0') == std::string::npos ? text.size() : text.find('\0'));
+  return text;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,36 @@
+// The little of HDF5 that result files need, with handles that close themselves. Throws FileError.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace plumbline {
+
+// Writes a file under a temporary name and renames it when whole; if it is never committed, nothing is left.
+class Hdf5Writer {
+ public:
+  explicit Hdf5Writer(std::string path);
+  ~Hdf5Writer();
+  Hdf5Writer(const Hdf5Writer&) = delete;
+  Hdf5Writer& operator=(const Hdf5Writer&) = delete;
+
+  void attribute(const std::string& object, const std::string& name, const std::string& text);
+  void attribute(const std::string& object, const std::string& name, std::int64_t number);
+  void group(const std::string& path);
+  void text(const std::string& path, const std::string& text);              // scalar UTF-8 string
+  void numbers(const std::string& path, std::span<const double> values);    // 1-D float64, groups made as needed
+  void commit();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+// Reads one scalar string of a file.
+std::string read_hdf5_text(const std::string& file, const std::string& path);
+
+}  // namespace plumbline

@@ -1,0 +1,48 @@
+// What a run is judged by: errors against a reference, and the columns a report draws.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace plumbline {
+
+// One measured quantity. A field norm has error and scale (the same norm of the reference); a scalar also value and
+// reference. All in `unit`.
+struct Measure {
+  std::string name;                     // "density.L1", "period"
+  double error = 0;                     // >= 0
+  double scale = 0;                     // norm of the reference: relative_error = error / scale
+  std::optional<double> value, reference;
+  double reference_bound = 0;           // bound of what the reference's own error adds to `error`
+  std::string unit = "1";
+};
+
+// A scalar against its reference.
+Measure scalar_measure(std::string name, double value, double reference, double bound, std::string unit);
+
+// One point's share in field norms.
+struct FieldSample {
+  double volume;      // V_p, > 0
+  double position;
+  double computed, exact, bound;   // bound: of `exact`
+};
+
+// name.L1 = sum V |e| / sum V, name.L2 with squares under a root, name.Linf.
+std::vector<Measure> field_norms(const std::string& name, const std::string& unit, std::span<const FieldSample> samples);
+
+// A column of a profile or history.
+struct ProfileColumn {
+  std::string name, unit, label;
+  std::vector<double> values;
+};
+
+struct Profile {
+  std::string kind = "space";     // or "history"
+  std::string abscissa = "x";     // name of the column drawn against
+  std::vector<ProfileColumn> columns;
+  const ProfileColumn* find(const std::string& name) const;
+};
+
+}  // namespace plumbline

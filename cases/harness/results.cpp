@@ -1,0 +1,101 @@
+#include "cases/harness/results.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "cases/harness/hdf5_file.hpp"
+
+namespace plumbline {
+namespace {
+
+void begin(Hdf5Writer& file, const std::string& kind, const Provenance& provenance) {
+  file.attribute("/", "plumbline_format", std::int64_t{results_format});
+  file.attribute("/", "kind", kind);
+  file.text("/provenance", to_json(provenance).dump());
+}
+
+}  // namespace
+
+ResultsFolder::ResultsFolder(std::string path) : path_(std::move(path)) {
+  std::error_code error;
+  std::filesystem::create_directories(path_, error);
+  if (error || !std::filesystem::is_directory(path_)) {
+    throw FileError(path_, fmt::format("{}: cannot be made a results folder: {}", path_, error ? error.message() : "it is a file"));
+  }
+  const std::string probe = fmt::format("{}/.probe", path_);
+  if (!std::ofstream(probe)) throw FileError(path_, fmt::format("{}: cannot be written to", path_));
+  std::filesystem::remove(probe, error);
+}
+
+std::string ResultsFolder::run_name(const RunResult& run) {
+  return fmt::format("{}-{}-{}-{}.h5", run.case_name, run.scheme, run.settings.integer("cells"),
+                     short_hash(run.case_name + "\n" + run.scheme + "\n" + run.settings.canonical()));
+}
+
+std::string ResultsFolder::study_name(const StudyResult& study) {
+  std::string content = study.entry->name() + "\n" + study.scheme + "\n" + study.plan.id + "\n";
+  for (const StudyLevel& at : study.levels) content += at.run.settings.canonical();
+  return fmt::format("study-{}-{}-{}-{}.h5", study.entry->name(), study.scheme, name(study.plan.vary), short_hash(content));
+}
+
+void ResultsFolder::write_run(RunResult& run, const std::vector<JudgedGate>& gates, const Provenance& provenance) const {
+  run.file = run_name(run);
+  Hdf5Writer file(path_ + "/" + run.file);
+  begin(file, "run", provenance);
+  file.text("/run", run_document(run, gates, provenance).dump());
+  file.text("/measures", to_json(run.measures).dump());
+  file.text("/settings", to_json(run.settings).dump());
+  file.text("/gates", to_json(gates).dump());
+  std::string quantity;
+  for (const LedgerHistory::Series& series : run.history.series) {
+    if (series.quantity != quantity) {
+      quantity = series.quantity;
+      file.numbers("/ledger/" + quantity + "/time", run.history.time);
+      file.numbers("/ledger/" + quantity + "/step", run.history.step);
+    }
+    file.numbers("/ledger/" + series.quantity + "/" + series.column, series.values);
+  }
+  file.group("/profile");
+  file.attribute("/profile", "abscissa", run.profile.abscissa);
+  file.attribute("/profile", "kind", run.profile.kind);
+  for (const ProfileColumn& column : run.profile.columns) {
+    const std::string path = "/profile/" + column.name;
+    file.numbers(path, column.values);
+    file.attribute(path, "unit", column.unit);
+    file.attribute(path, "label", column.label);
+  }
+  file.commit();
+}
+
+void ResultsFolder::write_study(StudyResult& study, const std::vector<JudgedGate>& gates, const Provenance& provenance) const {
+  study.file = study_name(study);
+  Hdf5Writer file(path_ + "/" + study.file);
+  begin(file, "study", provenance);
+  Json document = study_document(study, gates, provenance);
+  document["case"] = study.entry->name();
+  file.text("/study", document.dump());
+  file.text("/fit", document["measures"].dump());
+  file.text("/gates", document["gates"].dump());
+  file.text("/catalog", catalog_entry(*study.entry).dump());
+  file.commit();
+}
+
+void ResultsFolder::write_verdicts(const Json& document, const std::vector<const Case*>& entries, const std::string& tier,
+                                   const Provenance& provenance) const {
+  Json catalog = Json::object();
+  std::string names;
+  for (const Case* entry : entries) {
+    catalog[entry->name()] = catalog_entry(*entry);
+    names += entry->name() + "\n";
+  }
+  Hdf5Writer file(fmt::format("{}/verdicts-{}-{}.h5", path_, tier, short_hash(names)));
+  begin(file, "verdicts", provenance);
+  file.text("/verdicts", document.dump());
+  file.text("/gates", document.at("gates").dump());
+  file.text("/catalog", catalog.dump());
+  file.commit();
+}
+
+}  // namespace plumbline

@@ -1,0 +1,36 @@
+// Result files in a results folder: one a run, one a study, one a verification.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/harness/documents.hpp"
+
+namespace plumbline {
+
+inline constexpr int results_format = 1;
+
+class ResultsFolder {
+ public:
+  // Makes the folder if need be; FileError if it cannot be written to.
+  explicit ResultsFolder(std::string path);
+
+  const std::string& path() const { return path_; }
+
+  // Sets run.file and writes the file whole, or not at all. Its name is made of case, scheme, cells and the settings' hash.
+  void write_run(RunResult& run, const std::vector<JudgedGate>& gates, const Provenance& provenance) const;
+  // The name write_run gives.
+  static std::string run_name(const RunResult& run);
+
+  void write_study(StudyResult& study, const std::vector<JudgedGate>& gates, const Provenance& provenance) const;
+  static std::string study_name(const StudyResult& study);
+
+  // `document`: the output of verify; `entries`: its cases.
+  void write_verdicts(const Json& document, const std::vector<const Case*>& entries, const std::string& tier,
+                      const Provenance& provenance) const;
+
+ private:
+  std::string path_;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,25 @@
+// Schemes: every numerical choice by one name. `default` is one definition per kind of scene; no case may change it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/harness/settings.hpp"
+
+namespace plumbline {
+
+// What a scene consists of; decides which keys exist and which default holds.
+enum class Kind { gas, membrane };
+
+std::string name(Kind kind);
+std::vector<std::string> scheme_names();   // default, york1997
+std::string scheme_title(const std::string& scheme);
+std::string scheme_source(const std::string& scheme);
+
+// The keys that every case of a kind has, with the values of `default`.
+std::vector<Key> kind_keys(Kind kind);
+
+// What a scheme sets among them; empty for `default`.
+std::vector<Override> scheme_choices(const std::string& scheme, Kind kind);
+
+}  // namespace plumbline

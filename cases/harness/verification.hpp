@@ -1,0 +1,36 @@
+// Running studies and whole verifications.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/harness/results.hpp"
+
+namespace plumbline {
+
+// Called as runs finish: how many of how many, and which.
+using Progress = std::function<void(std::size_t done, std::size_t of, const RunResult& last)>;
+
+// Runs a plan's levels and assembles the study. Larger runs start first.
+StudyResult run_study(const Case& entry, const StudyPlan& plan, const std::vector<PlannedRun>& planned, int threads,
+                      const Progress& progress = {});
+
+struct Verification {
+  std::vector<JudgedGate> gates;
+  int declared = 0;             // gates that the cases say they have in this tier
+  std::vector<const Case*> entries;
+};
+
+// All gates of one case in a tier; files go to `folder`. Adds to `verification`.
+void verify_case(const Case& entry, Tier tier, int threads, const ResultsFolder& folder, const Provenance& provenance,
+                 const Progress& progress, Verification& verification);
+
+// The plan a generic study of an integrator follows: the case's default scheme with it, at the coarsest default level.
+StudyPlan integrator_plan(const Case& entry, const std::string& integrator);
+
+// "default", or "default+I" for the default scheme with another integrator; likewise for overrides of --set.
+std::string integrator_scheme(const Case& entry, const std::string& integrator);
+
+}  // namespace plumbline

@@ -1,0 +1,186 @@
+"""Makes one self-contained HTML page from a folder of result files.
+
+    python render.py RESULTS_DIR OUTPUT.html [--csv DIR]
+
+Verdicts, orders and intervals are shown as the files state them; nothing is judged again. The same files give the
+same bytes. Exit status: 0; 2 wrong call; 4 the folder or the output cannot be used, or a file in the folder is
+damaged (the page is then written all the same, and lists it as INVALID).
+"""
+
+import argparse
+import os
+import pathlib
+import re
+import sys
+
+import jinja2
+
+import cases as gathering
+import figures
+import plumbline_results
+import profiles
+import svg
+import tables
+import text
+
+HERE = pathlib.Path(__file__).resolve().parent
+NORMS = (".L1", ".L2", ".Linf")
+MOST_PROFILES = 8       # lines of a case that get profiles of their own
+
+
+def render(folder):
+    """The whole page as text."""
+    cases = gathering.gather(folder)
+    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True, trim_blocks=True,
+                                     lstrip_blocks=True, undefined=jinja2.ChainableUndefined)
+    environment.filters.update(plural=text.plural, number=text.number)
+    results = {result.name: result for result in folder.runs}
+    pages = [case_page(case, results) for case in cases.values()]
+    style = (HERE / "templates" / "style.css").read_text(encoding="utf-8")
+    return environment.get_template("page.html").render(style=jinja2.utils.markupsafe.Markup(style), pages=pages,
+                                                        **front_page(folder, cases))
+
+
+def front_page(folder, cases):
+    overview = [tables.case_row(case) for case in cases.values()]
+    for row in overview:
+        row["anchor"] = anchor(row["name"])
+    return {"strips": tables.strips(folder, cases), "missed": _anchored(tables.missed(cases)),
+            "expected_failures": _anchored(tables.expected_failures(cases)), "overview": overview, "damaged": folder.damaged,
+            "meanings": tables.MEANINGS, "provenance": tables.provenance(folder), "commands": tables.commands(folder),
+            "costs": [{"title": case.catalog.get("title") or case.name, "anchor": anchor(case.name),
+                       "figures": cost_figures(case, f"front-{anchor(case.name)}")} for case in cases.values() if case.measure],
+            "file_count": len(folder.runs) + len(folder.studies) + len(folder.verdicts)}
+
+
+def anchor(name):
+    """An identifier for links from the name of a case."""
+    return "case-" + (re.sub(r"[^A-Za-z0-9_-]+", "-", name) or "unnamed")
+
+
+def _anchored(rows):
+    return [{**row, "anchor": anchor(row["case"])} for row in rows]
+
+
+# --- a case ---------------------------------------------------------------------------------------------------------
+
+def case_page(case, results):
+    """What the template of a case shows, in the order of the page."""
+    name = anchor(case.name)
+    catalog = case.catalog
+    finest = finest_results(case, results)
+    title = catalog.get("title") or case.name
+    return {"name": case.name, "anchor": name, "title": title, "catalog": catalog, "verdict": case.verdict,
+            "counts": tables.counts_row(case), "reason": tables.one_line_reason(case),
+            "paragraphs": [part.strip() for part in (catalog.get("physics") or "").split("\n\n") if part.strip()],
+            "sketch": _markup(svg.sketch(catalog.get("sketch") or "", f"{name}-sketch", f"Sketch of {title}")),
+            "parameters": tables.parameter_rows(case), "budget": tables.reference_budget(case),
+            "bound": text.exact(catalog.get("reference", {}).get("bound")) if catalog.get("reference") else "",
+            "studies": tables.study_rows(case), "settings": tables.settings_matrix(case),
+            "gates": tables.gate_rows(case.gates), "other_gates": tables.gate_rows(case.other_gates), "not_run": tables.not_run(case),
+            "fits": tables.fit_rows(case), "levels": tables.level_rows(case, case.measure), "measure": case.measure,
+            "has_norms": any(measure.endswith(NORMS) for measure in convergence_measures(case)), "scalars": tables.scalar_rows(case), "books": tables.ledger_rows(finest), "stopped": tables.stopped(case),
+            **case_figures(case, results, finest, name)}
+
+
+def case_figures(case, results, finest, name):
+    """All figures of a case, by the part of the page they stand in; what cannot be drawn is left out."""
+    drawn = {"profiles": profile_groups(case, results, name), "convergence": [], "variations": [], "drifts": []}
+    drawn["profiles_left"] = max(0, len(_with_profiles(case, results)) - MOST_PROFILES)
+    for number, measure in enumerate(convergence_measures(case)):
+        parts = [function(case, measure, f"{name}-{function.__name__}-{number}")
+                 for function in (figures.convergence, figures.pairwise, figures.plateau)]
+        drawn["convergence"].append([_ready(figure) for figure in parts if figure])
+    if case.measure:
+        parts = [figures.variation(case, vary, case.measure, f"{name}-{vary}") for vary in ("dt", "ppc", "offset")]
+        drawn["variations"] = [_ready(figure) for figure in parts if figure]
+    drawn["costs"] = cost_figures(case, name)
+    quantities = profiles.quantities(finest)
+    parts = [profiles.drift(quantity, finest, f"{name}-drift-{quantity}") for quantity in quantities]
+    drawn["drifts"] = [_ready(figure) for figure in parts if figure]
+    closed = [(profiles.quantity_name(quantity), profiles.closed(quantity, finest)) for quantity in quantities]
+    drawn["closed"] = [f"{quantity} ({text.listing(labels)})" for quantity, labels in closed if labels]
+    return drawn
+
+
+def convergence_measures(case):
+    """The measures with a theoretical order; without one, the measure that stands for the case."""
+    fitted = {measure for entry in case.studies("cells") for measure in entry.measures}
+    return [measure for measure in case.catalog.get("theory_order") or {} if measure in fitted] or [case.measure] * (case.measure in fitted)
+
+
+def cost_figures(case, prefix):
+    parts = [figures.cost(case, case.measure, kind, f"{prefix}-{kind}") for kind in figures.COSTS] if case.measure else []
+    return [_ready(figure) for figure in parts if figure]
+
+
+def profile_groups(case, results, name):
+    """[{field, figures}]: the field of the leading measure first, one figure per line of the case."""
+    lines = _with_profiles(case, results)[:MOST_PROFILES]
+    present = list(dict.fromkeys(field for _, levels in lines for _, _, columns in levels for field in profiles.fields(columns)))
+    leading = (case.measure or "").split(".")[0]
+    groups = []
+    for field in sorted(present, key=lambda entry: entry != leading):
+        drawn = [profiles.profile(entry, field, levels, f"{name}-profile-{field}-{number}") for number, (entry, levels) in enumerate(lines)]
+        groups.append({"field": field.replace("_", " "), "figures": [_ready(figure) for figure in drawn if figure]})
+    return groups
+
+
+def _with_profiles(case, results):
+    """[(series, levels)] of mesh studies and single runs that have a profile; of equal labels the first."""
+    lines = [(entry, profiles.chosen_levels(entry, results)) for entry in case.series if entry.vary in ("cells", "")]
+    return [(entry, levels) for entry, levels in lines if levels]
+
+
+def finest_results(case, results):
+    """[(series, run result)] of the finest level with a ledger, for mesh studies and single runs."""
+    found = []
+    for entry in case.series:
+        names = [level.get("file") for level in entry.levels if level.get("file") in results and results[level["file"]].ledger]
+        if names and entry.vary in ("cells", ""):
+            found.append((entry, results[names[-1]]))
+    return found
+
+
+def _ready(figure):
+    figure.svg = _markup(figure.svg)
+    return figure
+
+
+def _markup(checked):
+    return jinja2.utils.markupsafe.Markup(checked)
+
+
+# --- command line -----------------------------------------------------------------------------------------------
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(description="Makes one self-contained HTML page from a folder of result files.")
+    parser.add_argument("results", metavar="RESULTS_DIR")
+    parser.add_argument("output", metavar="OUTPUT.html")
+    parser.add_argument("--csv", metavar="DIR", help="also write every table as CSV into this folder")
+    options = parser.parse_args(arguments)
+    try:
+        folder = plumbline_results.load_folder(options.results)
+        write_whole(pathlib.Path(options.output), render(folder))
+        if options.csv:
+            tables.write_folder(folder, gathering.gather(folder), options.csv)
+    except OSError as error:
+        print(f"render: {error}", file=sys.stderr)
+        return 4
+    for name, reason in folder.damaged:
+        print(f"render: {name}: {reason}", file=sys.stderr)
+    return 4 if folder.damaged else 0
+
+
+def write_whole(path, page):
+    """Under a temporary name first, so that a page is there whole or not at all."""
+    temporary = path.with_name(f".{path.name}.{os.getpid()}")
+    try:
+        temporary.write_text(page, encoding="utf-8")
+        temporary.replace(path)
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,301 @@
+"""Rows of the tables on the page, ready to print, and the same tables as CSV."""
+
+import pathlib
+from collections import Counter
+
+import figures
+import plumbline_results
+import text
+from cases import GREEN, URGENCY, VERDICTS, most_urgent_first
+
+ORIGINS = {"theory": "theory", "literature": "literature", "reference_bound": "accuracy of the reference", "identity": "identity",
+           "target": "target of the project", "frozen": "frozen: own earlier measurement"}
+MEANINGS = {"PASS": "the measured value meets the gate", "FAIL": "the gate is missed",
+            "INCONCLUSIVE": "the interval of the measurement straddles the bound; not green",
+            "XFAIL": "expected failure: the known wrong value was found inside its band",
+            "XPASS": "an expected failure that no longer fails; red until acknowledged",
+            "INVALID": "no judgement possible: missing data, or a reference not good enough", "NONE": "reported, not judged"}
+_MACHINE = ("version", "git", "dirty", "compiler", "flags", "cpu", "instruction_set", "libraries")
+_MACHINE_NAMES = {"version": "Plumbline", "git": "commit", "compiler": "compiler", "flags": "compiler flags", "cpu": "processor",
+                  "instruction_set": "instruction set", "libraries": "libraries"}
+_HAPPENED = {"FAIL": ("is missed", "are missed"), "INVALID": ("cannot be judged", "cannot be judged"),
+             "INCONCLUSIVE": ("is undecided", "are undecided"),
+             "XPASS": ("passes where a failure was expected", "pass where failures were expected")}
+_FIRST_FIELDS = ("integrator", "shape", "transfer", "density", "points", "ppc", "cfl", "dt")
+
+
+# --- gates ----------------------------------------------------------------------------------------------------------
+
+def gate_row(gate):
+    bounds = gate.get("expected")
+    margin = gate.get("margin")
+    return {"verdict": gate.get("verdict") or "INVALID", "id": gate.get("id") or text.MISSING, "case": gate.get("case") or "",
+            "scheme": gate.get("scheme") or text.MISSING, "quantity": gate.get("quantity") or gate.get("id") or text.MISSING,
+            "expected": text.expected(bounds), "origin": ORIGINS.get(gate.get("origin"), gate.get("origin") or text.MISSING),
+            "reason": gate.get("reason") or "", "measured": text.measured(gate.get("measured"), bounds),
+            "interval": text.interval(gate.get("interval")), "margin": text.number(margin, 2), "cause": gate.get("cause") or "",
+            "share": None if margin is None else round(100 * min(abs(margin), 1)), "beyond": margin is not None and margin < 0,
+            "tier": gate.get("tier") or "", "file": gate.get("file") or ""}
+
+
+def gate_rows(gates):
+    return [gate_row(gate) for gate in most_urgent_first(gates)]
+
+
+def missed(cases):
+    return gate_rows(gate for case in cases.values() for gate in case.all_gates if gate.get("verdict") not in GREEN)
+
+
+def expected_failures(cases):
+    return gate_rows(gate for case in cases.values() for gate in case.all_gates if gate.get("verdict") == "XFAIL")
+
+
+def strips(folder, cases):
+    """One strip per verdict file, newest first; one more for gates that stand only in studies and runs."""
+    newest_first = sorted(folder.verdicts, key=lambda entry: (entry.provenance.get("started") or "", entry.name), reverse=True)
+    found = [_strip(f"verify, {result.verdicts.get('tier') or 'unnamed'} tier", result.verdicts.get("counts") or {},
+                    result.verdicts.get("executed"), result.verdicts.get("declared"), result.name) for result in newest_first]
+    others = Counter(gate.get("verdict") for case in cases.values() for gate in case.other_gates)
+    if others:
+        found.append(_strip("judged in single studies and runs", others, sum(others.values()), None, ""))
+    return found
+
+
+def _strip(label, counts, executed, declared, file):
+    names = list(VERDICTS) + sorted(str(name) for name in counts if name not in VERDICTS)
+    tiles = [{"verdict": name, "count": counts.get(name) or 0, "meaning": MEANINGS.get(name, "")} for name in names]
+    incomplete = executed is not None and declared is not None and executed != declared
+    return {"label": label, "tiles": tiles, "executed": executed, "declared": declared, "incomplete": incomplete, "file": file,
+            "total": sum(tile["count"] for tile in tiles)}
+
+
+def counts_row(case):
+    return [{"verdict": name, "count": case.counts[name]} for name in URGENCY if case.counts[name]]
+
+
+def not_run(case):
+    """Gates that the catalog declares and no file judged."""
+    judged = {(gate.get("scheme"), gate.get("id")) for gate in case.all_gates}
+    return [gate_row(gate) for gate in case.catalog.get("gates") or [] if (gate.get("scheme"), gate.get("id")) not in judged]
+
+
+def one_line_reason(case):
+    """Why the case shows the verdict it shows, in one sentence made of what the files state."""
+    if not case.all_gates:
+        return "No gate was judged for this case; what follows is reported only."
+    first = most_urgent_first(case.all_gates)[0]
+    row, same = gate_row(first), case.counts[first.get("verdict")]
+    if case.verdict not in GREEN:
+        head = f"{text.plural(same, 'gate')} of {text.count(len(case.all_gates))} {_HAPPENED.get(case.verdict, (case.verdict,) * 2)[same != 1]}"
+        found = f"{row['measured']} {row['interval']}".strip()
+        return f"{head}: {'' if same == 1 else 'first '}{row['quantity']} of {row['scheme']}, measured {found}, expected {row['expected']}."
+    words = [f"{text.plural(case.counts['PASS'], 'gate passes', 'gates pass')}" if case.counts["PASS"] else "",
+             f"{text.plural(case.counts['XFAIL'], 'known failure is', 'known failures are')} found as expected" if case.counts["XFAIL"] else "",
+             f"{text.plural(case.counts['NONE'], 'result is', 'results are')} reported without judgement" if case.counts["NONE"] else ""]
+    sentence = text.listing(word for word in words if word)
+    return sentence[0].upper() + sentence[1:] + "."
+
+
+# --- cases ----------------------------------------------------------------------------------------------------------
+
+def case_row(case):
+    judged = sorted({gate.get("scheme") for gate in case.all_gates if gate.get("scheme") and gate.get("verdict") != "NONE"})
+    return {"name": case.name, "title": case.catalog.get("title") or case.name, "claim": case.catalog.get("claim") or "",
+            "schemes": text.listing(judged) if judged else text.MISSING, "verdict": case.verdict, "counts": counts_row(case),
+            "best": best_order(case), "measure": case.measure}
+
+
+def best_order(case):
+    """The highest order measured by mesh refinement in the measure that stands for the case."""
+    found = [(entry.measures[case.measure]["order"], entry) for entry in case.studies("cells")
+             if (entry.measures.get(case.measure) or {}).get("order") is not None]
+    if not found:
+        return None
+    _, entry = max(found, key=lambda pair: pair[0])
+    return {"order": text.order(entry.measures[case.measure]), "measure": case.measure, "label": entry.label}
+
+
+def study_rows(case):
+    return [{"style": entry.style, "label": entry.label, "vary": figures.VARIED.get(entry.vary, entry.vary) or "single runs", "title": entry.title, "why": entry.why,
+             "levels": [text.exact(level.get("value") if entry.vary else (level.get("settings") or {}).get("cells")) for level in entry.levels],
+             "points": _range(entry, "points"), "steps": _range(entry, "steps"), "file": entry.files[0] if len(entry.files) == 1
+             else f"{len(entry.files)} files"} for entry in case.series]
+
+
+def _range(entry, key):
+    values = [level.get(key) for level in entry.levels if level.get(key) is not None]
+    if not values:
+        return text.MISSING
+    low, high = min(values), max(values)
+    return text.count(low) if low == high else f"{text.count(low)} … {text.count(high)}"
+
+
+def settings_matrix(case):
+    """Settings by row, lines of the figures by column; a row is marked where the columns differ."""
+    columns = {}
+    for entry in case.series:
+        columns.setdefault(entry.label, (entry.style, entry.settings))
+    keys = {key for _, settings in columns.values() for key in settings}
+    ordered = [key for key in _FIRST_FIELDS if key in keys] + sorted(keys - set(_FIRST_FIELDS))
+    rows = []
+    for key in ordered:
+        values = [text.exact(settings[key]) if key in settings else text.MISSING for _, settings in columns.values()]
+        rows.append({"key": key, "values": values, "differs": len(set(values)) > 1})
+    return {"columns": [{"label": label, "style": style} for label, (style, _) in columns.items()], "rows": rows}
+
+
+def parameter_rows(case):
+    return [{"key": entry.get("key"), "value": text.exact(entry.get("value")), "default": text.exact(entry.get("default")),
+             "unit": entry.get("unit") or "", "range": _parameter_range(entry), "description": entry.get("description") or "",
+             "changed": entry.get("value") != entry.get("default") and entry.get("default") is not None}
+            for entry in case.catalog.get("parameters") or []]
+
+
+def _parameter_range(entry):
+    low, high = entry.get("low"), entry.get("high")
+    if low is None and high is None:
+        return text.MISSING
+    return f"{'−∞' if low is None else text.exact(low)} … {'∞' if high is None else text.exact(high)}"
+
+
+def fit_rows(case):
+    """Every fitted measure of every study."""
+    return [{"style": entry.style, "label": entry.label, "vary": figures.VARIED.get(entry.vary, entry.vary), "measure": name, "order": text.order(fit),
+             "theory": _theory(case, name) if entry.vary == "cells" else text.MISSING, "constant": text.number(fit.get("constant")),
+             "asymptotic": {True: "yes", False: "no"}.get(fit.get("asymptotic"), text.MISSING), "reason": fit.get("reason") or "",
+             "leave_one_out": _spread(fit.get("leave_one_out"))}
+            for entry in case.series for name, fit in entry.measures.items() if isinstance(fit, dict)]
+
+
+def _theory(case, measure):
+    return text.number(((case.catalog.get("theory_order") or {}).get(measure) or {}).get("order"))
+
+
+def _spread(values):
+    values = [value for value in values or [] if value is not None]
+    return f"[{text.fixed(min(values))}, {text.fixed(max(values))}]" if values else text.MISSING
+
+
+def level_rows(case, measure):
+    """Every level of every study and run: size, work, time and error."""
+    return [{"style": entry.style, "label": entry.label, "vary": figures.VARIED.get(entry.vary, entry.vary) or "single run", "value": text.exact(level.get("value")),
+             "cells": text.exact((level.get("settings") or {}).get("cells")), "points": text.count(level.get("points")),
+             "steps": text.count(level.get("steps")), "wall": text.seconds(level.get("wall_s")),
+             "speed": text.number(level.get("point_steps_per_s")), "error": text.number(_error(level, measure)),
+             "relative": text.number(_error(level, measure, "relative_error"), 3), "file": level.get("file") or ""}
+            for entry in case.series for level in entry.levels]
+
+
+def _error(level, measure, key="error"):
+    return ((level.get("measures") or {}).get(measure) or {}).get(key)
+
+
+def scalar_rows(case):
+    """Measures that have a value of their own (a period, an amplitude), from the finest level of each line."""
+    rows = []
+    for entry in case.series:
+        if entry.vary not in ("cells", "") or not entry.levels:
+            continue
+        for name, values in (entry.levels[-1].get("measures") or {}).items():
+            if isinstance(values, dict) and values.get("value") is not None:
+                rows.append({"style": entry.style, "label": entry.label, "cells": _cells(entry.levels[-1]), "measure": name,
+                             "value": text.number(values["value"], 6), "reference": text.number(values.get("reference"), 6),
+                             "unit": "" if values.get("unit") in (None, "1") else values["unit"],
+                             "relative": text.number(values.get("relative_error")), "bound": text.number(values.get("reference_bound"), 2)})
+    return rows
+
+
+def _cells(level):
+    return text.exact((level.get("settings") or {}).get("cells"))
+
+
+def reference_budget(case):
+    """The largest reference bound of the runs, and the smallest error it is compared with, per measure."""
+    found = {}
+    for entry in case.series:
+        for level in entry.levels:
+            for name, values in (level.get("measures") or {}).items():
+                if isinstance(values, dict) and values.get("reference_bound") is not None and values.get("error"):
+                    bound, error = found.get(name, (0.0, float("inf")))
+                    found[name] = max(bound, values["reference_bound"]), min(error, values["error"])
+    return [{"measure": name, "bound": text.number(bound, 2), "error": text.number(error), "share": text.number(bound / error, 2)}
+            for name, (bound, error) in found.items() if error > 0]
+
+
+def ledger_rows(finest):
+    """Books of the finest run of each line: [(series, result)]."""
+    return [{"style": entry.style, "label": entry.label, "cells": _cells(result.run), "quantity": quantity.replace("_", " "),
+             "initial": text.number(book.get("initial"), 6), "final": text.number(book.get("final"), 6),
+             "drift": text.number(book.get("relative_drift"), 2), "flows": _amounts(book.get("flows")), "stores": _amounts(book.get("stores"))}
+            for entry, result in finest for quantity, book in (result.run.get("ledger") or {}).items() if isinstance(book, dict) and book]
+
+
+def _amounts(amounts):
+    return [{"name": name.replace("_", " "), "amount": text.number(amount)} for name, amount in (amounts or {}).items()]
+
+
+def stopped(case):
+    """Runs that did not reach their end."""
+    known = {}
+    for run in [level for entry in case.series for level in entry.levels] + case.runs:
+        if run.get("finished") is False:
+            known[run.get("file") or len(known)] = run
+    return [{"scheme": run.get("scheme"), "cells": _cells(run), "file": run.get("file") or "", **_stop_words(run.get("stop") or {})}
+            for run in known.values()]
+
+
+def _stop_words(stop):
+    return {"reason": stop.get("reason") or "not stated", "step": text.count(stop.get("step")), "time": text.number(stop.get("time")),
+            "point": text.count(stop.get("point")), "field": stop.get("field") or text.MISSING, "value": text.number(stop.get("value"))}
+
+
+# --- provenance ---------------------------------------------------------------------------------------------------------
+
+def provenance(folder):
+    """[(files, rows)]: one entry per distinct build and machine, the one with most files first."""
+    groups = {}
+    for result in folder.verdicts + folder.studies + folder.runs:
+        rows = _provenance_rows(result.provenance)
+        groups.setdefault(tuple(rows), []).append(result.name)
+    return sorted(((names, list(rows)) for rows, names in groups.items()), key=lambda group: (-len(group[0]), group[0]))
+
+
+def _provenance_rows(stated):
+    rows = []
+    for key in _MACHINE:
+        if key == "dirty" or not stated.get(key):
+            continue
+        value = text.exact(stated[key])
+        if key == "git":
+            value += " — with uncommitted changes" if stated.get("dirty") else " — clean"
+        rows.append((_MACHINE_NAMES[key], value))
+    return rows
+
+
+def commands(folder):
+    """Distinct command lines, with threads and start: those of verdicts first."""
+    found = {}
+    for result in folder.verdicts + folder.studies + folder.runs:
+        command = result.provenance.get("command")
+        if command:
+            found.setdefault(command, (result.provenance.get("threads"), result.provenance.get("started")))
+    return [{"command": command, "threads": threads, "started": started} for command, (threads, started) in found.items()]
+
+
+# --- CSV ----------------------------------------------------------------------------------------------------------------
+
+def write_folder(folder, cases, target):
+    """Every table of every file, and the tables over all of them, as CSV; returns the number of files written."""
+    target = pathlib.Path(target)
+    target.mkdir(parents=True, exist_ok=True)
+    gates = [plumbline_results.gate_row(gate) for case in cases.values() for gate in case.all_gates]
+    summary = [[case.name, case.catalog.get("title"), case.verdict, *(case.counts[name] for name in VERDICTS)] for case in cases.values()]
+    plumbline_results.write_csv(plumbline_results.GATE_COLUMNS, gates, target / "gates.csv")
+    plumbline_results.write_csv(["case", "title", "verdict", *VERDICTS], summary, target / "cases.csv")
+    plumbline_results.write_csv(["file", "reason"], folder.damaged, target / "damaged.csv")
+    written = 3
+    for result in folder.runs + folder.studies + folder.verdicts:
+        for name in result.table_names():
+            result.to_csv(name, target / f"{result.name.removesuffix('.h5')}.{name}.csv")
+            written += 1
+    return written

@@ -1,0 +1,125 @@
+"""ci/report and ci/test: what they call, and the exit status they end with. Every tool they call is a fake that logs."""
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+CI = Path(__file__).resolve().parents[2] / "ci"
+
+
+class Tree:
+    def __init__(self, root):
+        self.root, self.log = root, root / "log"
+        (root / "ci").mkdir(parents=True)
+        for name in ("report", "test", "common.sh"):
+            shutil.copy(CI / name, root / "ci" / name)
+        (root / "reports").mkdir()
+        (root / "build/release").mkdir(parents=True)
+        (root / "build/release/CMakeCache.txt").write_text(f"Python3_EXECUTABLE:FILEPATH={root}/bin/chosen-python\n")
+        self.fake("ci/setup")
+        self.fake("bin/cmake")
+        self.fake("bin/ctest")
+        self.fake("build/release/bin/plumbline")
+        self.fake("bin/chosen-python", "mkdir -p report; echo page > report/index.html")
+
+    def fake(self, name, body="", status=0):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(f'#!{shutil.which("bash")}\necho "{Path(name).name} $*" >> {self.log}\n{body}\nexit {status}\n')
+        path.chmod(0o755)
+
+    def run(self, script, *options, cwd=None):
+        environment = {**os.environ, "PATH": f"{self.root}/bin:{os.environ['PATH']}"}
+        environment.pop("SUDO_UID", None)
+        return subprocess.run([str(self.root / "ci" / script), *options], capture_output=True, text=True, env=environment,
+                              cwd=cwd or self.root, stdin=subprocess.DEVNULL, timeout=60)
+
+    def calls(self):
+        return self.log.read_text().splitlines()
+
+
+@pytest.fixture
+def tree(tmp_path):
+    return Tree(tmp_path / "tree")
+
+
+def test_report_sets_up_builds_verifies_and_renders(tree, tmp_path):
+    result = tree.run("report", cwd=tmp_path)   # from any folder
+    assert result.returncode == 0, result.stderr
+    names = [call.split()[0] for call in tree.calls()]
+    assert names == ["setup", "cmake", "cmake", "plumbline", "chosen-python"]
+    assert tree.calls()[3:] == ["plumbline verify --tier quick --results results", "chosen-python reports/render.py results report/index.html"]
+    assert result.stdout.splitlines()[-1].endswith(f"{tree.root}/report/index.html")
+
+
+def test_full_report(tree):
+    assert tree.run("report", "--full").returncode == 0
+    assert "plumbline verify --tier full --results results" in tree.calls()
+
+
+@pytest.mark.parametrize("status", [1, 3, 4])
+def test_red_verdict_is_shown_and_ends_red(tree, status):
+    tree.fake("build/release/bin/plumbline", status=status)
+    result = tree.run("report")
+    assert result.returncode == status
+    assert "not green" in result.stdout
+    assert result.stdout.splitlines()[-1].endswith("report/index.html")
+
+
+@pytest.mark.parametrize("status", [2, 130, 143, 139])
+def test_verification_that_did_not_run_makes_no_page(tree, status):
+    tree.fake("build/release/bin/plumbline", status=status)
+    result = tree.run("report")
+    assert result.returncode == status
+    assert "did not run" in result.stderr and not any("render.py" in call for call in tree.calls())
+
+
+def test_damaged_results_give_their_status(tree):
+    tree.fake("bin/chosen-python", "mkdir -p report; echo page > report/index.html", status=4)
+    result = tree.run("report")
+    assert result.returncode == 4
+    assert "report/index.html" in result.stdout
+
+
+def test_page_of_an_earlier_run_does_not_pass_for_this_ones(tree):
+    assert tree.run("report").returncode == 0
+    tree.fake("bin/chosen-python")   # ends well, writes nothing
+    result = tree.run("report")
+    assert result.returncode != 0 and "no page" in result.stderr
+
+
+@pytest.mark.parametrize("script", ["report", "test"])
+@pytest.mark.parametrize("broken", ["ci/setup", "bin/cmake"])
+def test_failed_set_up_or_build_ends_at_once(tree, script, broken):
+    tree.fake(broken, status=7)
+    assert tree.run(script).returncode == 7
+    assert not any(call.startswith(("plumbline", "ctest", "chosen-python")) for call in tree.calls())
+
+
+def test_tests_run_with_their_labels_and_never_none(tree):
+    result = tree.run("test")
+    assert result.returncode == 0, result.stderr
+    (call,) = [call for call in tree.calls() if call.startswith("ctest")]
+    for option in ("--label-regex ^(unit|quick)$", "--no-tests=error", "--output-junit junit.xml", "--test-dir build/release"):
+        assert option in call
+    tree.run("test", "--full")
+    assert "--label-regex" not in tree.calls()[-1]
+
+
+def test_failed_tests_end_red(tree):
+    tree.fake("bin/ctest", status=8)
+    assert tree.run("test").returncode == 8
+
+
+def test_second_compiler_is_installed_for_its_presets(tree):
+    for preset in ("clang", "sanitize"):
+        assert tree.run("test", "--preset", preset).returncode == 0
+    assert [call for call in tree.calls() if call.startswith("setup")] == ["setup --with clang"] * 2
+
+
+@pytest.mark.parametrize("script, options", [("report", ["--fast"]), ("test", ["--fast"]), ("test", ["--preset"])])
+def test_unknown_option_is_refused(tree, script, options):
+    assert tree.run(script, *options).returncode == 2
+    assert not tree.log.exists()

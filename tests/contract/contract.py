@@ -1,0 +1,75 @@
+"""The executable under test and the JSON Schema, as the contract tests use them. Environment: PLUMBLINE names the executable."""
+import json
+import os
+import subprocess
+from pathlib import Path
+
+import jsonschema
+
+ROOT = Path(__file__).resolve().parents[2]
+SCHEMA = json.loads((ROOT / "cases/harness/schema/plumbline.schema.json").read_text(encoding="utf-8"))
+# Fields that may differ between two runs of the same binary on the same input.
+VOLATILE = {"wall_s", "point_steps_per_s", "started", "threads", "command"}
+
+
+def validate(definition, document):
+    """Checks a document against one definition of the schema and names the deepest fault."""
+    schema = {"$schema": SCHEMA["$schema"], "$defs": SCHEMA["$defs"], "$ref": f"#/$defs/{definition}"}
+    validator = jsonschema.Draft202012Validator(schema)
+    errors = list(validator.iter_errors(document))
+    if errors:
+        error = jsonschema.exceptions.best_match(errors)
+        place = "/".join(str(step) for step in error.absolute_path) or "(top)"
+        raise AssertionError(f"{definition}: at {place}: {error.message[:600]}")
+    return document
+
+
+def parse(text):
+    """JSON as the contract has it: no NaN, no Infinity, and nothing beside it."""
+    def refuse(constant):
+        raise AssertionError(f"{constant} in JSON: numbers that are not finite are null")
+    return json.loads(text, parse_constant=refuse)
+
+
+def without_volatile(value):
+    if isinstance(value, dict):
+        return {key: without_volatile(item) for key, item in value.items() if key not in VOLATILE}
+    return [without_volatile(item) for item in value] if isinstance(value, list) else value
+
+
+class Result:
+    def __init__(self, process, definition):
+        self.code, self.out, self.err = process.returncode, process.stdout, process.stderr
+        self.definition = definition
+
+    @property
+    def text(self):
+        return self.out + self.err
+
+    def json(self, definition=None):
+        """The document on standard output, valid under the definition of the command (or the one given)."""
+        return validate(definition or self.definition, parse(self.out))
+
+
+class Plumbline:
+    """Runs the executable in a folder of its own: `plumbline("run", "sod", json=True)`."""
+
+    def __init__(self, folder, executable=None):
+        self.folder = folder
+        self.executable = executable or os.environ.get("PLUMBLINE")
+        if not self.executable or not os.access(self.executable, os.X_OK):
+            raise AssertionError(f"PLUMBLINE={self.executable!r} names no executable; ctest sets it")
+
+    def command(self, *arguments, json=False):
+        return [str(self.executable), *map(str, arguments), *(["--json", "-"] if json else [])]
+
+    def __call__(self, *arguments, json=False, timeout=60, environment=None):
+        variables = {**os.environ, "OMP_NUM_THREADS": "1", **(environment or {})}
+        process = subprocess.run(self.command(*arguments, json=json), cwd=self.folder, env=variables, stdin=subprocess.DEVNULL,
+                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=timeout, encoding="utf-8")
+        return Result(process, arguments[0] if arguments else None)
+
+    def files(self, folder="results"):
+        """All files below a folder, relative to it."""
+        base = self.folder / folder
+        return sorted(str(path.relative_to(base)) for path in base.rglob("*") if path.is_file())

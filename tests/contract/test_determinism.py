@@ -1,0 +1,64 @@
+"""Same binary: bitwise the same results, run by run and for any number of threads, but for the fields that tell of the run itself."""
+import json
+
+import h5py
+import numpy
+import pytest
+from contract import Plumbline, without_volatile
+
+RUNS = {
+    "sod": ["run", "sod", "--cells", 200],
+    "sod york1997": ["run", "sod", "--cells", 100, "--scheme", "york1997"],
+    "sod musl cubic": ["run", "sod", "--cells", 100, "--integrator", "musl", "--set", "shape=cubic"],
+    "spring-mass": ["run", "spring-mass"],
+    "spring-mass york1997": ["run", "spring-mass", "--scheme", "york1997"],
+    "stopped": ["run", "sod", "--cells", 100, "--set", "cfl=5"],
+    "study": ["converge", "sod", "--cells", "20,40,80"],
+    "verdicts": ["verify", "spring-mass", "--tier", "quick"],
+}
+
+
+def contents(path):
+    """Everything in a result file: attributes, shapes, types, bytes; JSON without the volatile fields."""
+    found = {}
+
+    def visit(name, item):
+        found[name + "@"] = {key: str(value) for key, value in item.attrs.items()}
+        if isinstance(item, h5py.Dataset):
+            value = item[()]
+            if isinstance(value, bytes):
+                found[name] = without_volatile(json.loads(value))
+            else:
+                found[name] = (str(item.dtype), numpy.shape(value), numpy.asarray(value).tobytes())
+
+    with h5py.File(path) as stored:
+        visit("", stored["/"])
+        stored.visititems(visit)
+    return found
+
+
+def outcome(folder, arguments):
+    folder.mkdir()
+    plumbline = Plumbline(folder)
+    result = plumbline(*arguments, json=True, timeout=120)
+    files = {name: contents(folder / "results" / name) for name in plumbline.files()}
+    assert files
+    return result.code, without_volatile(result.json()), files
+
+
+@pytest.mark.parametrize("name", RUNS)
+def test_bitwise_the_same(tmp_path, name):
+    first = outcome(tmp_path / "first", RUNS[name])
+    assert outcome(tmp_path / "again", RUNS[name]) == first
+    for threads in (1, 2, 3):
+        assert outcome(tmp_path / f"threads-{threads}", [*RUNS[name], "--threads", threads]) == first, f"{threads} threads"
+
+
+def test_settings_decide_the_name_of_the_file(tmp_path):
+    names = set()
+    for i, setting in enumerate(["cfl=0.3", "cfl=0.31", "gamma=1.41", "shape=cubic"]):
+        (tmp_path / str(i)).mkdir()
+        plumbline = Plumbline(tmp_path / str(i))
+        plumbline("run", "sod", "--cells", 20, "--set", setting)
+        names.update(plumbline.files())
+    assert len(names) == 4

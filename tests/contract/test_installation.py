@@ -1,0 +1,96 @@
+"""An installed Plumbline, moved elsewhere: users add an integrator as a plug-in of one file and need no fork."""
+import os
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+from contract import ROOT, Plumbline
+
+PLUGIN = Path(__file__).parent / "plugin"
+
+
+def call(*command, **options):
+    process = subprocess.run([str(part) for part in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=240, **options)
+    assert process.returncode == 0, process.stdout
+    return process.stdout
+
+
+@pytest.fixture(scope="module")
+def prefix(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("installed")
+    call(os.environ["CMAKE"], "--install", os.environ["PLUMBLINE_BUILD"], "--prefix", folder / "first")
+    (folder / "first").rename(folder / "moved")   # nothing in it may know where it was built or installed
+    return folder / "moved"
+
+
+@pytest.fixture(scope="module")
+def plugin(prefix, tmp_path_factory):
+    """The averaged integrator's own file under another name, built against the installation alone."""
+    folder = tmp_path_factory.mktemp("plugin")
+    shutil.copy(PLUGIN / "CMakeLists.txt", folder)
+    source = (ROOT / "kernel/integrators/usavg.cpp").read_text(encoding="utf-8")
+    assert '"usavg"' in source
+    (folder / "mine.cpp").write_text(source.replace('"usavg"', '"mine"'), encoding="utf-8")
+    cmake = os.environ["CMAKE"]
+    call(cmake, "-S", folder, "-B", folder / "build", "-G", os.environ["GENERATOR"], f"-DCMAKE_CXX_COMPILER={os.environ['CXX']}",
+         "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_PREFIX_PATH={prefix}")
+    call(cmake, "--build", folder / "build")
+    return folder / "build" / "libmine.so"
+
+
+@pytest.fixture
+def installed(prefix, tmp_path):
+    return Plumbline(tmp_path, prefix / "bin" / "plumbline")
+
+
+def test_installed_executable_runs(installed):
+    assert installed("run", "sod", "--cells", 20, json=True).json()["finished"]
+
+
+def test_installed_kernel_is_free_of_gsl_and_hdf5(prefix):
+    libraries = [path for path in prefix.rglob("libplumbline_kernel*") if path.is_file()]
+    assert libraries
+    for library in libraries:
+        if ".so" in library.name:
+            needed = re.findall(r"\(NEEDED\).*\[(.*)\]", call("readelf", "-d", library))
+            assert needed and not [name for name in needed if re.search("gsl|hdf5|reference", name)]
+    for header in (prefix / "include").rglob("*.hpp"):
+        assert not re.search(r"#include\s*[<\"](gsl|hdf5|H5|nlohmann|reference|cases)", header.read_text(encoding="utf-8")), header
+
+
+def test_installation_holds_no_path_of_the_build(prefix):
+    for path in (prefix / "lib").rglob("*.cmake"):
+        text = path.read_text(encoding="utf-8")
+        assert str(ROOT) not in text and os.environ["PLUMBLINE_BUILD"] not in text, path
+
+
+def test_plugin_runs_by_its_name_and_gives_the_same_bits(installed, plugin):
+    result = installed("run", "sod", "--cells", 50, "--plugin", plugin, "--integrator", "mine", json=True)
+    assert result.code == 0, result.err
+    mine = result.json()
+    own = installed("run", "sod", "--cells", 50, "--integrator", "usavg", json=True).json()
+    assert mine["settings"]["integrator"] == "mine"
+    assert mine["measures"] == own["measures"] and mine["ledger"] == own["ledger"] and mine["steps"] == own["steps"]
+
+
+def test_plugin_appears_in_list(installed, plugin):
+    assert "mine" in [entry["name"] for entry in installed("list", "--plugin", plugin, json=True).json()["integrators"]]
+    assert "mine" not in [entry["name"] for entry in installed("list", json=True).json()["integrators"]]
+
+
+def test_plugin_converges(installed, plugin):
+    study = installed("converge", "sod", "--cells", "20,40,80", "--plugin", plugin, "--integrator", "mine", json=True).json()["studies"][0]
+    assert all(level["finished"] for level in study["levels"])
+
+
+def test_plugin_is_verified_by_its_name(installed, plugin):
+    verdicts = installed("verify", "sod", "--tier", "quick", "--plugin", plugin, json=True, timeout=240).json()
+    gates = [gate for gate in verdicts["gates"] if re.search(r"\bmine\b", gate["scheme"] + " " + gate["id"])]
+    assert gates and {gate["verdict"] for gate in gates} == {"PASS"}
+    assert verdicts["executed"] == verdicts["declared"]
+
+
+def test_without_the_plugin_its_name_is_unknown(installed):
+    assert installed("run", "sod", "--integrator", "mine").code == 2

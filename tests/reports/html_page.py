@@ -1,0 +1,74 @@
+"""Reads the report back: a strict parser of the page that keeps what the tests ask for."""
+
+from html.parser import HTMLParser
+
+VOID = {"meta", "link", "br", "input", "img", "hr"}
+MAY_CLOSE_THEMSELVES = {"path", "circle", "rect", "line", "use", "polyline", "polygon", "ellipse"}
+
+
+class Page(HTMLParser):
+    """ids, links, attributes that could load something, tables as rows of texts, and the text of the page."""
+
+    def __init__(self, source):
+        super().__init__()
+        self.ids, self.links, self.loads, self.words = [], [], [], []
+        self.rows = []             # (identifier of the section or case, [texts of cells])
+        self.labels = []           # aria-label of drawings
+        self._open, self._case, self._row = [], "", None
+        self.feed(source)
+        self.close()
+        assert not self._open, f"left open: {self._open}"
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        self._take(tag, attributes)
+        if tag not in VOID:
+            self._open.append(tag)
+
+    def handle_startendtag(self, tag, attributes):
+        assert tag in VOID | MAY_CLOSE_THEMSELVES, f"<{tag}/>"
+        self._take(tag, dict(attributes))
+
+    def handle_endtag(self, tag):
+        assert self._open and self._open[-1] == tag, f"</{tag}> closes {self._open[-3:]} at {self.getpos()}"
+        self._open.pop()
+        if tag == "tr":
+            self.rows.append((self._case, [" ".join("".join(cell).split()) for cell in self._row]))
+            self._row = None
+
+    def handle_data(self, data):
+        if self._open and self._open[-1] not in ("style", "script"):
+            self.words.append(data)
+            if self._row:
+                self._row[-1].append(data + " ")
+
+    def _take(self, tag, attributes):
+        if "id" in attributes:
+            self.ids.append(attributes["id"])
+        if tag in ("section", "article") and attributes.get("id"):
+            self._case = attributes["id"]
+        if tag == "tr":
+            self._row = []
+        if tag in ("td", "th") and self._row is not None:
+            self._row.append([])
+        if tag in ("a", "use") and "href" in attributes:
+            self.links.append(attributes["href"])
+        if tag == "svg" and attributes.get("role") == "img":
+            self.labels.append(attributes.get("aria-label"))
+        self.loads += [(tag, name, value) for name, value in attributes.items()
+                       if name in ("src", "srcset", "data", "action", "poster") or (name == "href" and tag not in ("a", "use"))
+                       or (name == "style" and value and "url(" in value)]
+
+    @property
+    def text(self):
+        return " ".join("".join(self.words).split())
+
+    def gate_rows(self, section):
+        """(verdict, id, scheme) of the gates shown in a case, or in the lists of the front page."""
+        found = []
+        for where, cells in self.rows:
+            if where == section and len(cells) in (7, 8) and cells[0].isupper():
+                quantity, scheme = cells[-6], cells[-5]
+                name = quantity.split(" · ")[0].split(" ")[-1]
+                found.append((cells[0], name, scheme))
+        return found
