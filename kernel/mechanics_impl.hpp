@@ -112,6 +112,7 @@ class Mechanics final : public Engine {
   void solve_velocity(Field& field, std::vector<Vec>& velocity) const;
   double book_map_loss(Body& body, const Located& at, const Field& field) const;
   void find_strain_rates(NodalVelocity which);
+  void add_body_force(Field& field, double dt);
   double stress_power(const Body& body, double dt) const;
   void settle_pending_strain();
   MotionSums gather_motion(Body& body, const Located& at, const Field& field, double dt);
@@ -317,7 +318,7 @@ void Mechanics<G, S, T>::map_mass_and_momentum() {
   }
   for (Field& field : fields_) {
     double mass = 0;
-    field.for_touched(grid_, [&](std::size_t i) { mass += field.mass[i]; });
+    field.for_touched(grid_, [&](std::size_t i) { mass += field.own_mass[i] = field.mass[i]; });
     grid_mass_ += mass;
     walls_.fold_mass(field);
     const WallAction<dim> action = walls_.fold(field, field.momentum);
@@ -388,38 +389,40 @@ void Mechanics<G, S, T>::map_forces() {
 
 // --- the grid -------------------------------------------------------------------------------------------------------
 
+// Body forces fold like all others: what a point puts on a ghost node pulls the mirror node the other way.
+template <class G, class S, class T>
+void Mechanics<G, S, T>::add_body_force(Field& field, double dt) {
+  if (gravity_.isZero(0)) return;
+  field.for_touched(grid_, [&](std::size_t i) {
+    const Vec f = field.own_mass[i] * gravity_;  // [York 3.18]
+    field.force[i] += f;
+    pending_.body += dt * f;
+    pending_.body_angular += dt * cross<dim>(grid_.position(static_cast<int>(i)), f);
+  });
+}
+
 template <class G, class S, class T>
 void Mechanics<G, S, T>::advance_momentum(double dt) {
   pending_.wall.setZero();
   pending_.body.setZero();
   pending_.wall_angular = pending_.body_angular = pending_.body_work = 0;
   for (Field& field : fields_) {
-    const WallAction<dim> folded = walls_.fold(field, field.force);
-    Vec body = Vec::Zero();
-    double body_angular = 0;
-    if (!gravity_.isZero(0)) {
-      field.for_touched(grid_, [&](std::size_t i) {
-        if (!(field.mass[i] > least_mass)) return;
-        const Vec f = field.mass[i] * gravity_;  // [York 3.18]
-        field.force[i] += f;
-        body += f;
-        body_angular += cross<dim>(grid_.position(static_cast<int>(i)), f);
-      });
-    }
-    const WallAction<dim> held = walls_.fold(field, field.force);
+    add_body_force(field, dt);
+    const WallAction<dim> action = walls_.fold(field, field.force);
+    pending_.wall += dt * action.linear;
+    pending_.wall_angular += dt * action.angular;
     field.for_touched(grid_, [&](std::size_t i) {
       const double m = field.mass[i];
       const Vec dv = m > least_mass ? Vec(dt / m * field.force[i]) : Vec(Vec::Zero());
       field.end[i] = field.start[i] + dv;  // [York 3.19, 3.20]
       field.midpoint[i] = field.start[i] + 0.5 * dv;
-      pending_.body_work += dt * m * gravity_.dot(field.midpoint[i]);
     });
     walls_.extend(field, field.end);
     walls_.extend(field, field.midpoint);
-    pending_.wall += dt * (folded.linear + held.linear);
-    pending_.wall_angular += dt * (folded.angular + held.angular);
-    pending_.body += dt * body;
-    pending_.body_angular += dt * body_angular;
+    if (gravity_.isZero(0)) continue;
+    field.for_touched(grid_, [&](std::size_t i) {
+      pending_.body_work += dt * field.own_mass[i] * gravity_.dot(field.midpoint[i]);
+    });
   }
   current_ = NodalVelocity::end;
   rate_of_ = NodalVelocity::current;

@@ -20,6 +20,7 @@ struct VelocityField {
   explicit VelocityField(const Grid<dim>& grid)
       : touched(static_cast<std::size_t>(grid.rows()), {0, 0}),
         mass(size(grid)),
+        own_mass(size(grid)),
         momentum(size(grid), Vec::Zero()),
         start(size(grid), Vec::Zero()),
         force(size(grid), Vec::Zero()),
@@ -32,6 +33,7 @@ struct VelocityField {
 
   std::vector<std::pair<int, int>> touched;  // [first, last) node of each row that a point reaches; empty: (0, 0)
   std::vector<double> mass;                  // M_i; at ghost nodes what the points put there, also after folding
+  std::vector<double> own_mass;              // what the points put on each node, before folding
   std::vector<Vec> momentum;                 // P_i
   std::vector<Vec> start;                    // v_i at the start of the step
   std::vector<Vec> force;                    // f_i, body force included

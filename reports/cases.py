@@ -1,5 +1,7 @@
 """Gathers the files of a results folder into cases: what each page shows, and nothing decided anew."""
 
+import json
+import re
 from collections import Counter
 from dataclasses import dataclass, field
 
@@ -22,9 +24,14 @@ class Series:
     measures: dict            # fits by measure, {} for single runs
     files: list               # names of the files behind it
     label: str = ""
-    style: int = 0            # index into colours and marks
     title: str = ""
     why: str = ""
+    study: str = ""           # identifier of a declared study
+    style: int = 0            # index into colours and marks
+
+    @property
+    def refined(self):
+        return len(self.levels) > 1
 
     def errors(self, measure):
         """(level, error) of the levels that have one."""
@@ -61,11 +68,18 @@ class Case:
 
     @property
     def measure(self):
-        """The measure that stands for the case: the first with a theoretical order, else the first fitted."""
+        """The measure that stands for the case: of those found the one that most gates are about, else the first."""
+        theory = list(self.catalog.get("theory_order") or {})
         fitted = [name for entry in self.series for name in entry.measures]
-        theory = [name for name in self.catalog.get("theory_order") or {}]
-        found = [name for entry in self.series for level in entry.levels for name in level.get("measures") or {}]
-        return next((name for name in theory if name in fitted), next(iter(fitted or theory or found), None))
+        found = fitted or [name for entry in self.series for level in entry.levels for name in level.get("measures") or {}]
+        names = list(dict.fromkeys([name for name in theory if name in found] + found))
+        return max(names, key=lambda name: (name in theory, len(self.gates_about(name))), default=None)
+
+    def gates_about(self, measure, words=""):
+        """Declared or judged gates whose quantity names the measure and the words."""
+        pattern = re.compile(rf"(?<![\w.]){re.escape(measure)}(?![\w.])")
+        quantities = [gate.get("quantity") or "" for gate in self.all_gates + (self.catalog.get("gates") or [])]
+        return [quantity for quantity in quantities if pattern.search(quantity) and words in quantity]
 
 
 def urgency(verdict):
@@ -102,7 +116,7 @@ def newest_gates(folder):
     for result in sorted(folder.verdicts, key=lambda entry: (entry.provenance.get("started") or "", entry.name)):
         tier = result.verdicts.get("tier") or ""
         for gate in result.gates or result.verdicts.get("gates") or []:
-            key = (tier, gate.get("case"), gate.get("scheme"), gate.get("id"))
+            key = (tier, gate.get("case"), gate.get("scheme"), gate.get("study"), gate.get("id"))
             found[key] = {**_stated(gate), "tier": tier, "file": result.name}
     return list(found.values())
 
@@ -134,25 +148,35 @@ def _take_other_gates(cases, result):
 
 
 def _identity(gate):
-    return gate.get("scheme"), gate.get("id"), gate.get("measured"), gate.get("verdict")
+    return gate.get("scheme"), gate.get("study"), gate.get("id"), gate.get("measured"), gate.get("verdict")
 
 
 # --- series -------------------------------------------------------------------------------------------------
 
 def _take_runs(cases, folder):
-    in_studies = set()
+    in_studies, planned = set(), set()
     for result in folder.studies:
         study = result.study
         levels = [level for level in study.get("levels") or [] if isinstance(level, dict)]
         in_studies |= {level.get("file") for level in levels}
+        planned |= {_but_for_offset(level) for level in levels}
         case = _case(cases, study.get("case") or (levels[0].get("case") if levels else None) or "unnamed")
-        case.series.append(Series(study.get("scheme") or "?", study.get("vary") or "cells", result.settings, levels,
-                                  result.measures, [result.name], title=study.get("title") or "", why=study.get("why") or ""))
+        title, declared = study.get("title") or "", study.get("id") or ""
+        declared = "" if declared == "study" else declared      # the name of studies that nobody declared
+        case.series.append(Series(study.get("scheme") or "?", study.get("vary") or "cells", result.settings, levels, result.measures,
+                                  [result.name], title if declared else "", title, study.get("why") or "", declared))
     for result in folder.runs:
-        case = _case(cases, result.run.get("case") or "unnamed")
-        case.runs.append({**result.run, "file": result.name})
-        if result.name not in in_studies:
+        run = {**result.run, "file": result.name}
+        case = _case(cases, run.get("case") or "unnamed")
+        case.runs.append(run)
+        # A further sub-cell offset of a level belongs to its study, which has used it.
+        if result.name not in in_studies and _but_for_offset(run) not in planned:
             _add_single_run(case, result)
+
+
+def _but_for_offset(run):
+    settings = {key: value for key, value in (run.get("settings") or {}).items() if key != "offset"}
+    return json.dumps([run.get("case"), run.get("scheme"), settings], sort_keys=True)
 
 
 def _add_single_run(case, result):
@@ -177,17 +201,28 @@ def _distinctive(settings, vary=""):
 
 
 def _label(case):
-    """Names each line by its scheme and by what sets it apart from others of that scheme; equal names, equal colour."""
+    """Names each line: a declared study by its title, another by its scheme and what sets it apart; equal choices, equal colour."""
+    titles = Counter((entry.label, entry.vary) for entry in case.series)
     for entry in case.series:
-        own = _distinctive(entry.settings, entry.vary)
-        keys = _differing(case.series, entry, ("cells", "")) | _differing(case.series, entry, (entry.vary,))
-        choices = ", ".join(f"{key}={_short(own[key])}" for key in sorted(keys & set(own)))
-        entry.label = f"{entry.scheme} · {choices}" if choices else entry.scheme
+        if not entry.label or titles[entry.label, entry.vary] > 1:
+            entry.label = _choices_label(case.series, entry)
     _tell_apart(case.series)
-    case.series.sort(key=lambda entry: (entry.scheme != "default", entry.scheme, _VARY_ORDER.get(entry.vary, 9), entry.label))
-    labels = list(dict.fromkeys(entry.label for entry in case.series))
+    declared = [study.get("id") for study in case.catalog.get("studies") or []]
+    case.series.sort(key=lambda entry: (_VARY_ORDER.get(entry.vary, 9), not entry.refined, declared.index(entry.study) if entry.study in declared
+                                        else len(declared), entry.scheme != "default", entry.scheme, entry.label))
+    colours = []
     for entry in case.series:
-        entry.style = labels.index(entry.label)
+        choices = entry.scheme, _distinctive(entry.settings)
+        if choices not in colours:
+            colours.append(choices)
+        entry.style = colours.index(choices)
+
+
+def _choices_label(series, entry):
+    own = _distinctive(entry.settings, entry.vary)
+    keys = _differing(series, entry, ("cells", "")) | _differing(series, entry, (entry.vary,))
+    choices = ", ".join(f"{key}={_short(own[key])}" for key in sorted(keys & set(own)))
+    return f"{entry.scheme} · {choices}" if choices else entry.scheme
 
 
 def _differing(series, entry, kinds):

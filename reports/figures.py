@@ -74,6 +74,13 @@ def plain_axis(axis):
     axis.set_major_formatter(FuncFormatter(lambda value, _: text.number(round(value, 12), 5)))
 
 
+def error_label(case, measure):
+    """Label of an error axis with its unit."""
+    units = [((level.get("measures") or {}).get(measure) or {}).get("unit") for entry in case.series for level in entry.levels]
+    unit = next((unit for unit in units if unit and unit != "1"), None)
+    return ("" if measure.endswith(".step") else "error of ") + measure + (f" in {text.unit(unit)}" if unit else "")
+
+
 def _margins(values, factor=1.6):
     positive = [value for value in values if value and value > 0]
     return min(positive) / factor, max(positive) * factor
@@ -168,7 +175,7 @@ def convergence(case, measure, prefix):
         _theory_line(axes, order, _levels(series[0], measure), shown)
         low, high = _margins(shown, 2.2)
         low = min([low] + _floor_lines(axes, low, bound, rounding))
-        axes.set(xscale="log", yscale="log", ylim=(low, high), xlabel="cell size h", ylabel=f"error, {measure}")
+        axes.set(xscale="log", yscale="log", ylim=(low, high), xlabel="cell size h", ylabel=error_label(case, measure))
         log_axis(axes.xaxis, *axes.get_xlim())
         log_axis(axes.yaxis, *axes.get_ylim())
 
@@ -284,38 +291,57 @@ def plateau(case, measure, prefix):
 
 # --- one parameter alone -----------------------------------------------------------------------------------------
 
+def variation_measures(case, vary):
+    """The measure of the case; for the step also the distance to the next smaller step, which needs no exact solution."""
+    steps = case.measure.split(".")[0] + ".step"
+    return [case.measure] + [steps] * (vary == "dt" and any(steps in entry.measures for entry in case.studies(vary)))
+
+
+_SEE = {"dt": "Mesh and points stay as they are. A level line means that the step costs no accuracy; an error that grows towards small "
+              "steps betrays a loss at every step.",
+        "ppc": "Mesh and step rule stay as they are; a level line means that more points would not help.",
+        "offset": "Only the place of the grid under the points changes, by less than one cell; the spread is the part of the error that "
+                  "is an accident of this place.",
+        "step": "The distance of each run from that with the next smaller step: it falls with the order of the step, even where the error of "
+                "the mesh hides it."}
+
+
 def variation(case, vary, measure, prefix):
     """Error against the time step, the points per cell or the offset of the grid alone."""
-    series = [entry for entry in case.studies(vary) if entry.errors(measure)]
+    series = [entry for entry in case.studies(vary) if any(error > 0 for _, error in entry.errors(measure))]
     if not series:
         return None
+    distance = measure.endswith(".step")
 
     def paint(axes):
         values, shown = [], []
         for entry in series:
-            rows = sorted((level.get("value"), error) for level, error in entry.errors(measure)
-                          if level.get("value") is not None and error > 0)
+            rows = sorted((varied(level, vary), error) for level, error in entry.errors(measure) if varied(level, vary) is not None and error > 0)
             x, y = (numpy.array(column) for column in zip(*rows)) if rows else (numpy.array([]),) * 2
             values, shown = values + list(x), shown + list(y)
-            axes.plot(x, y, svg.series_mark(entry.style) + "-", color=svg.series_colour(entry.style), linewidth=0.9)
+            if distance:
+                _fitted_line(axes, entry, _levels(entry, measure))
+            axes.plot(x, y, svg.series_mark(entry.style) + ("" if distance else "-"), color=svg.series_colour(entry.style), linewidth=0.9)
         scale = "linear" if vary == "offset" else "log"
-        axes.set(xscale=scale, yscale="log", xlabel=_AXIS.get(vary, vary), ylabel=f"error, {measure}")
+        axes.set(xscale=scale, yscale="log", xlabel=_AXIS.get(vary, vary), ylabel=error_label(case, measure))
         if shown:
             axes.set_ylim(*_margins(shown, 1.4))
+            log_axis(axes.yaxis, *axes.get_ylim())
         if scale == "log" and values:
             log_axis(axes.xaxis, *axes.get_xlim())
-        log_axis(axes.yaxis, *axes.get_ylim())
 
     why = " ".join(dict.fromkeys(entry.why[0].upper() + entry.why[1:].rstrip(".") + "." for entry in series if entry.why))
-    see = {"dt": "Mesh and points stay as they are. A level line means that the step costs no accuracy; an error that grows towards "
-                 "small steps betrays a loss at every step.",
-           "ppc": "Mesh and step rule stay as they are; a level line means that more points would not help.",
-           "offset": "Only the place of the grid under the points changes, by less than one cell; the spread is the part of the error "
-                     "that is an accident of this place."}.get(vary, "")
     name = VARIED.get(vary, vary)
-    caption = f"Error in {measure} when only the {name} changes. {see} {why}".strip()
-    return Figure(svg.draw(paint, prefix, f"Error in {measure} against {name}", height=2.5), f"{name.capitalize()} alone", caption,
-                  _files(series), _keys(series))
+    caption = f"Error in {measure} when only the {name} changes. {_SEE['step'] if distance else _SEE.get(vary, '')} {why}".strip()
+    orders = text.listing(f"{text.order(entry.measures[measure])} ({entry.label})" for entry in series if entry.measures.get(measure))
+    caption += f" Fitted order: {orders}." if distance and orders else ""
+    title = f"Distance between neighbouring steps, {measure}" if distance else f"{name.capitalize()} alone"
+    return Figure(svg.draw(paint, prefix, f"Error in {measure} against {name}", height=2.5), title, caption, _files(series), _keys(series))
+
+
+def varied(level, vary):
+    """What was varied; a step in seconds, where the level states it."""
+    return level.get("h") if vary == "dt" and level.get("h") else level.get("value")
 
 
 # --- cost -----------------------------------------------------------------------------------------------------------
@@ -359,7 +385,7 @@ def cost(case, measure, kind, prefix):
         for entry, points in rows:
             axes.plot(*zip(*points), svg.series_mark(entry.style) + "-", color=svg.series_colour(entry.style), linewidth=0.9)
         axes.plot(*zip(*best), "o", markersize=9, color=svg.INK, markerfacecolor="none", markeredgewidth=0.8, linestyle="none")
-        axes.set(xscale="log", yscale="log", xlabel=axis, ylabel=f"error, {measure}")
+        axes.set(xscale="log", yscale="log", xlabel=axis, ylabel=error_label(case, measure))
         axes.set_ylim(*_margins([error for _, points in rows for _, error in points], 1.8))
         axes.set_xlim(*_margins([value for _, points in rows for value, _ in points], 1.8))
         log_axis(axes.xaxis, *axes.get_xlim())

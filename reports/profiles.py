@@ -131,7 +131,7 @@ def _label(columns, name):
 
 def axis_label(columns, name):
     unit = columns.units.get(name)
-    return f"{_label(columns, name)} in {unit}" if unit and unit != "1" else _label(columns, name)
+    return f"{_label(columns, name)} in {text.unit(unit)}" if unit and unit != "1" else _label(columns, name)
 
 
 # --- ledger ---------------------------------------------------------------------------------------------------------
@@ -162,7 +162,7 @@ def drift(quantity, finest, prefix):
 
     name = quantity_name(quantity)
     largest = text.listing(f"{text.number(relative.max(), 2)} for {entry.label}" for entry, _, relative in lines)
-    caption = (f"What the books of {name} leave unexplained in the finest run of each line, over the scale of the run: at most {largest}. "
+    caption = (f"What the books of {name} leave unexplained in the finest run of each refined line, over the scale of the run: at most {largest}. "
                "The dash-dotted line is the rounding of one operation.")
     keys = [Key(entry.label, f"var(--s{entry.style % len(svg.SERIES) + 1})") for entry, _, _ in lines]
     keys.append(Key("rounding of one operation", "var(--muted)", dash=True))
@@ -185,11 +185,12 @@ def quantities(finest):
 def relative_residual(result, quantity):
     """|residual|/scale of a ledger quantity, or None where the file does not hold it."""
     columns = result.ledger.get(quantity) or {}
-    stated = ((result.run.get("ledger") or {}).get(quantity) or {}).get("relative_drift")
+    book = (result.run.get("ledger") or {}).get(quantity) or {}
+    stated = book.get("relative_drift")
     if "residual" not in columns or "time" not in columns or not len(columns["time"]) or stated is None:
         return None
     residual = numpy.abs(columns["residual"])
-    largest = numpy.nanmax(residual, initial=0.0)
+    largest = abs(book.get("largest_residual") or numpy.nanmax(residual, initial=0.0))
     if largest > 0:
         return residual / largest * abs(stated) if stated else None
     return numpy.zeros_like(residual)

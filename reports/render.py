@@ -25,7 +25,7 @@ import text
 
 HERE = pathlib.Path(__file__).resolve().parent
 NORMS = (".L1", ".L2", ".Linf")
-MOST_PROFILES = 8       # lines of a case that get profiles of their own
+MOST_PROFILES = 10      # lines of a case that are drawn over the exact solution
 
 
 def render(folder):
@@ -33,7 +33,8 @@ def render(folder):
     cases = gathering.gather(folder)
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True, trim_blocks=True,
                                      lstrip_blocks=True, undefined=jinja2.ChainableUndefined)
-    environment.filters.update(plural=text.plural, number=text.number)
+    environment.filters.update(plural=text.plural, by_label=tables.by_label)
+    environment.globals.update(series_mark=svg.series_mark)
     results = {result.name: result for result in folder.runs}
     pages = [case_page(case, results) for case in cases.values()]
     style = (HERE / "templates" / "style.css").read_text(encoding="utf-8")
@@ -66,70 +67,77 @@ def _anchored(rows):
 
 def case_page(case, results):
     """What the template of a case shows, in the order of the page."""
-    name = anchor(case.name)
-    catalog = case.catalog
+    name, catalog = anchor(case.name), case.catalog
     finest = finest_results(case, results)
     title = catalog.get("title") or case.name
+    own, choices = tables.parameter_rows(case)
+    gates, identities = tables.split_identities(case.gates)
+    fits, further_fits = tables.fit_rows(case, leading_measures(case))
     return {"name": case.name, "anchor": name, "title": title, "catalog": catalog, "verdict": case.verdict,
             "counts": tables.counts_row(case), "reason": tables.one_line_reason(case),
             "paragraphs": [part.strip() for part in (catalog.get("physics") or "").split("\n\n") if part.strip()],
             "sketch": _markup(svg.sketch(catalog.get("sketch") or "", f"{name}-sketch", f"Sketch of {title}")),
-            "parameters": tables.parameter_rows(case), "budget": tables.reference_budget(case),
-            "bound": text.exact(catalog.get("reference", {}).get("bound")) if catalog.get("reference") else "",
+            "parameters": own, "choices": choices, "budget": tables.reference_budget(case),
+            "bound": text.exact(catalog["reference"].get("bound")) if catalog.get("reference") else "",
             "studies": tables.study_rows(case), "settings": tables.settings_matrix(case),
-            "gates": tables.gate_rows(case.gates), "other_gates": tables.gate_rows(case.other_gates), "not_run": tables.not_run(case),
-            "fits": tables.fit_rows(case), "levels": tables.level_rows(case, case.measure), "measure": case.measure,
-            "has_norms": any(measure.endswith(NORMS) for measure in convergence_measures(case)), "scalars": tables.scalar_rows(case), "books": tables.ledger_rows(finest), "stopped": tables.stopped(case),
-            **case_figures(case, results, finest, name)}
+            "gates": gates, "identities": identities, "other_gates": tables.gate_rows(case.other_gates), "not_run": tables.not_run(case),
+            "fits": fits, "further_fits": further_fits, "levels": tables.level_rows(case, case.measure), "measure": case.measure,
+            "has_norms": any(measure.endswith(NORMS) for measure in convergence_measures(case)), "scalars": tables.scalar_rows(case),
+            "leads_with_scalars": not (case.measure or "").endswith(NORMS),
+            "books": tables.ledger_rows(finest), "stopped": tables.stopped(case), **case_figures(case, results, finest, name)}
 
 
 def case_figures(case, results, finest, name):
     """All figures of a case, by the part of the page they stand in; what cannot be drawn is left out."""
-    drawn = {"profiles": profile_groups(case, results, name), "convergence": [], "variations": [], "drifts": []}
-    drawn["profiles_left"] = max(0, len(_with_profiles(case, results)) - MOST_PROFILES)
+    drawn = {"profiles": profile_groups(case, results, name), "convergence": [], "variations": []}
     for number, measure in enumerate(convergence_measures(case)):
-        parts = [function(case, measure, f"{name}-{function.__name__}-{number}")
-                 for function in (figures.convergence, figures.pairwise, figures.plateau)]
-        drawn["convergence"].append([_ready(figure) for figure in parts if figure])
+        drawn["convergence"].append(_ready(function(case, measure, f"{name}-{function.__name__}-{number}")
+                                           for function in (figures.convergence, figures.pairwise, figures.plateau)))
     if case.measure:
-        parts = [figures.variation(case, vary, case.measure, f"{name}-{vary}") for vary in ("dt", "ppc", "offset")]
-        drawn["variations"] = [_ready(figure) for figure in parts if figure]
+        drawn["variations"] = _ready(figures.variation(case, vary, measure, f"{name}-{vary}-{number}") for vary in ("dt", "ppc", "offset")
+                                     for number, measure in enumerate(figures.variation_measures(case, vary)))
     drawn["costs"] = cost_figures(case, name)
+    refined = [pair for pair in finest if pair[0].refined] or finest
     quantities = profiles.quantities(finest)
-    parts = [profiles.drift(quantity, finest, f"{name}-drift-{quantity}") for quantity in quantities]
-    drawn["drifts"] = [_ready(figure) for figure in parts if figure]
-    closed = [(profiles.quantity_name(quantity), profiles.closed(quantity, finest)) for quantity in quantities]
+    drawn["drifts"] = _ready(profiles.drift(quantity, refined, f"{name}-drift-{quantity}") for quantity in quantities)
+    closed = [(profiles.quantity_name(quantity), profiles.closed(quantity, refined)) for quantity in quantities]
     drawn["closed"] = [f"{quantity} ({text.listing(labels)})" for quantity, labels in closed if labels]
     return drawn
 
 
 def convergence_measures(case):
-    """The measures with a theoretical order; without one, the measure that stands for the case."""
-    fitted = {measure for entry in case.studies("cells") for measure in entry.measures}
-    return [measure for measure in case.catalog.get("theory_order") or {} if measure in fitted] or [case.measure] * (case.measure in fitted)
+    """Measures with a theoretical order or a gate on their order; without any, the one that stands for the case."""
+    fitted = list(dict.fromkeys(measure for entry in case.studies("cells") if entry.refined for measure in entry.measures))
+    wanted = [measure for measure in fitted if measure in (case.catalog.get("theory_order") or {}) or case.gates_about(measure, "order")]
+    return wanted or [case.measure] * (case.measure in fitted)
+
+
+def leading_measures(case):
+    return convergence_measures(case) + (figures.variation_measures(case, "dt") if case.measure else [])
 
 
 def cost_figures(case, prefix):
-    parts = [figures.cost(case, case.measure, kind, f"{prefix}-{kind}") for kind in figures.COSTS] if case.measure else []
-    return [_ready(figure) for figure in parts if figure]
+    return _ready(figures.cost(case, case.measure, kind, f"{prefix}-{kind}") for kind in figures.COSTS) if case.measure else []
 
 
 def profile_groups(case, results, name):
-    """[{field, figures}]: the field of the leading measure first, one figure per line of the case."""
-    lines = _with_profiles(case, results)[:MOST_PROFILES]
+    """[{title, figures}]: the field of the leading measure first, one figure per line; then single runs, then other fields."""
+    lines = [(entry, profiles.chosen_levels(entry, results)) for entry in case.series if entry.vary in ("cells", "")]
+    lines = [(entry, levels) for entry, levels in lines if levels]
+    refined = [line for line in lines if line[0].refined] or lines[:MOST_PROFILES]
+    single = [line for line in lines if line not in refined]
     present = list(dict.fromkeys(field for _, levels in lines for _, _, columns in levels for field in profiles.fields(columns)))
     leading = (case.measure or "").split(".")[0]
-    groups = []
-    for field in sorted(present, key=lambda entry: entry != leading):
-        drawn = [profiles.profile(entry, field, levels, f"{name}-profile-{field}-{number}") for number, (entry, levels) in enumerate(lines)]
-        groups.append({"field": field.replace("_", " "), "figures": [_ready(figure) for figure in drawn if figure]})
-    return groups
+    present.sort(key=lambda field: field != leading)
+    groups = [(field.replace("_", " ").capitalize(), field, refined[:MOST_PROFILES]) for field in present]
+    groups[1:1] = [(f"{field.replace('_', ' ').capitalize()}: {title}", field, part) for field in present[:1]
+                   for title, part in (("lines of a single run", single[:MOST_PROFILES]),) if part]
+    return [{"title": title, "figures": _profiles(part, field, f"{name}-profile-{number}"), "left": max(0, len(single) - MOST_PROFILES)
+             if part == single[:MOST_PROFILES] else 0} for number, (title, field, part) in enumerate(groups)]
 
 
-def _with_profiles(case, results):
-    """[(series, levels)] of mesh studies and single runs that have a profile; of equal labels the first."""
-    lines = [(entry, profiles.chosen_levels(entry, results)) for entry in case.series if entry.vary in ("cells", "")]
-    return [(entry, levels) for entry, levels in lines if levels]
+def _profiles(lines, field, prefix):
+    return _ready(profiles.profile(entry, field, levels, f"{prefix}-{number}") for number, (entry, levels) in enumerate(lines))
 
 
 def finest_results(case, results):
@@ -142,9 +150,12 @@ def finest_results(case, results):
     return found
 
 
-def _ready(figure):
-    figure.svg = _markup(figure.svg)
-    return figure
+def _ready(parts):
+    """The figures that could be drawn, their drawings marked as checked markup."""
+    found = [figure for figure in parts if figure]
+    for figure in found:
+        figure.svg = _markup(figure.svg)
+    return found
 
 
 def _markup(checked):

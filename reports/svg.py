@@ -6,6 +6,7 @@ legible on a light and on a dark page. Identifiers get a prefix of their own, as
 
 import io
 import re
+import zlib
 from xml.etree import ElementTree
 
 import matplotlib
@@ -34,7 +35,8 @@ def series_colour(style):
 
 
 def series_mark(style):
-    return MARKS[style % len(MARKS)]
+    """Together with the colour, 36 different looks."""
+    return MARKS[(style + style // len(SERIES)) % len(MARKS)]
 
 
 def draw(paint, prefix, label, height=2.9, **subplots):
@@ -63,8 +65,24 @@ def _inline(text, prefix, label):
     text = re.sub(r"font: ([\d.]+)px [^;\"]*", r"font: calc(\1px * var(--zoom)) var(--font)", text)
     text = re.sub("|".join(_VARIABLES), lambda match: _VARIABLES[match.group(0)], text)
     text = re.sub(r'id="class:([\w-]+)[^"]*"', r'class="\1"', text)
-    text = _own_identifiers(text, prefix)
+    text = re.sub(r' (?:d|x|y|width|height|transform)="[^"]*"', _rounded, text)
+    text = re.sub(r"<g([^>]*)>\s*((?:<use [^>]*/>\s*){3,})</g>", _shared_style, text)
+    text = _own_identifiers(text, f"f{zlib.crc32(prefix.encode()):x}")
     return re.sub(r">\s+<", "><", re.sub(r" *\n *", " ", text)).strip()
+
+
+def _shared_style(group):
+    """Marks of one line repeat their style hundreds of times: it moves to the group around them."""
+    attributes, marks = group.groups()
+    styles = set(re.findall(r' style="([^"]*)"', marks))
+    if len(styles) != 1 or "style=" in attributes:
+        return group.group(0)
+    return f'<g{attributes} style="{styles.pop()}">' + re.sub(r' style="[^"]*"', "", marks) + "</g>"
+
+
+def _rounded(attribute):
+    """Two decimals of a point are finer than any screen; matplotlib writes six."""
+    return re.sub(r"(\.\d\d)\d+", r"\1", attribute.group(0))
 
 
 def _own_identifiers(text, prefix):

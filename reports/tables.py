@@ -1,5 +1,6 @@
 """Rows of the tables on the page, ready to print, and the same tables as CSV."""
 
+import itertools
 import pathlib
 from collections import Counter
 
@@ -21,6 +22,9 @@ _MACHINE_NAMES = {"version": "Plumbline", "git": "commit", "compiler": "compiler
 _HAPPENED = {"FAIL": ("is missed", "are missed"), "INVALID": ("cannot be judged", "cannot be judged"),
              "INCONCLUSIVE": ("is undecided", "are undecided"),
              "XPASS": ("passes where a failure was expected", "pass where failures were expected")}
+# The keys that the contract gives to all cases; the others are a case's own.
+_NUMERICAL = frozenset("cells shape transfer integrator density cfl dt ppc points offset viscosity.linear viscosity.quadratic normals "
+                       "membrane.strain membrane.loss contact pressure".split())
 _FIRST_FIELDS = ("integrator", "shape", "transfer", "density", "points", "ppc", "cfl", "dt")
 
 
@@ -35,7 +39,14 @@ def gate_row(gate):
             "reason": gate.get("reason") or "", "measured": text.measured(gate.get("measured"), bounds),
             "interval": text.interval(gate.get("interval")), "margin": text.number(margin, 2), "cause": gate.get("cause") or "",
             "share": None if margin is None else round(100 * min(abs(margin), 1)), "beyond": margin is not None and margin < 0,
-            "tier": gate.get("tier") or "", "file": gate.get("file") or ""}
+            "tier": gate.get("tier") or "", "note": gate.get("note") or "",
+            "band": text.expected(gate["band"]) if gate.get("band") else "", "file": gate.get("file") or ""}
+
+
+def split_identities(gates):
+    """(rows to show, rows to fold away): identities that hold for every scheme are many and rarely news."""
+    folded = [gate for gate in gates if gate.get("verdict") == "PASS" and gate.get("origin") == "identity"]
+    return gate_rows(gate for gate in gates if gate not in folded), gate_rows(folded)
 
 
 def gate_rows(gates):
@@ -88,7 +99,7 @@ def one_line_reason(case):
     if case.verdict not in GREEN:
         head = f"{text.plural(same, 'gate')} of {text.count(len(case.all_gates))} {_HAPPENED.get(case.verdict, (case.verdict,) * 2)[same != 1]}"
         found = f"{row['measured']} {row['interval']}".strip()
-        return f"{head}: {'' if same == 1 else 'first '}{row['quantity']} of {row['scheme']}, measured {found}, expected {row['expected']}."
+        return f"{head}. {'It is' if same == 1 else 'First'}: {row['quantity']} ({row['scheme']}), measured {found}, expected {row['expected']}."
     words = [f"{text.plural(case.counts['PASS'], 'gate passes', 'gates pass')}" if case.counts["PASS"] else "",
              f"{text.plural(case.counts['XFAIL'], 'known failure is', 'known failures are')} found as expected" if case.counts["XFAIL"] else "",
              f"{text.plural(case.counts['NONE'], 'result is', 'results are')} reported without judgement" if case.counts["NONE"] else ""]
@@ -116,10 +127,15 @@ def best_order(case):
 
 
 def study_rows(case):
-    return [{"style": entry.style, "label": entry.label, "vary": figures.VARIED.get(entry.vary, entry.vary) or "single runs", "title": entry.title, "why": entry.why,
+    return [{"style": entry.style, "label": entry.label, "scheme": entry.scheme, "vary": _varied(entry) or "single runs", "why": entry.why,
+             "title": entry.title if entry.title != entry.label else "",
              "levels": [text.exact(level.get("value") if entry.vary else (level.get("settings") or {}).get("cells")) for level in entry.levels],
              "points": _range(entry, "points"), "steps": _range(entry, "steps"), "file": entry.files[0] if len(entry.files) == 1
              else f"{len(entry.files)} files"} for entry in case.series]
+
+
+def _varied(entry):
+    return figures.VARIED.get(entry.vary, entry.vary)
 
 
 def _range(entry, key):
@@ -134,19 +150,27 @@ def settings_matrix(case):
     """Settings by row, lines of the figures by column; a row is marked where the columns differ."""
     columns = {}
     for entry in case.series:
-        columns.setdefault(entry.label, (entry.style, entry.settings))
+        if entry.vary in ("cells", ""):
+            columns.setdefault(entry.label, (entry.style, entry.settings))
     keys = {key for _, settings in columns.values() for key in settings}
     ordered = [key for key in _FIRST_FIELDS if key in keys] + sorted(keys - set(_FIRST_FIELDS))
     rows = []
     for key in ordered:
         values = [text.exact(settings[key]) if key in settings else text.MISSING for _, settings in columns.values()]
         rows.append({"key": key, "values": values, "differs": len(set(values)) > 1})
+    rows.sort(key=lambda row: not row["differs"])
     return {"columns": [{"label": label, "style": style} for label, (style, _) in columns.items()], "rows": rows}
 
 
 def parameter_rows(case):
+    """(the case's own parameters, the numerical choices)."""
+    rows = _parameter_rows(case)
+    return [row for row in rows if row["key"] not in _NUMERICAL], [row for row in rows if row["key"] in _NUMERICAL]
+
+
+def _parameter_rows(case):
     return [{"key": entry.get("key"), "value": text.exact(entry.get("value")), "default": text.exact(entry.get("default")),
-             "unit": entry.get("unit") or "", "range": _parameter_range(entry), "description": entry.get("description") or "",
+             "unit": "" if isinstance(entry.get("value"), str) else text.unit(entry.get("unit") or ""), "range": _parameter_range(entry), "description": entry.get("description") or "",
              "changed": entry.get("value") != entry.get("default") and entry.get("default") is not None}
             for entry in case.catalog.get("parameters") or []]
 
@@ -154,17 +178,22 @@ def parameter_rows(case):
 def _parameter_range(entry):
     low, high = entry.get("low"), entry.get("high")
     if low is None and high is None:
-        return text.MISSING
+        return text.exact(entry.get("allowed") or None)
     return f"{'−∞' if low is None else text.exact(low)} … {'∞' if high is None else text.exact(high)}"
 
 
-def fit_rows(case):
-    """Every fitted measure of every study."""
-    return [{"style": entry.style, "label": entry.label, "vary": figures.VARIED.get(entry.vary, entry.vary), "measure": name, "order": text.order(fit),
+def fit_rows(case, leading):
+    """(rows of the leading measures, rows of all others) of every study with a fit."""
+    rows = _fit_rows(case)
+    return [row for row in rows if row["measure"] in leading], [row for row in rows if row["measure"] not in leading]
+
+
+def _fit_rows(case):
+    return [{"style": entry.style, "label": entry.label, "vary": _varied(entry), "measure": name, "order": text.order(fit),
              "theory": _theory(case, name) if entry.vary == "cells" else text.MISSING, "constant": text.number(fit.get("constant")),
              "asymptotic": {True: "yes", False: "no"}.get(fit.get("asymptotic"), text.MISSING), "reason": fit.get("reason") or "",
              "leave_one_out": _spread(fit.get("leave_one_out"))}
-            for entry in case.series for name, fit in entry.measures.items() if isinstance(fit, dict)]
+            for entry in case.series if entry.refined for name, fit in entry.measures.items() if isinstance(fit, dict)]
 
 
 def _theory(case, measure):
@@ -176,9 +205,14 @@ def _spread(values):
     return f"[{text.fixed(min(values))}, {text.fixed(max(values))}]" if values else text.MISSING
 
 
+def by_label(rows):
+    """Rows in groups of equal label, in their order."""
+    return [list(group) for _, group in itertools.groupby(rows, key=lambda row: row["label"])]
+
+
 def level_rows(case, measure):
     """Every level of every study and run: size, work, time and error."""
-    return [{"style": entry.style, "label": entry.label, "vary": figures.VARIED.get(entry.vary, entry.vary) or "single run", "value": text.exact(level.get("value")),
+    return [{"style": entry.style, "label": entry.label, "vary": _varied(entry) or "single run", "value": text.exact(level.get("value")),
              "cells": text.exact((level.get("settings") or {}).get("cells")), "points": text.count(level.get("points")),
              "steps": text.count(level.get("steps")), "wall": text.seconds(level.get("wall_s")),
              "speed": text.number(level.get("point_steps_per_s")), "error": text.number(_error(level, measure)),
@@ -200,7 +234,7 @@ def scalar_rows(case):
             if isinstance(values, dict) and values.get("value") is not None:
                 rows.append({"style": entry.style, "label": entry.label, "cells": _cells(entry.levels[-1]), "measure": name,
                              "value": text.number(values["value"], 6), "reference": text.number(values.get("reference"), 6),
-                             "unit": "" if values.get("unit") in (None, "1") else values["unit"],
+                             "unit": "" if values.get("unit") in (None, "1") else text.unit(values["unit"]),
                              "relative": text.number(values.get("relative_error")), "bound": text.number(values.get("reference_bound"), 2)})
     return rows
 
@@ -210,7 +244,7 @@ def _cells(level):
 
 
 def reference_budget(case):
-    """The largest reference bound of the runs, and the smallest error it is compared with, per measure."""
+    """The largest reference bound of the runs, and the smallest error it is compared with, per measure that is judged."""
     found = {}
     for entry in case.series:
         for level in entry.levels:
@@ -218,8 +252,9 @@ def reference_budget(case):
                 if isinstance(values, dict) and values.get("reference_bound") is not None and values.get("error"):
                     bound, error = found.get(name, (0.0, float("inf")))
                     found[name] = max(bound, values["reference_bound"]), min(error, values["error"])
+    judged = [name for name in found if case.gates_about(name)] or list(found)
     return [{"measure": name, "bound": text.number(bound, 2), "error": text.number(error), "share": text.number(bound / error, 2)}
-            for name, (bound, error) in found.items() if error > 0]
+            for name, (bound, error) in found.items() if name in judged]
 
 
 def ledger_rows(finest):
@@ -227,11 +262,11 @@ def ledger_rows(finest):
     return [{"style": entry.style, "label": entry.label, "cells": _cells(result.run), "quantity": quantity.replace("_", " "),
              "initial": text.number(book.get("initial"), 6), "final": text.number(book.get("final"), 6),
              "drift": text.number(book.get("relative_drift"), 2), "flows": _amounts(book.get("flows")), "stores": _amounts(book.get("stores"))}
-            for entry, result in finest for quantity, book in (result.run.get("ledger") or {}).items() if isinstance(book, dict) and book]
+            for entry, result in finest for quantity, book in (result.run.get("ledger") or {}).items() if isinstance(book, dict) and quantity in result.ledger]
 
 
 def _amounts(amounts):
-    return [{"name": name.replace("_", " "), "amount": text.number(amount)} for name, amount in (amounts or {}).items()]
+    return [{"name": name.replace("_", " "), "amount": text.number(amount)} for name, amount in (amounts or {}).items() if amount != 0]
 
 
 def stopped(case):

@@ -1,6 +1,7 @@
 """Numbers, bounds and settings as the page prints them: independent of the locale, with honest digits."""
 
 import math
+import re
 
 MISSING = "—"
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -31,6 +32,11 @@ def number(value, digits=3):
 
 def _plain(digits):
     return digits.rstrip("0").rstrip(".") if "." in digits else digits
+
+
+def unit(name):
+    """kg/m^3 as kg/m³."""
+    return re.sub(r"\^(-?\d+)", lambda power: superscript(power.group(1)), name)
 
 
 def count(value):
@@ -90,7 +96,7 @@ def measured(value, bounds):
 
 def fixed(value, places=3):
     """A number with a fixed count of decimals, so that several stand comparable below each other."""
-    return MISSING if value is None else f"{value:.{places}f}".replace("-", "−")
+    return MISSING if value is None else f"{round(value, places) + 0.0:.{places}f}".replace("-", "−")
 
 
 def order(fit):

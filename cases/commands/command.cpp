@@ -19,14 +19,14 @@ Provenance Invocation::provenance() const {
 
 void add_json(CLI::App& app, CommonOptions& options) {
   app.add_option("--json", options.json, "write JSON to a file, or - for standard output");
-  app.add_option("--plugin", options.plugins, "shared library that registers integrators (repeatable)")->expected(1);
+  app.add_option("--plugin", options.plugins, "shared library that registers integrators (repeatable)")->allow_extra_args(false);
 }
 
 void add_run_options(CLI::App& app, CommonOptions& options) {
   add_json(app, options);
-  app.add_option("--scheme", options.schemes, "scheme (repeatable)")->expected(1);
-  app.add_option("--integrator", options.integrators, "the case's default scheme with this integrator (repeatable)")->expected(1);
-  app.add_option("--set", options.settings, "key=value (repeatable); `plumbline explain CASE` lists the keys")->expected(1);
+  app.add_option("--scheme", options.schemes, "scheme (repeatable)")->allow_extra_args(false);
+  app.add_option("--integrator", options.integrators, "the case's default scheme with this integrator (repeatable)")->allow_extra_args(false);
+  app.add_option("--set", options.settings, "key=value (repeatable); `plumbline explain CASE` lists the keys")->allow_extra_args(false);
   app.add_option("--threads", options.threads, "threads for independent runs")->check(CLI::Range(1, 1024));
   app.add_option("--results", options.results, "results folder");
   app.add_flag("--allow-inconclusive", options.allow_inconclusive, "INCONCLUSIVE does not make the exit status red");

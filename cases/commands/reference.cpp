@@ -65,7 +65,7 @@ Command add_reference(CLI::App& app, Invocation& invocation) {
   auto at = std::make_shared<std::vector<double>>();
   sub->add_option("name", *name, "the reference")->required();
   sub->add_option("--at", *at, "where, separated by commas")->delimiter(',');
-  sub->add_option("--set", invocation.options.settings, "key=value (repeatable)")->expected(1);
+  sub->add_option("--set", invocation.options.settings, "key=value (repeatable)")->allow_extra_args(false);
   add_json(*sub, invocation.options);
   return {sub, [&invocation, name, at] { return execute(invocation, *name, *at); }};
 }

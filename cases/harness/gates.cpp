@@ -90,8 +90,11 @@ CaseGate fitted_order_gate(std::string study, const std::string& measure, Gate g
   return study_gate(std::move(study), named(std::move(gate), "fitted order of " + measure), [=](const StudyResult& s) {
     const OrderFit* fit = s.fit(measure);
     if (!fit || fit->invalid) return failed("no fit of " + measure);
-    Measured measured = measured_order(*fit);
+    Measured measured;
     measured.value = fit->order;
+    measured.interval = {fit->low, fit->high};
+    measured.inconclusive = !fit->usable;
+    measured.note = fit->reason;
     return measured;
   }, {}, tier);
 }

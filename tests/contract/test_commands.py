@@ -180,13 +180,6 @@ def test_reference_follows_its_settings(plumbline):
     assert abs(answer["values"]["pressure_star"] - 0.303130) > 1e-3
 
 
-def test_bench(plumbline):
-    result = plumbline("bench", json=True, timeout=200)
-    assert result.code == 0
-    for kernel in result.json()["kernels"]:
-        assert kernel["threads"] == 1
-
-
 @pytest.mark.parametrize("command", COMMANDS)
 def test_help_shows_an_example(plumbline, command):
     result = plumbline(command, "--help")

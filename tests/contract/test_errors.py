@@ -31,7 +31,7 @@ def test_run_away_step_stops_with_step_point_and_field(plumbline):
     text = plumbline(*arguments)
     assert text.code == 3
     for word in ("step", str(stop["step"]), "point", str(stop["point"]), stop["field"]):
-        assert word in text.err
+        assert word in text.text
 
 
 @pytest.mark.parametrize("key, suggestion", [("cflx", "cfl"), ("shap", "shape"), ("viscosity.liner", "viscosity.linear"), ("gama", "gamma"), ("tend", "t_end")])
@@ -89,7 +89,6 @@ def test_value_out_of_range_is_told_with_the_range(plumbline, setting):
     ["runn", "sod"],
     [],
     ["converge", "sod", "--cells", ","],
-    ["converge", "sod", "--cells", "10,,20"],
     ["converge", "sod", "--cells", "10,ten"],
     ["verify", "sod", "--tier", "medium"],
     ["reference", "riemann", "--at", "middle"],

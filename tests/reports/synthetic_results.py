@@ -132,7 +132,7 @@ def write_study(folder, case, scheme, vary, levels, measures, catalog, **more):
     settings = {key: value for key, value in levels[0]["settings"].items() if key not in ("cells", vary)}
     gates = more.pop("gates", [])
     study = {"scheme": scheme, "vary": vary, "settings": settings, "levels": levels, "measures": measures, "gates": gates,
-             "case": case, "title": more.get("title", ""), "why": more.get("why", "")}
+             "case": case, "id": more.get("id", "study"), "title": more.get("title", ""), "why": more.get("why", "")}
     parts = {"study": study, "fit": measures, "gates": gates, "catalog": catalog, "provenance": PROVENANCE}
     name = f"study-{case}-{scheme}-{vary}-{digest(case, scheme, vary, settings)}.h5"
     create(folder / name, "study", parts).close()
@@ -200,7 +200,7 @@ def sod_dt_study(folder):
     levels = []
     for level, dt in enumerate((2e-4, 1e-4, 5e-5, 2.5e-5, 1.25e-5)):
         settings = {**SETTINGS, "cfl": None, "dt": dt}
-        levels.append(run_object("sod", "default", 200, settings, {"density.L1": measure(0.0030 + 2 * dt)}, value=dt,
+        levels.append(run_object("sod", "default", 200, settings, {"density.L1": measure(0.0030 + 2 * dt)}, value=dt, h=dt,
                                  steps=int(0.143 / dt)))
     errors, steps = [entry["measures"]["density.L1"]["error"] for entry in levels], [entry["value"] for entry in levels]
     write_study(folder, "sod", "default", "dt", levels, {"density.L1": {**fit(errors, steps), "reason": "space error dominates"}},
@@ -283,7 +283,7 @@ def write_all(folder, damaged=True):
     sod_study(folder, "default", (0.0081, 0.0049, 0.0031, 0.0019, 0.0012), 2.6, {"points": "equal-volume"},
               title="Points of equal volume", why="the jump in point mass at the contact costs about 0.3 of the order")
     sod_study(folder, "york1997", (0.0098, 0.0066, 0.0064, 0.0089, 0.0131), 2.0, used=[True, True, True, True, False], choices={
-        "integrator": "musl", "transfer": "flip", "shape": "linear", "cfl": None}, title="York’s own choices")
+        "integrator": "musl", "transfer": "flip", "shape": "linear", "cfl": None}, title="York’s own choices", id="york1997")
     sod_dt_study(folder)
     names["run"] = spring_files(folder)
     names["verdicts"] = write_verdicts(folder)

@@ -116,13 +116,31 @@ TEST(Extremes, OfALopsidedFlatTopIsItsMiddle) {
 
 // Through a cusp the least-squares parabola bends upwards; the equal samples at the top decide.
 TEST(Extremes, OfACuspUnderNoiseAreItsSamples) {
-  const std::vector<double> values{0, 89.9, 100, 100, 96, 93.5, 92, 91.2, 90.7, 90.4, 90.2, 90.1, 89.9, 50};
-  std::vector<double> times;
-  for (std::size_t i = 0; i < values.size(); ++i) times.push_back(static_cast<double>(i));
-  const auto extremes = find_extremes(times, values, 1);
+  for (int tail : {0, 20}) {  // the vertex lies outside the stretch, or inside
+    std::vector<double> values{0, 89.9, 100, 100, 96, 93.5, 92, 91.2, 90.7, 90.4, 90.2, 90.1};
+    for (int i = 0; i < tail; ++i) values.push_back(90.1 - 0.001 * i);
+    values.insert(values.end(), {89.9, 50});
+    std::vector<double> times;
+    for (std::size_t i = 0; i < values.size(); ++i) times.push_back(static_cast<double>(i));
+    const auto extremes = find_extremes(times, values, 1);
+    ASSERT_EQ(extremes.size(), 1u);
+    EXPECT_EQ(extremes[0].time, 2.5);
+    EXPECT_EQ(extremes[0].value, 100);
+  }
+}
+
+// Samples at 7 + u, u = -15..15, on 100 - 0.2 u^2; those at u = -3, -2, -1 are lifted by 2.3, 1.3, 0.7 to 100.5. The
+// stretch is u = -11..11, sum u^2 = 1012: the lift tilts the parabola by -10.2/1012 and moves its vertex by that over
+// 0.4. The middle of the equal samples would be two off.
+TEST(Extremes, OfEqualSamplesUnderNoiseComeFromTheWholeStretch) {
+  std::vector<double> times, values;
+  for (int u = -15; u <= 15; ++u) {
+    times.push_back(7 + u);
+    values.push_back(-3 <= u && u <= -1 ? 100.5 : 100 - 0.2 * u * u);
+  }
+  const auto extremes = find_extremes(times, values, 2.3);
   ASSERT_EQ(extremes.size(), 1u);
-  EXPECT_EQ(extremes[0].time, 2.5);
-  EXPECT_EQ(extremes[0].value, 100);
+  EXPECT_NEAR(extremes[0].time, 7 - 10.2 / 1012 / 0.4, 0.005);
 }
 
 TEST(Extremes, EndsAndMonotoneOrConstantHistoriesHaveNone) {
