@@ -6,7 +6,15 @@ from collections import Counter
 from dataclasses import dataclass, field
 
 VERDICTS = ("PASS", "FAIL", "INCONCLUSIVE", "XFAIL", "XPASS", "INVALID", "NONE")
-URGENCY = ("INVALID", "FAIL", "XPASS", "INCONCLUSIVE", "XFAIL", "PASS", "NONE")   # the order of lists: missed first
+URGENCY = (
+    "INVALID",
+    "FAIL",
+    "XPASS",
+    "INCONCLUSIVE",
+    "XFAIL",
+    "PASS",
+    "NONE",
+)  # the order of lists: missed first
 GREEN = ("XFAIL", "PASS", "NONE")
 # What a study resolves level by level; two studies are told apart by the settings that remain.
 _VARY_ORDER = {"cells": 0, "": 1, "dt": 2, "ppc": 3, "offset": 4}
@@ -15,19 +23,19 @@ SIZE_KEYS = frozenset(("cells", "h", "dt", "offset"))
 
 @dataclass
 class Series:
-    """One line of the figures: the levels of a refinement study, or single runs of one scheme and settings."""
+    """One line of the figures: the levels of a study, or single runs of one scheme and settings."""
 
     scheme: str
-    vary: str                 # cells, dt, ppc, offset; "" for single runs
+    vary: str  # cells, dt, ppc, offset; "" for single runs
     settings: dict
-    levels: list              # run objects, coarse to fine, each with h and value
-    measures: dict            # fits by measure, {} for single runs
-    files: list               # names of the files behind it
+    levels: list  # run objects, coarse to fine, each with h and value
+    measures: dict  # fits by measure, {} for single runs
+    files: list  # names of the files behind it
     label: str = ""
     title: str = ""
     why: str = ""
-    study: str = ""           # identifier of a declared study
-    style: int = 0            # index into colours and marks
+    study: str = ""  # identifier of a declared study
+    style: int = 0  # index into colours and marks
 
     @property
     def refined(self):
@@ -35,7 +43,9 @@ class Series:
 
     def errors(self, measure):
         """(level, error) of the levels that have one."""
-        found = [(level, ((level.get("measures") or {}).get(measure) or {}).get("error")) for level in self.levels]
+        found = [
+            (level, ((level.get("measures") or {}).get(measure) or {}).get("error")) for level in self.levels
+        ]
         return [(level, error) for level, error in found if error is not None]
 
 
@@ -45,10 +55,10 @@ class Case:
 
     name: str
     catalog: dict = field(default_factory=dict)
-    gates: list = field(default_factory=list)       # from verdict files, the newest of each
+    gates: list = field(default_factory=list)  # from verdict files, the newest of each
     other_gates: list = field(default_factory=list)  # judged in a study or run only; each with its "file"
-    series: list = field(default_factory=list)      # studies, then single runs
-    runs: list = field(default_factory=list)        # run objects of the folder
+    series: list = field(default_factory=list)  # studies, then single runs
+    runs: list = field(default_factory=list)  # run objects of the folder
 
     def studies(self, vary):
         return [entry for entry in self.series if entry.vary == vary]
@@ -68,17 +78,21 @@ class Case:
 
     @property
     def measure(self):
-        """The measure that stands for the case: of those found the one that most gates are about, else the first."""
+        """The measure that stands for the case: the one that most gates are about, else the first."""
         theory = list(self.catalog.get("theory_order") or {})
         fitted = [name for entry in self.series for name in entry.measures]
-        found = fitted or [name for entry in self.series for level in entry.levels for name in level.get("measures") or {}]
+        found = fitted or [
+            name for entry in self.series for level in entry.levels for name in level.get("measures") or {}
+        ]
         names = list(dict.fromkeys([name for name in theory if name in found] + found))
         return max(names, key=lambda name: (name in theory, len(self.gates_about(name))), default=None)
 
     def gates_about(self, measure, words=""):
         """Declared or judged gates whose quantity names the measure and the words."""
         pattern = re.compile(rf"(?<![\w.]){re.escape(measure)}(?![\w.])")
-        quantities = [gate.get("quantity") or "" for gate in self.all_gates + (self.catalog.get("gates") or [])]
+        quantities = [
+            gate.get("quantity") or "" for gate in self.all_gates + (self.catalog.get("gates") or [])
+        ]
         return [quantity for quantity in quantities if pattern.search(quantity) and words in quantity]
 
 
@@ -88,8 +102,15 @@ def urgency(verdict):
 
 def most_urgent_first(gates):
     """Missed gates first; within a verdict in the order of case, scheme and name."""
-    return sorted(gates, key=lambda gate: (urgency(gate.get("verdict")), gate.get("case") or "", gate.get("scheme") or "",
-                                           gate.get("id") or ""))
+    return sorted(
+        gates,
+        key=lambda gate: (
+            urgency(gate.get("verdict")),
+            gate.get("case") or "",
+            gate.get("scheme") or "",
+            gate.get("id") or "",
+        ),
+    )
 
 
 def gather(folder):
@@ -113,7 +134,9 @@ def gather(folder):
 def newest_gates(folder):
     """Gates of all verdict files; of the same gate in the same tier the one that was started last."""
     found = {}
-    for result in sorted(folder.verdicts, key=lambda entry: (entry.provenance.get("started") or "", entry.name)):
+    for result in sorted(
+        folder.verdicts, key=lambda entry: (entry.provenance.get("started") or "", entry.name)
+    ):
         tier = result.verdicts.get("tier") or ""
         for gate in result.gates or result.verdicts.get("gates") or []:
             key = (tier, gate.get("case"), gate.get("scheme"), gate.get("study"), gate.get("id"))
@@ -151,7 +174,8 @@ def _identity(gate):
     return gate.get("scheme"), gate.get("study"), gate.get("id"), gate.get("measured"), gate.get("verdict")
 
 
-# --- series -------------------------------------------------------------------------------------------------
+# --- series ---------------------------------------------------------------------------------------
+
 
 def _take_runs(cases, folder):
     in_studies, planned = set(), set()
@@ -162,9 +186,21 @@ def _take_runs(cases, folder):
         planned |= {_but_for_offset(level) for level in levels}
         case = _case(cases, study.get("case") or (levels[0].get("case") if levels else None) or "unnamed")
         title, declared = study.get("title") or "", study.get("id") or ""
-        declared = "" if declared == "study" else declared      # the name of studies that nobody declared
-        case.series.append(Series(study.get("scheme") or "?", study.get("vary") or "cells", result.settings, levels, result.measures,
-                                  [result.name], title if declared else "", title, study.get("why") or "", declared))
+        declared = "" if declared == "study" else declared  # the name of studies that nobody declared
+        case.series.append(
+            Series(
+                study.get("scheme") or "?",
+                study.get("vary") or "cells",
+                result.settings,
+                levels,
+                result.measures,
+                [result.name],
+                title if declared else "",
+                title,
+                study.get("why") or "",
+                declared,
+            )
+        )
     for result in folder.runs:
         run = {**result.run, "file": result.name}
         case = _case(cases, run.get("case") or "unnamed")
@@ -201,15 +237,26 @@ def _distinctive(settings, vary=""):
 
 
 def _label(case):
-    """Names each line: a declared study by its title, another by its scheme and what sets it apart; equal choices, equal colour."""
+    """Names each line, a declared study by its title, another by its scheme and what sets it apart.
+
+    Lines of equal choices have the same colour.
+    """
     titles = Counter((entry.label, entry.vary) for entry in case.series)
     for entry in case.series:
         if not entry.label or titles[entry.label, entry.vary] > 1:
             entry.label = _choices_label(case.series, entry)
     _tell_apart(case.series)
     declared = [study.get("id") for study in case.catalog.get("studies") or []]
-    case.series.sort(key=lambda entry: (_VARY_ORDER.get(entry.vary, 9), not entry.refined, declared.index(entry.study) if entry.study in declared
-                                        else len(declared), entry.scheme != "default", entry.scheme, entry.label))
+    case.series.sort(
+        key=lambda entry: (
+            _VARY_ORDER.get(entry.vary, 9),
+            not entry.refined,
+            declared.index(entry.study) if entry.study in declared else len(declared),
+            entry.scheme != "default",
+            entry.scheme,
+            entry.label,
+        )
+    )
     colours = []
     for entry in case.series:
         choices = entry.scheme, _distinctive(entry.settings)
@@ -227,8 +274,17 @@ def _choices_label(series, entry):
 
 def _differing(series, entry, kinds):
     """Keys in which the lines of this scheme and of these kinds differ among themselves."""
-    rivals = [_distinctive(other.settings, other.vary) for other in series if other.scheme == entry.scheme and other.vary in kinds]
-    return {key for settings in rivals for key in settings if any(other.get(key) != settings[key] for other in rivals)}
+    rivals = [
+        _distinctive(other.settings, other.vary)
+        for other in series
+        if other.scheme == entry.scheme and other.vary in kinds
+    ]
+    return {
+        key
+        for settings in rivals
+        for key in settings
+        if any(other.get(key) != settings[key] for other in rivals)
+    }
 
 
 def _tell_apart(series):

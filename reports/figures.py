@@ -1,7 +1,7 @@
 """Figures of the refinement studies: convergence, pairwise order, plateau, single-parameter studies, cost.
 
-Each function returns a Figure, or None where the files hold nothing to draw. No number is fitted here: orders,
-intervals and constants are those of the study files.
+Each function returns a Figure, or None where the files hold nothing to draw. No number is fitted here:
+orders, intervals and constants are those of the study files.
 """
 
 from dataclasses import dataclass, field
@@ -22,8 +22,8 @@ class Key:
     """One entry of the legend beside a figure."""
 
     label: str
-    colour: str            # CSS colour
-    mark: str = ""         # o s ^ D v P, or none
+    colour: str  # CSS colour
+    mark: str = ""  # o s ^ D v P, or none
     dash: bool = False
     band: bool = False
 
@@ -37,7 +37,8 @@ class Figure:
     keys: list = field(default_factory=list)
 
 
-# --- axes -----------------------------------------------------------------------------------------------------
+# --- axes -----------------------------------------------------------------------------------------
+
 
 def log_axis(axis, low, high):
     """Ticks of a logarithmic axis: decades; 1, 2, 5; all digits; whatever gives at least three labels."""
@@ -54,7 +55,11 @@ def log_ticks(low, high):
     first, last = int(numpy.floor(numpy.log10(low))), int(numpy.ceil(numpy.log10(high)))
     every = max(1, round((last - first) / 6))
     for digits in ((1,), (1, 2, 5), (1, 1.5, 2, 3, 4, 5, 6, 8)):
-        ticks = [digit * 10.0 ** power for power in range(first, last + 1, every if digits == (1,) else 1) for digit in digits]
+        ticks = [
+            digit * 10.0**power
+            for power in range(first, last + 1, every if digits == (1,) else 1)
+            for digit in digits
+        ]
         inside = [value for value in ticks if low <= value <= high]
         if len(inside) >= 3:
             return inside
@@ -66,7 +71,7 @@ def tick(value):
     if 0.0009 < abs(value) < 10000:
         return text.number(value, 3)
     power = int(numpy.floor(numpy.log10(abs(value)) + 1e-9)) if value else 0
-    factor = text.number(round(value / 10.0 ** power, 2))
+    factor = text.number(round(value / 10.0**power, 2))
     return f"10{text.superscript(power)}" if factor == "1" else f"{factor}·10{text.superscript(power)}"
 
 
@@ -76,9 +81,17 @@ def plain_axis(axis):
 
 def error_label(case, measure):
     """Label of an error axis with its unit."""
-    units = [((level.get("measures") or {}).get(measure) or {}).get("unit") for entry in case.series for level in entry.levels]
+    units = [
+        ((level.get("measures") or {}).get(measure) or {}).get("unit")
+        for entry in case.series
+        for level in entry.levels
+    ]
     unit = next((unit for unit in units if unit and unit != "1"), None)
-    return ("" if measure.endswith(".step") else "error of ") + measure + (f" in {text.unit(unit)}" if unit else "")
+    return (
+        ("" if measure.endswith(".step") else "error of ")
+        + measure
+        + (f" in {text.unit(unit)}" if unit else "")
+    )
 
 
 def _margins(values, factor=1.6):
@@ -95,7 +108,10 @@ def _marks(axes, entry, x, y, used):
 
 
 def _keys(series):
-    return [Key(entry.label, f"var(--s{entry.style % len(svg.SERIES) + 1})", svg.series_mark(entry.style)) for entry in series]
+    return [
+        Key(entry.label, f"var(--s{entry.style % len(svg.SERIES) + 1})", svg.series_mark(entry.style))
+        for entry in series
+    ]
 
 
 def _with_errors(case, vary, measure):
@@ -112,7 +128,8 @@ def theory(case, measure):
     return order if isinstance(order, (int, float)) else None
 
 
-# --- convergence ------------------------------------------------------------------------------------------------
+# --- convergence ----------------------------------------------------------------------------------
+
 
 @dataclass
 class _Levels:
@@ -127,8 +144,10 @@ class _Levels:
 def _levels(entry, measure):
     fit = entry.measures.get(measure) or {}
     used = fit.get("levels_used") or [True] * len(entry.levels)
-    rows = [(level.get("h"), ((level.get("measures") or {}).get(measure) or {}).get("error"), flag)
-            for level, flag in zip(entry.levels, used)]
+    rows = [
+        (level.get("h"), ((level.get("measures") or {}).get(measure) or {}).get("error"), flag)
+        for level, flag in zip(entry.levels, used)
+    ]
     rows = [row for row in rows if row[0] and row[1] and row[1] > 0]
     h, error, used = (numpy.array(column) for column in zip(*rows)) if rows else (numpy.array([]),) * 3
     return _Levels(h, error, used.astype(bool), fit)
@@ -137,8 +156,8 @@ def _levels(entry, measure):
 def confidence_band(h, used_h, fit):
     """(low, high) of the fitted line at h, from the interval of the order that the file states.
 
-    For a straight line through n points, the half width at x is t s sqrt(1/n + (x - mean)^2/Sxx), and that of the
-    slope is t s/sqrt(Sxx): the first follows from the second without fitting again.
+    For a straight line through n points, the half width at x is t s sqrt(1/n + (x - mean)^2/Sxx), and that of
+    the slope is t s/sqrt(Sxx): the first follows from the second without fitting again.
     """
     low, high = fit.get("order_low"), fit.get("order_high")
     if None in (low, high, fit.get("order"), fit.get("constant")) or len(used_h) < 3:
@@ -154,7 +173,11 @@ def floors(series, measure):
     """(largest reference bound, largest rounding floor) over the levels; None where not stated."""
     found = [(level.get("measures") or {}).get(measure) or {} for entry in series for level in entry.levels]
     bounds = [entry["reference_bound"] for entry in found if entry.get("reference_bound")]
-    scales = [entry["error"] / entry["relative_error"] for entry in found if entry.get("error") and entry.get("relative_error")]
+    scales = [
+        entry["error"] / entry["relative_error"]
+        for entry in found
+        if entry.get("error") and entry.get("relative_error")
+    ]
     return max(bounds, default=None), ROUNDING * max(scales) if scales else None
 
 
@@ -175,17 +198,36 @@ def convergence(case, measure, prefix):
         _theory_line(axes, order, _levels(series[0], measure), shown)
         low, high = _margins(shown, 2.2)
         low = min([low] + _floor_lines(axes, low, bound, rounding))
-        axes.set(xscale="log", yscale="log", ylim=(low, high), xlabel="cell size h", ylabel=error_label(case, measure))
+        axes.set(
+            xscale="log",
+            yscale="log",
+            ylim=(low, high),
+            xlabel="cell size h",
+            ylabel=error_label(case, measure),
+        )
         log_axis(axes.xaxis, *axes.get_xlim())
         log_axis(axes.yaxis, *axes.get_ylim())
 
-    orders = text.listing(f"{entry.label}: order {text.order(entry.measures.get(measure) or {})}" for entry in series)
-    caption = (f"Error in {measure} against cell size; the mesh gets finer to the left. On these axes an error C hᵖ is a straight "
-               f"line of slope p. Lines and shaded 95 % bands are the fits stated in the files ({orders}); hollow marks did not "
-               f"enter a fit. {_floor_words(bound, rounding)}")
-    keys = _keys(series) + ([Key(f"theory: slope {text.number(order)}", "var(--muted)", dash=True)] if order is not None else [])
-    return Figure(svg.draw(paint, prefix, f"Error in {measure} against cell size; {orders}", height=3.7), f"Convergence of {measure}", caption,
-                  _files(series), keys)
+    orders = text.listing(
+        f"{entry.label}: order {text.order(entry.measures.get(measure) or {})}" for entry in series
+    )
+    caption = (
+        f"Error in {measure} against cell size; the mesh gets finer to the left. On these axes an error C "
+        "hᵖ is a straight "
+        f"line of slope p. Lines and shaded 95 % bands are the fits stated in the files ({orders}); hollow "
+        "marks did not "
+        f"enter a fit. {_floor_words(bound, rounding)}"
+    )
+    keys = _keys(series) + (
+        [Key(f"theory: slope {text.number(order)}", "var(--muted)", dash=True)] if order is not None else []
+    )
+    return Figure(
+        svg.draw(paint, prefix, f"Error in {measure} against cell size; {orders}", height=3.7),
+        f"Convergence of {measure}",
+        caption,
+        _files(series),
+        keys,
+    )
 
 
 def _fitted_line(axes, entry, levels):
@@ -210,31 +252,54 @@ def _theory_line(axes, order, levels, shown):
 
 
 def _floor_lines(axes, low, bound, rounding):
-    """Draws floors within three decades of the data and returns their half values; names others at the lower edge."""
+    """Draws floors within three decades of the data, returns their halves; names others at the lower edge."""
     drawn, below = [], []
-    for value, name, dashes in ((bound, "reference bound", (1, 1.5)), (rounding, "rounding", (4, 1.5, 1, 1.5))):
+    for value, name, dashes in (
+        (bound, "reference bound", (1, 1.5)),
+        (rounding, "rounding", (4, 1.5, 1, 1.5)),
+    ):
         if value and value > low * 1e-3:
             axes.axhline(value, color=svg.MUTED, linewidth=0.9, dashes=dashes)
-            axes.annotate(name, (1, value), xycoords=("axes fraction", "data"), ha="right", va="bottom", fontsize=7.5)
+            axes.annotate(
+                name, (1, value), xycoords=("axes fraction", "data"), ha="right", va="bottom", fontsize=7.5
+            )
             drawn.append(value / 2)
         elif value:
             below.append(f"{name} {text.number(value, 2)}")
     if below:
-        axes.annotate("↓ far below: " + ", ".join(below), (1, 0.015), xycoords="axes fraction", ha="right", va="bottom",
-                      fontsize=7.5, color=svg.MUTED)
+        axes.annotate(
+            "↓ far below: " + ", ".join(below),
+            (1, 0.015),
+            xycoords="axes fraction",
+            ha="right",
+            va="bottom",
+            fontsize=7.5,
+            color=svg.MUTED,
+        )
     return drawn
 
 
 def _floor_words(bound, rounding):
-    known = [f"the reference is sure to {text.number(bound, 2)}" if bound else "", 
-             f"rounding sets in near {text.number(rounding, 2)}" if rounding else ""]
+    known = [
+        f"the reference is sure to {text.number(bound, 2)}" if bound else "",
+        f"rounding sets in near {text.number(rounding, 2)}" if rounding else "",
+    ]
     known = [words for words in known if words]
-    return f"What cannot be resolved: {text.listing(known)}; errors near these floors would say nothing about the scheme." if known else ""
+    return (
+        f"What cannot be resolved: {text.listing(known)}; errors near these floors would say nothing about "
+        "the scheme."
+        if known
+        else ""
+    )
 
 
 def pairwise(case, measure, prefix):
     """Order between neighbouring levels."""
-    series = [entry for entry in _with_errors(case, "cells", measure) if (entry.measures.get(measure) or {}).get("pairwise")]
+    series = [
+        entry
+        for entry in _with_errors(case, "cells", measure)
+        if (entry.measures.get(measure) or {}).get("pairwise")
+    ]
     if not series:
         return None
     order = theory(case, measure)
@@ -243,67 +308,121 @@ def pairwise(case, measure, prefix):
         shown = [order] if order is not None else []
         for entry in series:
             sizes = [level.get("h") or numpy.nan for level in entry.levels]
-            pairs = [(numpy.sqrt(coarse * fine), value) for coarse, fine, value
-                     in zip(sizes, sizes[1:], entry.measures[measure]["pairwise"]) if value is not None]
+            pairs = [
+                (numpy.sqrt(coarse * fine), value)
+                for coarse, fine, value in zip(sizes, sizes[1:], entry.measures[measure]["pairwise"])
+                if value is not None
+            ]
             x, y = (numpy.array(column) for column in zip(*pairs)) if pairs else (numpy.array([]),) * 2
             shown += list(y)
-            axes.plot(x, y, svg.series_mark(entry.style) + "-", color=svg.series_colour(entry.style), linewidth=0.9)
+            axes.plot(
+                x, y, svg.series_mark(entry.style) + "-", color=svg.series_colour(entry.style), linewidth=0.9
+            )
         if order is not None:
             axes.axhline(order, color=svg.MUTED, linewidth=0.9, dashes=(5, 3))
-        axes.set(xscale="log", xlabel="cell size h (geometric mean of the two levels)", ylabel="order between neighbours",
-                 ylim=(min(shown) - 0.25, max(shown) + 0.25))
+        axes.set(
+            xscale="log",
+            xlabel="cell size h (geometric mean of the two levels)",
+            ylabel="order between neighbours",
+            ylim=(min(shown) - 0.25, max(shown) + 0.25),
+        )
         log_axis(axes.xaxis, *axes.get_xlim())
         plain_axis(axes.yaxis)
 
-    caption = (f"Order in {measure} from each pair of neighbouring levels. In the asymptotic range the values settle on one level; "
-               "a trend to the left (finer meshes) means that the fitted order is not the final word.")
-    keys = _keys(series) + ([Key(f"theory: {text.number(order)}", "var(--muted)", dash=True)] if order is not None else [])
-    return Figure(svg.draw(paint, prefix, f"Order of {measure} between neighbouring levels", height=2.2), "Order level by level",
-                  caption, _files(series), keys)
+    caption = (
+        f"Order in {measure} from each pair of neighbouring levels. In the asymptotic range the values "
+        "settle on one level; "
+        "a trend to the left (finer meshes) means that the fitted order is not the final word."
+    )
+    keys = _keys(series) + (
+        [Key(f"theory: {text.number(order)}", "var(--muted)", dash=True)] if order is not None else []
+    )
+    return Figure(
+        svg.draw(paint, prefix, f"Order of {measure} between neighbouring levels", height=2.2),
+        "Order level by level",
+        caption,
+        _files(series),
+        keys,
+    )
 
 
 def plateau(case, measure, prefix):
     """E/hᵖ over the levels, relative to the finest."""
-    series = [entry for entry in _with_errors(case, "cells", measure) if any((entry.measures.get(measure) or {}).get("plateau") or [])]
+    series = [
+        entry
+        for entry in _with_errors(case, "cells", measure)
+        if any((entry.measures.get(measure) or {}).get("plateau") or [])
+    ]
     if not series:
         return None
 
     def paint(axes):
         axes.axhspan(0.85, 1.15, color=svg.MUTED, alpha=0.14, linewidth=0)
         for entry in series:
-            rows = [(level.get("h"), value) for level, value in zip(entry.levels, entry.measures[measure]["plateau"])
-                    if value and level.get("h")]
+            rows = [
+                (level.get("h"), value)
+                for level, value in zip(entry.levels, entry.measures[measure]["plateau"])
+                if value and level.get("h")
+            ]
             x, y = (numpy.array(column) for column in zip(*rows))
-            axes.plot(x, y / y[x.argmin()], svg.series_mark(entry.style) + "-", color=svg.series_colour(entry.style), linewidth=0.9)
+            axes.plot(
+                x,
+                y / y[x.argmin()],
+                svg.series_mark(entry.style) + "-",
+                color=svg.series_colour(entry.style),
+                linewidth=0.9,
+            )
         axes.set(xscale="log", xlabel="cell size h", ylabel="E/hᵖ over its finest value")
         low, high = axes.get_ylim()
         axes.set_ylim(min(low, 0.7), max(high, 1.3))
         log_axis(axes.xaxis, *axes.get_xlim())
         plain_axis(axes.yaxis)
 
-    caption = (f"Error in {measure} divided by hᵖ, p being the fitted order of each line, relative to the finest level. A flat line "
-               "means that one power of h describes all levels; the grey strip is the 15 % within which the three finest must lie to "
-               "count as asymptotic.")
+    caption = (
+        f"Error in {measure} divided by hᵖ, p being the fitted order of each line, relative to the finest "
+        "level. A flat line "
+        "means that one power of h describes all levels; the grey strip is the 15 % within which the three "
+        "finest must lie to "
+        "count as asymptotic."
+    )
     keys = _keys(series) + [Key("± 15 % of the finest", "var(--muted)", band=True)]
-    return Figure(svg.draw(paint, prefix, f"Plateau of {measure}", height=2.2), "Plateau of the error constant", caption,
-                  _files(series), keys)
+    return Figure(
+        svg.draw(paint, prefix, f"Plateau of {measure}", height=2.2),
+        "Plateau of the error constant",
+        caption,
+        _files(series),
+        keys,
+    )
 
 
-# --- one parameter alone -----------------------------------------------------------------------------------------
+# --- one parameter alone --------------------------------------------------------------------------
+
 
 def variation_measures(case, vary):
-    """The measure of the case; for the step also the distance to the next smaller step, which needs no exact solution."""
+    """The measure of the case; for the step also the distance to the next smaller step, which needs no
+    exact solution.
+    """
     steps = case.measure.split(".")[0] + ".step"
-    return [case.measure] + [steps] * (vary == "dt" and any(steps in entry.measures for entry in case.studies(vary)))
+    return [case.measure] + [steps] * (
+        vary == "dt" and any(steps in entry.measures for entry in case.studies(vary))
+    )
 
 
-_SEE = {"dt": "Mesh and points stay as they are. A level line means that the step costs no accuracy; an error that grows towards small "
-              "steps betrays a loss at every step.",
-        "ppc": "Mesh and step rule stay as they are; a level line means that more points would not help.",
-        "offset": "Only the place of the grid under the points changes, by less than one cell; the spread is the part of the error that "
-                  "is an accident of this place.",
-        "step": "The distance of each run from that with the next smaller step: it falls with the order of the step, even where the error of "
-                "the mesh hides it."}
+_SEE = {
+    "dt": (
+        "Mesh and points stay as they are. A level line means that the step costs no accuracy; an error that "
+        "grows towards small steps betrays a loss at every step."
+    ),
+    "ppc": "Mesh and step rule stay as they are; a level line means that more points would not help.",
+    "offset": (
+        "Only the place of the grid under the points changes, by less than one cell; the spread is the part of "
+        "the error that is an accident of this place."
+    ),
+    "step": (
+        "The distance of each run from that with the next smaller step: it falls with the order of the step, "
+        "even where the error of the mesh hides it."
+    ),
+}
 
 
 def variation(case, vary, measure, prefix):
@@ -316,12 +435,22 @@ def variation(case, vary, measure, prefix):
     def paint(axes):
         values, shown = [], []
         for entry in series:
-            rows = sorted((varied(level, vary), error) for level, error in entry.errors(measure) if varied(level, vary) is not None and error > 0)
+            rows = sorted(
+                (varied(level, vary), error)
+                for level, error in entry.errors(measure)
+                if varied(level, vary) is not None and error > 0
+            )
             x, y = (numpy.array(column) for column in zip(*rows)) if rows else (numpy.array([]),) * 2
             values, shown = values + list(x), shown + list(y)
             if distance:
                 _fitted_line(axes, entry, _levels(entry, measure))
-            axes.plot(x, y, svg.series_mark(entry.style) + ("" if distance else "-"), color=svg.series_colour(entry.style), linewidth=0.9)
+            axes.plot(
+                x,
+                y,
+                svg.series_mark(entry.style) + ("" if distance else "-"),
+                color=svg.series_colour(entry.style),
+                linewidth=0.9,
+            )
         scale = "linear" if vary == "offset" else "log"
         axes.set(xscale=scale, yscale="log", xlabel=_AXIS.get(vary, vary), ylabel=error_label(case, measure))
         if shown:
@@ -330,13 +459,26 @@ def variation(case, vary, measure, prefix):
         if scale == "log" and values:
             log_axis(axes.xaxis, *axes.get_xlim())
 
-    why = " ".join(dict.fromkeys(entry.why[0].upper() + entry.why[1:].rstrip(".") + "." for entry in series if entry.why))
+    why = " ".join(
+        dict.fromkeys(entry.why[0].upper() + entry.why[1:].rstrip(".") + "." for entry in series if entry.why)
+    )
     name = VARIED.get(vary, vary)
-    caption = f"Error in {measure} when only the {name} changes. {_SEE['step'] if distance else _SEE.get(vary, '')} {why}".strip()
-    orders = text.listing(f"{text.order(entry.measures[measure])} ({entry.label})" for entry in series if entry.measures.get(measure))
+    see = _SEE["step"] if distance else _SEE.get(vary, "")
+    caption = f"Error in {measure} when only the {name} changes. {see} {why}".strip()
+    orders = text.listing(
+        f"{text.order(entry.measures[measure])} ({entry.label})"
+        for entry in series
+        if entry.measures.get(measure)
+    )
     caption += f" Fitted order: {orders}." if distance and orders else ""
     title = f"Distance between neighbouring steps, {measure}" if distance else f"{name.capitalize()} alone"
-    return Figure(svg.draw(paint, prefix, f"Error in {measure} against {name}", height=2.5), title, caption, _files(series), _keys(series))
+    return Figure(
+        svg.draw(paint, prefix, f"Error in {measure} against {name}", height=2.5),
+        title,
+        caption,
+        _files(series),
+        _keys(series),
+    )
 
 
 def varied(level, vary):
@@ -344,7 +486,8 @@ def varied(level, vary):
     return level.get("h") if vary == "dt" and level.get("h") else level.get("value")
 
 
-# --- cost -----------------------------------------------------------------------------------------------------------
+# --- cost -----------------------------------------------------------------------------------------
+
 
 def wall_time(level):
     return level.get("wall_s")
@@ -354,10 +497,20 @@ def point_steps(level):
     return level["points"] * level["steps"] if level.get("points") and level.get("steps") else None
 
 
-COSTS = {"time": (wall_time, "wall time in s", "error against wall time",
-                  "Wall time is that of the machine named below and varies from run to run."),
-         "work": (point_steps, "point-steps (points × steps)", "error against point-steps",
-                  "Point-steps count the work free of the machine.")}
+COSTS = {
+    "time": (
+        wall_time,
+        "wall time in s",
+        "error against wall time",
+        "Wall time is that of the machine named below and varies from run to run.",
+    ),
+    "work": (
+        point_steps,
+        "point-steps (points × steps)",
+        "error against point-steps",
+        "Point-steps count the work free of the machine.",
+    ),
+}
 
 
 def front(points):
@@ -373,8 +526,14 @@ def front(points):
 def cost(case, measure, kind, prefix):
     """Error against cost of every line of the case, with the front of the best."""
     price, axis, title, remark = COSTS[kind]
-    rows = [(entry, [(price(level), error) for level, error in entry.errors(measure) if price(level) and error > 0])
-            for entry in case.series if entry.vary in ("cells", "")]
+    rows = [
+        (
+            entry,
+            [(price(level), error) for level, error in entry.errors(measure) if price(level) and error > 0],
+        )
+        for entry in case.series
+        if entry.vary in ("cells", "")
+    ]
     rows = [(entry, points) for entry, points in rows if points]
     if not rows:
         return None
@@ -383,8 +542,21 @@ def cost(case, measure, kind, prefix):
         best = front([point for _, points in rows for point in points])
         axes.plot(*zip(*best), color=svg.INK, linewidth=3.2, alpha=0.16, solid_capstyle="round")
         for entry, points in rows:
-            axes.plot(*zip(*points), svg.series_mark(entry.style) + "-", color=svg.series_colour(entry.style), linewidth=0.9)
-        axes.plot(*zip(*best), "o", markersize=9, color=svg.INK, markerfacecolor="none", markeredgewidth=0.8, linestyle="none")
+            axes.plot(
+                *zip(*points),
+                svg.series_mark(entry.style) + "-",
+                color=svg.series_colour(entry.style),
+                linewidth=0.9,
+            )
+        axes.plot(
+            *zip(*best),
+            "o",
+            markersize=9,
+            color=svg.INK,
+            markerfacecolor="none",
+            markeredgewidth=0.8,
+            linestyle="none",
+        )
         axes.set(xscale="log", yscale="log", xlabel=axis, ylabel=error_label(case, measure))
         axes.set_ylim(*_margins([error for _, points in rows for _, error in points], 1.8))
         axes.set_xlim(*_margins([value for _, points in rows for value, _ in points], 1.8))
@@ -392,7 +564,16 @@ def cost(case, measure, kind, prefix):
         log_axis(axes.yaxis, *axes.get_ylim())
 
     series = [entry for entry, _ in rows]
-    caption = (f"Error in {measure} against {axis.split(' in ')[0]}, one mark per run. Lower and further left is better; ringed marks on the "
-               f"broad line are the front: no other run is both cheaper and more accurate. {remark}")
+    caption = (
+        f"Error in {measure} against {axis.split(' in ')[0]}, one mark per run. Lower and further left is "
+        "better; ringed marks on the "
+        f"broad line are the front: no other run is both cheaper and more accurate. {remark}"
+    )
     keys = _keys(series) + [Key("front of the best", "currentColor", "ring")]
-    return Figure(svg.draw(paint, prefix, f"{measure}: {title}", height=2.7), title[0].upper() + title[1:], caption, _files(series), keys)
+    return Figure(
+        svg.draw(paint, prefix, f"{measure}: {title}", height=2.7),
+        title[0].upper() + title[1:],
+        caption,
+        _files(series),
+        keys,
+    )

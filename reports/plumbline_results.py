@@ -25,11 +25,36 @@ import numpy
 FORMAT_VERSION = 1
 OLDEST_FORMAT_VERSION = 1
 KINDS = ("run", "study", "verdicts")
-GATE_COLUMNS = ("case", "id", "scheme", "quantity", "low", "high", "origin", "reason", "measured",
-                "interval_low", "interval_high", "margin", "verdict", "cause", "run_ids")
+GATE_COLUMNS = (
+    "case",
+    "id",
+    "scheme",
+    "quantity",
+    "low",
+    "high",
+    "origin",
+    "reason",
+    "measured",
+    "interval_low",
+    "interval_high",
+    "margin",
+    "verdict",
+    "cause",
+    "run_ids",
+)
 MEASURE_COLUMNS = ("value", "error", "relative_error", "reference", "reference_bound", "unit")
 FIT_COLUMNS = ("order", "order_low", "order_high", "constant", "asymptotic", "reason")
-LEVEL_COLUMNS = ("h", "value", "points", "steps", "wall_s", "point_steps_per_s", "verdict", "finished", "file")
+LEVEL_COLUMNS = (
+    "h",
+    "value",
+    "points",
+    "steps",
+    "wall_s",
+    "point_steps_per_s",
+    "verdict",
+    "finished",
+    "file",
+)
 
 
 class ResultsError(Exception):
@@ -149,7 +174,8 @@ def write_csv(header, rows, target):
         write_csv(header, rows, stream)
 
 
-# --- reading ------------------------------------------------------------------------------------------------
+# --- reading --------------------------------------------------------------------------------------
+
 
 def _read(file, name):
     version = _format_version(file)
@@ -158,8 +184,13 @@ def _read(file, name):
         raise DamagedFile(f"unknown kind of result '{kind}'")
     result = Result(kind=kind, name=name, format=version)
     setattr(result, kind, _json(file, kind, dict, required=True))
-    for part, shape in (("measures", dict), ("gates", list), ("provenance", dict), ("settings", dict),
-                        ("catalog", dict)):
+    for part, shape in (
+        ("measures", dict),
+        ("gates", list),
+        ("provenance", dict),
+        ("settings", dict),
+        ("catalog", dict),
+    ):
         setattr(result, part, _json(file, part, shape))
     if kind == "study":
         result.measures = _json(file, "fit", dict) or result.study.get("measures") or {}
@@ -175,7 +206,9 @@ def _format_version(file):
         raise DamagedFile("not a result file of Plumbline: the attribute plumbline_format is missing")
     version = int(numpy.asarray(file.attrs["plumbline_format"]).reshape(-1)[0])
     if version > FORMAT_VERSION:
-        raise NewerFormat(f"made by a newer version: format {version}, this reader knows up to {FORMAT_VERSION}")
+        raise NewerFormat(
+            f"made by a newer version: format {version}, this reader knows up to {FORMAT_VERSION}"
+        )
     if version < OLDEST_FORMAT_VERSION:
         raise DamagedFile(f"format {version} is not known, the oldest known is {OLDEST_FORMAT_VERSION}")
     return version
@@ -223,7 +256,9 @@ def _columns(group):
 def _profile(group):
     units = {name: _text(data.attrs.get("unit")) for name, data in group.items()}
     labels = {name: _text(data.attrs.get("label")) for name, data in group.items()}
-    return Columns(_columns(group), units, labels, _text(group.attrs.get("abscissa")), _text(group.attrs.get("kind")))
+    return Columns(
+        _columns(group), units, labels, _text(group.attrs.get("abscissa")), _text(group.attrs.get("kind"))
+    )
 
 
 def _why_unreadable(error):
@@ -238,7 +273,8 @@ def _first_line(error):
     return lines[0] if lines else type(error).__name__
 
 
-# --- tables -------------------------------------------------------------------------------------------------
+# --- tables ---------------------------------------------------------------------------------------
+
 
 def _cell(value):
     if value is None:
@@ -258,7 +294,13 @@ def gate_row(gate):
     """One gate in the order of GATE_COLUMNS."""
     expected = gate.get("expected") or {}
     low, high = gate.get("interval") or (None, None)
-    flat = {**gate, "low": expected.get("low"), "high": expected.get("high"), "interval_low": low, "interval_high": high}
+    flat = {
+        **gate,
+        "low": expected.get("low"),
+        "high": expected.get("high"),
+        "interval_low": low,
+        "interval_high": high,
+    }
     return [flat.get(column) for column in GATE_COLUMNS]
 
 
@@ -268,24 +310,33 @@ def _gates_table(result):
 
 def _measures_table(result):
     columns = FIT_COLUMNS if result.kind == "study" else MEASURE_COLUMNS
-    rows = [[name] + [values.get(column) for column in columns] for name, values in sorted(result.measures.items())]
+    rows = [
+        [name] + [values.get(column) for column in columns]
+        for name, values in sorted(result.measures.items())
+    ]
     return ["measure", *columns], rows
 
 
 def _levels_table(result):
     levels = result.study.get("levels") or []
     names = sorted({name for level in levels for name in level.get("measures") or {}})
-    rows = [[level.get("settings", {}).get("cells")] + [level.get(column) for column in LEVEL_COLUMNS]
-            + [(level.get("measures", {}).get(name) or {}).get("error") for name in names] for level in levels]
+    rows = [
+        [level.get("settings", {}).get("cells")]
+        + [level.get(column) for column in LEVEL_COLUMNS]
+        + [(level.get("measures", {}).get(name) or {}).get("error") for name in names]
+        for level in levels
+    ]
     return ["cells", *LEVEL_COLUMNS, *(f"{name}.error" for name in names)], rows
 
 
 def _ledger_table(result):
     names = ["time", "step"]
     names += sorted({name for columns in result.ledger.values() for name in columns} - set(names))
-    rows = [[quantity] + [columns[name][row] if name in columns else None for name in names]
-            for quantity, columns in sorted(result.ledger.items())
-            for row in range(len(next(iter(columns.values()), ())))]
+    rows = [
+        [quantity] + [columns[name][row] if name in columns else None for name in names]
+        for quantity, columns in sorted(result.ledger.items())
+        for row in range(len(next(iter(columns.values()), ())))
+    ]
     return ["quantity", *names], rows
 
 
@@ -296,15 +347,27 @@ def _profile_table(result):
 
 
 def _pairs_table(part):
-    return lambda result: (["key", "value"], [[key, value] for key, value in sorted(getattr(result, part).items())])
+    return lambda result: (
+        ["key", "value"],
+        [[key, value] for key, value in sorted(getattr(result, part).items())],
+    )
 
 
-_TABLES = {"measures": _measures_table, "gates": _gates_table, "ledger": _ledger_table, "profile": _profile_table,
-           "levels": _levels_table, "settings": _pairs_table("settings"), "provenance": _pairs_table("provenance")}
+_TABLES = {
+    "measures": _measures_table,
+    "gates": _gates_table,
+    "ledger": _ledger_table,
+    "profile": _profile_table,
+    "levels": _levels_table,
+    "settings": _pairs_table("settings"),
+    "provenance": _pairs_table("provenance"),
+}
 
 
 def main(arguments=None):
-    parser = argparse.ArgumentParser(description="Shows what a result file holds, or writes one of its tables as CSV.")
+    parser = argparse.ArgumentParser(
+        description="Shows what a result file holds, or writes one of its tables as CSV."
+    )
     parser.add_argument("file", metavar="FILE")
     parser.add_argument("--csv", metavar="TABLE", choices=list(_TABLES), help=f"one of: {', '.join(_TABLES)}")
     options = parser.parse_args(arguments)
@@ -313,7 +376,10 @@ def main(arguments=None):
         if options.csv:
             result.to_csv(options.csv, sys.stdout)
         else:
-            print(f"{result.name}: {result.kind}, format {result.format}; tables: {', '.join(result.table_names())}")
+            print(
+                f"{result.name}: {result.kind}, format {result.format}; tables: "
+                f"{', '.join(result.table_names())}"
+            )
         sys.stdout.flush()
     except NoSuchTable as error:
         return _complain(error, 2)

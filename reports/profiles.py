@@ -11,8 +11,13 @@ LEVEL_NAMES = ("coarsest", "middle", "finest")
 REFERENCE = "_reference"
 _BINS = 320
 _ERROR_BINS = 160
-_QUANTITIES = {"mass": "mass", "momentum_x": "momentum along x", "momentum_y": "momentum along y",
-               "angular_momentum": "angular momentum", "energy": "energy"}
+_QUANTITIES = {
+    "mass": "mass",
+    "momentum_x": "momentum along x",
+    "momentum_y": "momentum along y",
+    "angular_momentum": "angular momentum",
+    "energy": "energy",
+}
 
 
 def fields(profile):
@@ -21,7 +26,7 @@ def fields(profile):
 
 
 def envelope(x, y, bins=_BINS):
-    """At most two values per bin, the smallest and the largest in their order: fewer points, the same picture."""
+    """At most two values per bin, the smallest and the largest in their order: the same picture."""
     order = numpy.argsort(x, kind="stable")
     x, y = x[order], y[order]
     finite = numpy.isfinite(x) & numpy.isfinite(y)
@@ -40,14 +45,16 @@ def largest_in_bins(x, error, bins=_ERROR_BINS):
     index = numpy.clip(numpy.digitize(x, edges) - 1, 0, len(edges) - 2)
     largest = numpy.full(len(edges) - 1, numpy.nan)
     for place, value in zip(index, numpy.abs(error)):
-        if not value <= largest[place]:      # also replaces the first NaN
+        if not value <= largest[place]:  # also replaces the first NaN
             largest[place] = value
     return edges, largest
 
 
 def chosen_levels(entry, results):
     """[(name, run object, profile)]: the coarsest, middle and finest level that have a profile."""
-    found = [(level, results[level.get("file")].profile) for level in entry.levels if level.get("file") in results]
+    found = [
+        (level, results[level.get("file")].profile) for level in entry.levels if level.get("file") in results
+    ]
     found = [(level, profile) for level, profile in found if fields(profile) and profile.abscissa in profile]
     if len(found) > 3:
         found = [found[0], found[len(found) // 2], found[-1]]
@@ -77,26 +84,50 @@ def profile(entry, name, levels, prefix):
 
     label = _label(last, name)
     sizes = [f"{which} {_size(level)}" if len(levels) > 1 else _size(level) for which, level, _ in present]
-    caption = (f"{label[0].upper() + label[1:]} computed by {entry.label} over the exact solution (broad grey line), and below it the size of "
-               f"the difference: {text.listing(sizes)}.")
+    caption = (
+        f"{label[0].upper() + label[1:]} computed by {entry.label} over the exact solution (broad grey "
+        "line), and below it the size of "
+        f"the difference: {text.listing(sizes)}."
+    )
     keys = [Key("exact", "currentColor", band=True)]
-    keys += [Key(size, _variable(which), "dot" if _is_sparse(columns, name) else "")
-             for size, (which, _, columns) in zip(sizes, present)]
-    drawing = svg.draw(paint, prefix, f"{label} of {entry.label} over the exact solution, with the error below", height=3.5, nrows=2,
-                       sharex=True, gridspec_kw={"height_ratios": [2.1, 1]})
-    return Figure(drawing, f"{label[0].upper() + label[1:]}, {entry.label}", caption, [level.get("file") for _, level, _ in present], keys)
+    keys += [
+        Key(size, _variable(which), "dot" if _is_sparse(columns, name) else "")
+        for size, (which, _, columns) in zip(sizes, present)
+    ]
+    drawing = svg.draw(
+        paint,
+        prefix,
+        f"{label} of {entry.label} over the exact solution, with the error below",
+        height=3.5,
+        nrows=2,
+        sharex=True,
+        gridspec_kw={"height_ratios": [2.1, 1]},
+    )
+    return Figure(
+        drawing,
+        f"{label[0].upper() + label[1:]}, {entry.label}",
+        caption,
+        [level.get("file") for _, level, _ in present],
+        keys,
+    )
 
 
 def _computed(upper, lower, which, columns, name):
     colour = svg.LEVELS[LEVEL_NAMES.index(which)]
     x, y = columns[columns.abscissa], columns[name]
-    style = {"marker": ".", "markersize": 3.2, "linestyle": "none"} if _is_sparse(columns, name) else {"linewidth": 1.0}
-    line, = upper.plot(*envelope(x, y), color=colour, **style)
+    style = (
+        {"marker": ".", "markersize": 3.2, "linestyle": "none"}
+        if _is_sparse(columns, name)
+        else {"linewidth": 1.0}
+    )
+    (line,) = upper.plot(*envelope(x, y), color=colour, **style)
     line.set_gid(f"class:level-{which}")
     edges, largest = largest_in_bins(x, y - columns[name + REFERENCE])
     largest[~(largest > 0)] = numpy.nan
     if numpy.isfinite(largest).any():
-        stairs, = lower.plot(numpy.repeat(edges, 2)[1:-1], numpy.repeat(largest, 2), color=colour, linewidth=0.9)
+        (stairs,) = lower.plot(
+            numpy.repeat(edges, 2)[1:-1], numpy.repeat(largest, 2), color=colour, linewidth=0.9
+        )
         stairs.set_gid(f"class:level-{which}")
 
 
@@ -134,7 +165,8 @@ def axis_label(columns, name):
     return f"{_label(columns, name)} in {text.unit(unit)}" if unit and unit != "1" else _label(columns, name)
 
 
-# --- ledger ---------------------------------------------------------------------------------------------------------
+# --- ledger ---------------------------------------------------------------------------------------
+
 
 def quantity_name(quantity):
     return _QUANTITIES.get(quantity, quantity.replace("_", " "))
@@ -143,10 +175,14 @@ def quantity_name(quantity):
 def drift(quantity, finest, prefix):
     """Residual of the books over their scale against time, for [(series, run result)].
 
-    The file states the largest |residual|/scale of all steps (`relative_drift`), which fixes the scale of the column.
+    The file states the largest |residual|/scale of all steps (`relative_drift`), which fixes the scale.
     """
     lines = [(entry, result, relative_residual(result, quantity)) for entry, result in finest]
-    lines = [(entry, result, relative) for entry, result, relative in lines if relative is not None and relative.any()]
+    lines = [
+        (entry, result, relative)
+        for entry, result, relative in lines
+        if relative is not None and relative.any()
+    ]
     if not lines:
         return None
 
@@ -161,9 +197,14 @@ def drift(quantity, finest, prefix):
         figures.plain_axis(axes.xaxis)
 
     name = quantity_name(quantity)
-    largest = text.listing(f"{text.number(relative.max(), 2)} for {entry.label}" for entry, _, relative in lines)
-    caption = (f"What the books of {name} leave unexplained in the finest run of each refined line, over the scale of the run: at most {largest}. "
-               "The dash-dotted line is the rounding of one operation.")
+    largest = text.listing(
+        f"{text.number(relative.max(), 2)} for {entry.label}" for entry, _, relative in lines
+    )
+    caption = (
+        f"What the books of {name} leave unexplained in the finest run of each refined line, over the scale "
+        f"of the run: at most {largest}. "
+        "The dash-dotted line is the rounding of one operation."
+    )
     keys = [Key(entry.label, f"var(--s{entry.style % len(svg.SERIES) + 1})") for entry, _, _ in lines]
     keys.append(Key("rounding of one operation", "var(--muted)", dash=True))
     drawing = svg.draw(paint, prefix, f"Residual of {name} against time", height=2.4)
@@ -179,7 +220,12 @@ def closed(quantity, finest):
 def quantities(finest):
     """Quantities that the ledgers hold, in the order of the page."""
     held = dict.fromkeys(quantity for _, result in finest for quantity in result.ledger)
-    return sorted(held, key=lambda quantity: list(_QUANTITIES).index(quantity) if quantity in _QUANTITIES else len(_QUANTITIES))
+    return sorted(
+        held,
+        key=lambda quantity: list(_QUANTITIES).index(quantity)
+        if quantity in _QUANTITIES
+        else len(_QUANTITIES),
+    )
 
 
 def relative_residual(result, quantity):

@@ -2,9 +2,9 @@
 
     python render.py RESULTS_DIR OUTPUT.html [--csv DIR]
 
-Verdicts, orders and intervals are shown as the files state them; nothing is judged again. The same files give the
-same bytes. Exit status: 0; 2 wrong call; 4 the folder or the output cannot be used, or a file in the folder is
-damaged (the page is then written all the same, and lists it as INVALID).
+Verdicts, orders and intervals are shown as the files state them; nothing is judged again. The same files
+give the same bytes. Exit status: 0; 2 wrong call; 4 the folder or the output cannot be used, or a file in the
+folder is damaged (the page is then written all the same, and lists it as INVALID).
 """
 
 import argparse
@@ -25,33 +25,53 @@ import text
 
 HERE = pathlib.Path(__file__).resolve().parent
 NORMS = (".L1", ".L2", ".Linf")
-MOST_PROFILES = 10      # lines of a case that are drawn over the exact solution
+MOST_PROFILES = 10  # lines of a case that are drawn over the exact solution
 
 
 def render(folder):
     """The whole page as text."""
     cases = gathering.gather(folder)
-    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True, trim_blocks=True,
-                                     lstrip_blocks=True, undefined=jinja2.ChainableUndefined)
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(HERE / "templates"),
+        autoescape=True,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        undefined=jinja2.ChainableUndefined,
+    )
     environment.filters.update(plural=text.plural, by_label=tables.by_label)
     environment.globals.update(series_mark=svg.series_mark)
     results = {result.name: result for result in folder.runs}
     pages = [case_page(case, results) for case in cases.values()]
     style = (HERE / "templates" / "style.css").read_text(encoding="utf-8")
-    return environment.get_template("page.html").render(style=jinja2.utils.markupsafe.Markup(style), pages=pages,
-                                                        **front_page(folder, cases))
+    return environment.get_template("page.html").render(
+        style=jinja2.utils.markupsafe.Markup(style), pages=pages, **front_page(folder, cases)
+    )
 
 
 def front_page(folder, cases):
     overview = [tables.case_row(case) for case in cases.values()]
     for row in overview:
         row["anchor"] = anchor(row["name"])
-    return {"strips": tables.strips(folder, cases), "missed": _anchored(tables.missed(cases)),
-            "expected_failures": _anchored(tables.expected_failures(cases)), "overview": overview, "damaged": folder.damaged,
-            "meanings": tables.MEANINGS, "provenance": tables.provenance(folder), "commands": tables.commands(folder),
-            "costs": [{"title": case.catalog.get("title") or case.name, "anchor": anchor(case.name),
-                       "figures": cost_figures(case, f"front-{anchor(case.name)}")} for case in cases.values() if case.measure],
-            "file_count": len(folder.runs) + len(folder.studies) + len(folder.verdicts)}
+    return {
+        "strips": tables.strips(folder, cases),
+        "missed": _anchored(tables.missed(cases)),
+        "expected_failures": _anchored(tables.expected_failures(cases)),
+        "overview": overview,
+        "damaged": folder.damaged,
+        "meanings": tables.MEANINGS,
+        "provenance": tables.provenance(folder),
+        "commands": tables.commands(folder),
+        "costs": [
+            {
+                "title": case.catalog.get("title") or case.name,
+                "anchor": anchor(case.name),
+                "figures": cost_figures(case, f"front-{anchor(case.name)}"),
+            }
+            for case in cases.values()
+            if case.measure
+        ],
+        "file_count": len(folder.runs) + len(folder.studies) + len(folder.verdicts),
+    }
 
 
 def anchor(name):
@@ -63,7 +83,8 @@ def _anchored(rows):
     return [{**row, "anchor": anchor(row["case"])} for row in rows]
 
 
-# --- a case ---------------------------------------------------------------------------------------------------------
+# --- a case ---------------------------------------------------------------------------------------
+
 
 def case_page(case, results):
     """What the template of a case shows, in the order of the page."""
@@ -73,42 +94,80 @@ def case_page(case, results):
     own, choices = tables.parameter_rows(case)
     gates, identities = tables.split_identities(case.gates)
     fits, further_fits = tables.fit_rows(case, leading_measures(case))
-    return {"name": case.name, "anchor": name, "title": title, "catalog": catalog, "verdict": case.verdict,
-            "counts": tables.counts_row(case), "reason": tables.one_line_reason(case),
-            "paragraphs": [part.strip() for part in (catalog.get("physics") or "").split("\n\n") if part.strip()],
-            "sketch": _markup(svg.sketch(catalog.get("sketch") or "", f"{name}-sketch", f"Sketch of {title}")),
-            "parameters": own, "choices": choices, "budget": tables.reference_budget(case),
-            "bound": text.exact(catalog["reference"].get("bound")) if catalog.get("reference") else "",
-            "studies": tables.study_rows(case), "settings": tables.settings_matrix(case),
-            "gates": gates, "identities": identities, "other_gates": tables.gate_rows(case.other_gates), "not_run": tables.not_run(case),
-            "fits": fits, "further_fits": further_fits, "levels": tables.level_rows(case, case.measure), "measure": case.measure,
-            "has_norms": any(measure.endswith(NORMS) for measure in convergence_measures(case)), "scalars": tables.scalar_rows(case),
-            "leads_with_scalars": not (case.measure or "").endswith(NORMS),
-            "books": tables.ledger_rows(finest), "stopped": tables.stopped(case), **case_figures(case, results, finest, name)}
+    return {
+        "name": case.name,
+        "anchor": name,
+        "title": title,
+        "catalog": catalog,
+        "verdict": case.verdict,
+        "counts": tables.counts_row(case),
+        "reason": tables.one_line_reason(case),
+        "paragraphs": [part.strip() for part in (catalog.get("physics") or "").split("\n\n") if part.strip()],
+        "sketch": _markup(svg.sketch(catalog.get("sketch") or "", f"{name}-sketch", f"Sketch of {title}")),
+        "parameters": own,
+        "choices": choices,
+        "budget": tables.reference_budget(case),
+        "bound": text.exact(catalog["reference"].get("bound")) if catalog.get("reference") else "",
+        "studies": tables.study_rows(case),
+        "settings": tables.settings_matrix(case),
+        "gates": gates,
+        "identities": identities,
+        "other_gates": tables.gate_rows(case.other_gates),
+        "not_run": tables.not_run(case),
+        "fits": fits,
+        "further_fits": further_fits,
+        "levels": tables.level_rows(case, case.measure),
+        "measure": case.measure,
+        "has_norms": any(measure.endswith(NORMS) for measure in convergence_measures(case)),
+        "scalars": tables.scalar_rows(case),
+        "leads_with_scalars": not (case.measure or "").endswith(NORMS),
+        "books": tables.ledger_rows(finest),
+        "stopped": tables.stopped(case),
+        **case_figures(case, results, finest, name),
+    }
 
 
 def case_figures(case, results, finest, name):
     """All figures of a case, by the part of the page they stand in; what cannot be drawn is left out."""
     drawn = {"profiles": profile_groups(case, results, name), "convergence": [], "variations": []}
     for number, measure in enumerate(convergence_measures(case)):
-        drawn["convergence"].append(_ready(function(case, measure, f"{name}-{function.__name__}-{number}")
-                                           for function in (figures.convergence, figures.pairwise, figures.plateau)))
+        drawn["convergence"].append(
+            _ready(
+                function(case, measure, f"{name}-{function.__name__}-{number}")
+                for function in (figures.convergence, figures.pairwise, figures.plateau)
+            )
+        )
     if case.measure:
-        drawn["variations"] = _ready(figures.variation(case, vary, measure, f"{name}-{vary}-{number}") for vary in ("dt", "ppc", "offset")
-                                     for number, measure in enumerate(figures.variation_measures(case, vary)))
+        drawn["variations"] = _ready(
+            figures.variation(case, vary, measure, f"{name}-{vary}-{number}")
+            for vary in ("dt", "ppc", "offset")
+            for number, measure in enumerate(figures.variation_measures(case, vary))
+        )
     drawn["costs"] = cost_figures(case, name)
     refined = [pair for pair in finest if pair[0].refined] or finest
     quantities = profiles.quantities(finest)
-    drawn["drifts"] = _ready(profiles.drift(quantity, refined, f"{name}-drift-{quantity}") for quantity in quantities)
-    closed = [(profiles.quantity_name(quantity), profiles.closed(quantity, refined)) for quantity in quantities]
+    drawn["drifts"] = _ready(
+        profiles.drift(quantity, refined, f"{name}-drift-{quantity}") for quantity in quantities
+    )
+    closed = [
+        (profiles.quantity_name(quantity), profiles.closed(quantity, refined)) for quantity in quantities
+    ]
     drawn["closed"] = [f"{quantity} ({text.listing(labels)})" for quantity, labels in closed if labels]
     return drawn
 
 
 def convergence_measures(case):
-    """Measures with a theoretical order or a gate on their order; without any, the one that stands for the case."""
-    fitted = list(dict.fromkeys(measure for entry in case.studies("cells") if entry.refined for measure in entry.measures))
-    wanted = [measure for measure in fitted if measure in (case.catalog.get("theory_order") or {}) or case.gates_about(measure, "order")]
+    """Measures with a theoretical order or a gate on it; without any, the one that stands for the case."""
+    fitted = list(
+        dict.fromkeys(
+            measure for entry in case.studies("cells") if entry.refined for measure in entry.measures
+        )
+    )
+    wanted = [
+        measure
+        for measure in fitted
+        if measure in (case.catalog.get("theory_order") or {}) or case.gates_about(measure, "order")
+    ]
     return wanted or [case.measure] * (case.measure in fitted)
 
 
@@ -117,34 +176,63 @@ def leading_measures(case):
 
 
 def cost_figures(case, prefix):
-    return _ready(figures.cost(case, case.measure, kind, f"{prefix}-{kind}") for kind in figures.COSTS) if case.measure else []
+    return (
+        _ready(figures.cost(case, case.measure, kind, f"{prefix}-{kind}") for kind in figures.COSTS)
+        if case.measure
+        else []
+    )
 
 
 def profile_groups(case, results, name):
-    """[{title, figures}]: the field of the leading measure first, one figure per line; then single runs, then other fields."""
-    lines = [(entry, profiles.chosen_levels(entry, results)) for entry in case.series if entry.vary in ("cells", "")]
+    """[{title, figures}]: the field of the leading measure first, then single runs, then other fields."""
+    lines = [
+        (entry, profiles.chosen_levels(entry, results))
+        for entry in case.series
+        if entry.vary in ("cells", "")
+    ]
     lines = [(entry, levels) for entry, levels in lines if levels]
     refined = [line for line in lines if line[0].refined] or lines[:MOST_PROFILES]
     single = [line for line in lines if line not in refined]
-    present = list(dict.fromkeys(field for _, levels in lines for _, _, columns in levels for field in profiles.fields(columns)))
+    present = list(
+        dict.fromkeys(
+            field for _, levels in lines for _, _, columns in levels for field in profiles.fields(columns)
+        )
+    )
     leading = (case.measure or "").split(".")[0]
     present.sort(key=lambda field: field != leading)
     groups = [(field.replace("_", " ").capitalize(), field, refined[:MOST_PROFILES]) for field in present]
-    groups[1:1] = [(f"{field.replace('_', ' ').capitalize()}: {title}", field, part) for field in present[:1]
-                   for title, part in (("lines of a single run", single[:MOST_PROFILES]),) if part]
-    return [{"title": title, "figures": _profiles(part, field, f"{name}-profile-{number}"), "left": max(0, len(single) - MOST_PROFILES)
-             if part == single[:MOST_PROFILES] else 0} for number, (title, field, part) in enumerate(groups)]
+    groups[1:1] = [
+        (f"{field.replace('_', ' ').capitalize()}: {title}", field, part)
+        for field in present[:1]
+        for title, part in (("lines of a single run", single[:MOST_PROFILES]),)
+        if part
+    ]
+    return [
+        {
+            "title": title,
+            "figures": _profiles(part, field, f"{name}-profile-{number}"),
+            "left": max(0, len(single) - MOST_PROFILES) if part == single[:MOST_PROFILES] else 0,
+        }
+        for number, (title, field, part) in enumerate(groups)
+    ]
 
 
 def _profiles(lines, field, prefix):
-    return _ready(profiles.profile(entry, field, levels, f"{prefix}-{number}") for number, (entry, levels) in enumerate(lines))
+    return _ready(
+        profiles.profile(entry, field, levels, f"{prefix}-{number}")
+        for number, (entry, levels) in enumerate(lines)
+    )
 
 
 def finest_results(case, results):
     """[(series, run result)] of the finest level with a ledger, for mesh studies and single runs."""
     found = []
     for entry in case.series:
-        names = [level.get("file") for level in entry.levels if level.get("file") in results and results[level["file"]].ledger]
+        names = [
+            level.get("file")
+            for level in entry.levels
+            if level.get("file") in results and results[level["file"]].ledger
+        ]
         if names and entry.vary in ("cells", ""):
             found.append((entry, results[names[-1]]))
     return found
@@ -162,10 +250,13 @@ def _markup(checked):
     return jinja2.utils.markupsafe.Markup(checked)
 
 
-# --- command line -----------------------------------------------------------------------------------------------
+# --- command line ---------------------------------------------------------------------------------
+
 
 def main(arguments=None):
-    parser = argparse.ArgumentParser(description="Makes one self-contained HTML page from a folder of result files.")
+    parser = argparse.ArgumentParser(
+        description="Makes one self-contained HTML page from a folder of result files."
+    )
     parser.add_argument("results", metavar="RESULTS_DIR")
     parser.add_argument("output", metavar="OUTPUT.html")
     parser.add_argument("--csv", metavar="DIR", help="also write every table as CSV into this folder")

@@ -1,7 +1,8 @@
 """Turns a matplotlib figure into inline SVG that follows the page: colours and font are CSS variables.
 
-matplotlib draws with stand-in colours; each is replaced by a variable of the style sheet, so that one drawing is
-legible on a light and on a dark page. Identifiers get a prefix of their own, as many figures share one document.
+matplotlib draws with stand-in colours; each is replaced by a variable of the style sheet, so that one drawing
+is legible on a light and on a dark page. Identifiers get a prefix of their own, as many figures share one
+document.
 """
 
 import io
@@ -14,20 +15,46 @@ from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 
 INK, GRID, MUTED = "#010203", "#010204", "#010205"
-SERIES = tuple(f"#f100{index:02x}" for index in range(1, 7))       # one colour per line of a case
-LEVELS = tuple(f"#f200{index:02x}" for index in range(1, 4))       # coarsest, middle, finest
+SERIES = tuple(f"#f100{index:02x}" for index in range(1, 7))  # one colour per line of a case
+LEVELS = tuple(f"#f200{index:02x}" for index in range(1, 4))  # coarsest, middle, finest
 MARKS = ("o", "s", "^", "D", "v", "P")
-_VARIABLES = {INK: "currentColor", GRID: "var(--grid)", MUTED: "var(--muted)",
-              **{colour: f"var(--s{index + 1})" for index, colour in enumerate(SERIES)},
-              **{colour: f"var(--l{index + 1})" for index, colour in enumerate(LEVELS)}}
-_STYLE = {"svg.fonttype": "none", "svg.hashsalt": "plumbline", "font.family": "DejaVu Sans", "font.size": 8.5,
-          "axes.edgecolor": MUTED, "axes.labelcolor": INK, "axes.linewidth": 0.7, "text.color": INK,
-          "xtick.color": MUTED, "ytick.color": MUTED, "xtick.labelcolor": INK, "ytick.labelcolor": INK,
-          "xtick.labelsize": 8, "ytick.labelsize": 8, "axes.labelsize": 8.5, "axes.labelpad": 8,
-          "axes.grid": True, "grid.color": GRID, "grid.linewidth": 0.6, "axes.axisbelow": True,
-          "axes.spines.top": False, "axes.spines.right": False, "lines.linewidth": 1.4, "lines.markersize": 4.5,
-          "path.simplify": True, "path.simplify_threshold": 0.3, "figure.constrained_layout.use": True}
-WIDTH = 4.7    # inches; at 390 pixels of page the text is then still about 9 pixels high
+_VARIABLES = {
+    INK: "currentColor",
+    GRID: "var(--grid)",
+    MUTED: "var(--muted)",
+    **{colour: f"var(--s{index + 1})" for index, colour in enumerate(SERIES)},
+    **{colour: f"var(--l{index + 1})" for index, colour in enumerate(LEVELS)},
+}
+_STYLE = {
+    "svg.fonttype": "none",
+    "svg.hashsalt": "plumbline",
+    "font.family": "DejaVu Sans",
+    "font.size": 8.5,
+    "axes.edgecolor": MUTED,
+    "axes.labelcolor": INK,
+    "axes.linewidth": 0.7,
+    "text.color": INK,
+    "xtick.color": MUTED,
+    "ytick.color": MUTED,
+    "xtick.labelcolor": INK,
+    "ytick.labelcolor": INK,
+    "xtick.labelsize": 8,
+    "ytick.labelsize": 8,
+    "axes.labelsize": 8.5,
+    "axes.labelpad": 8,
+    "axes.grid": True,
+    "grid.color": GRID,
+    "grid.linewidth": 0.6,
+    "axes.axisbelow": True,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "lines.linewidth": 1.4,
+    "lines.markersize": 4.5,
+    "path.simplify": True,
+    "path.simplify_threshold": 0.3,
+    "figure.constrained_layout.use": True,
+}
+WIDTH = 4.7  # inches; at 390 pixels of page the text is then still about 9 pixels high
 
 
 def series_colour(style):
@@ -57,7 +84,7 @@ def escape(text):
 
 
 def _inline(text, prefix, label):
-    text = text[text.index("<svg"):]
+    text = text[text.index("<svg") :]
     text = re.sub(r"<metadata>.*?</metadata>|<style.*?</style>|<!--.*?-->", "", text, flags=re.DOTALL)
     box = re.search(r'viewBox="[^"]*"', text).group(0)
     text = re.sub(r"^<svg[^>]*>", f'<svg {box} role="img" aria-label="{escape(label)}">', text)
@@ -87,18 +114,22 @@ def _rounded(attribute):
 
 def _own_identifiers(text, prefix):
     used = set(re.findall(r'(?:href="#|url\(#)([^")]+)', text))
-    text = re.sub(r' id="([^"]*)"', lambda m: f' id="{prefix}-{m.group(1)}"' if m.group(1) in used else "", text)
+    text = re.sub(
+        r' id="([^"]*)"', lambda m: f' id="{prefix}-{m.group(1)}"' if m.group(1) in used else "", text
+    )
     return re.sub(r'(href="#|url\(#)', rf"\g<1>{prefix}-", text)
 
 
-# --- sketches from the catalog ------------------------------------------------------------------------------------
+# --- sketches from the catalog --------------------------------------------------------------------
 
-_SHAPES = frozenset("svg g path line polyline polygon rect circle ellipse text tspan defs marker use title desc "
-                    "linearGradient radialGradient stop pattern clipPath".split())
+_SHAPES = frozenset(
+    "svg g path line polyline polygon rect circle ellipse text tspan defs marker use title desc "
+    "linearGradient radialGradient stop pattern clipPath".split()
+)
 
 
 def sketch(source, prefix, label):
-    """A drawing of the catalog, checked: shapes and text only, nothing that runs or loads; "" if it is not that."""
+    """A drawing of the catalog, checked: shapes and text only, nothing that runs or loads; else ""."""
     try:
         root = ElementTree.fromstring(source)
     except ElementTree.ParseError:
@@ -107,13 +138,17 @@ def sketch(source, prefix, label):
         element.tag = _local(element.tag)
         if element.tag not in _SHAPES:
             return ""
-        element.attrib = {_local(name): value for name, value in element.attrib.items() if _harmless(_local(name), value)}
+        element.attrib = {
+            _local(name): value for name, value in element.attrib.items() if _harmless(_local(name), value)
+        }
     if root.tag != "svg" or "viewBox" not in root.attrib:
         return ""
     for name in ("width", "height"):
         root.attrib.pop(name, None)
     root.attrib.update({"role": "img", "aria-label": label})
-    return _own_identifiers(ElementTree.tostring(root, encoding="unicode", short_empty_elements=False), prefix)
+    return _own_identifiers(
+        ElementTree.tostring(root, encoding="unicode", short_empty_elements=False), prefix
+    )
 
 
 def _local(name):

@@ -9,38 +9,74 @@ import plumbline_results
 import text
 from cases import GREEN, URGENCY, VERDICTS, most_urgent_first
 
-ORIGINS = {"theory": "theory", "literature": "literature", "reference_bound": "accuracy of the reference", "identity": "identity",
-           "target": "target of the project", "frozen": "frozen: own earlier measurement"}
-MEANINGS = {"PASS": "the measured value meets the gate", "FAIL": "the gate is missed",
-            "INCONCLUSIVE": "the interval of the measurement straddles the bound; not green",
-            "XFAIL": "expected failure: the known wrong value was found inside its band",
-            "XPASS": "an expected failure that no longer fails; red until acknowledged",
-            "INVALID": "no judgement possible: missing data, or a reference not good enough", "NONE": "reported, not judged"}
+ORIGINS = {
+    "theory": "theory",
+    "literature": "literature",
+    "reference_bound": "accuracy of the reference",
+    "identity": "identity",
+    "target": "target of the project",
+    "frozen": "frozen: own earlier measurement",
+}
+MEANINGS = {
+    "PASS": "the measured value meets the gate",
+    "FAIL": "the gate is missed",
+    "INCONCLUSIVE": "the interval of the measurement straddles the bound; not green",
+    "XFAIL": "expected failure: the known wrong value was found inside its band",
+    "XPASS": "an expected failure that no longer fails; red until acknowledged",
+    "INVALID": "no judgement possible: missing data, or a reference not good enough",
+    "NONE": "reported, not judged",
+}
 _MACHINE = ("version", "git", "dirty", "compiler", "flags", "cpu", "instruction_set", "libraries")
-_MACHINE_NAMES = {"version": "Plumbline", "git": "commit", "compiler": "compiler", "flags": "compiler flags", "cpu": "processor",
-                  "instruction_set": "instruction set", "libraries": "libraries"}
-_HAPPENED = {"FAIL": ("is missed", "are missed"), "INVALID": ("cannot be judged", "cannot be judged"),
-             "INCONCLUSIVE": ("is undecided", "are undecided"),
-             "XPASS": ("passes where a failure was expected", "pass where failures were expected")}
+_MACHINE_NAMES = {
+    "version": "Plumbline",
+    "git": "commit",
+    "compiler": "compiler",
+    "flags": "compiler flags",
+    "cpu": "processor",
+    "instruction_set": "instruction set",
+    "libraries": "libraries",
+}
+_HAPPENED = {
+    "FAIL": ("is missed", "are missed"),
+    "INVALID": ("cannot be judged", "cannot be judged"),
+    "INCONCLUSIVE": ("is undecided", "are undecided"),
+    "XPASS": ("passes where a failure was expected", "pass where failures were expected"),
+}
 # The keys that the contract gives to all cases; the others are a case's own.
-_NUMERICAL = frozenset("cells shape transfer integrator density cfl dt ppc points offset viscosity.linear viscosity.quadratic normals "
-                       "membrane.strain membrane.loss contact pressure".split())
+_NUMERICAL = frozenset(
+    "cells shape transfer integrator density cfl dt ppc points offset viscosity.linear viscosity.quadratic "
+    "normals "
+    "membrane.strain membrane.loss contact pressure".split()
+)
 _FIRST_FIELDS = ("integrator", "shape", "transfer", "density", "points", "ppc", "cfl", "dt")
 
 
-# --- gates ----------------------------------------------------------------------------------------------------------
+# --- gates ----------------------------------------------------------------------------------------
+
 
 def gate_row(gate):
     bounds = gate.get("expected")
     margin = gate.get("margin")
-    return {"verdict": gate.get("verdict") or "INVALID", "id": gate.get("id") or text.MISSING, "case": gate.get("case") or "",
-            "scheme": gate.get("scheme") or text.MISSING, "quantity": gate.get("quantity") or gate.get("id") or text.MISSING,
-            "expected": text.expected(bounds), "origin": ORIGINS.get(gate.get("origin"), gate.get("origin") or text.MISSING),
-            "reason": gate.get("reason") or "", "measured": text.measured(gate.get("measured"), bounds),
-            "interval": text.interval(gate.get("interval")), "margin": text.number(margin, 2), "cause": gate.get("cause") or "",
-            "share": None if margin is None else round(100 * min(abs(margin), 1)), "beyond": margin is not None and margin < 0,
-            "tier": gate.get("tier") or "", "note": gate.get("note") or "",
-            "band": text.expected(gate["band"]) if gate.get("band") else "", "file": gate.get("file") or ""}
+    return {
+        "verdict": gate.get("verdict") or "INVALID",
+        "id": gate.get("id") or text.MISSING,
+        "case": gate.get("case") or "",
+        "scheme": gate.get("scheme") or text.MISSING,
+        "quantity": gate.get("quantity") or gate.get("id") or text.MISSING,
+        "expected": text.expected(bounds),
+        "origin": ORIGINS.get(gate.get("origin"), gate.get("origin") or text.MISSING),
+        "reason": gate.get("reason") or "",
+        "measured": text.measured(gate.get("measured"), bounds),
+        "interval": text.interval(gate.get("interval")),
+        "margin": text.number(margin, 2),
+        "cause": gate.get("cause") or "",
+        "share": None if margin is None else round(100 * min(abs(margin), 1)),
+        "beyond": margin is not None and margin < 0,
+        "tier": gate.get("tier") or "",
+        "note": gate.get("note") or "",
+        "band": text.expected(gate["band"]) if gate.get("band") else "",
+        "file": gate.get("file") or "",
+    }
 
 
 def split_identities(gates):
@@ -54,18 +90,32 @@ def gate_rows(gates):
 
 
 def missed(cases):
-    return gate_rows(gate for case in cases.values() for gate in case.all_gates if gate.get("verdict") not in GREEN)
+    return gate_rows(
+        gate for case in cases.values() for gate in case.all_gates if gate.get("verdict") not in GREEN
+    )
 
 
 def expected_failures(cases):
-    return gate_rows(gate for case in cases.values() for gate in case.all_gates if gate.get("verdict") == "XFAIL")
+    return gate_rows(
+        gate for case in cases.values() for gate in case.all_gates if gate.get("verdict") == "XFAIL"
+    )
 
 
 def strips(folder, cases):
     """One strip per verdict file, newest first; one more for gates that stand only in studies and runs."""
-    newest_first = sorted(folder.verdicts, key=lambda entry: (entry.provenance.get("started") or "", entry.name), reverse=True)
-    found = [_strip(f"verify, {result.verdicts.get('tier') or 'unnamed'} tier", result.verdicts.get("counts") or {},
-                    result.verdicts.get("executed"), result.verdicts.get("declared"), result.name) for result in newest_first]
+    newest_first = sorted(
+        folder.verdicts, key=lambda entry: (entry.provenance.get("started") or "", entry.name), reverse=True
+    )
+    found = [
+        _strip(
+            f"verify, {result.verdicts.get('tier') or 'unnamed'} tier",
+            result.verdicts.get("counts") or {},
+            result.verdicts.get("executed"),
+            result.verdicts.get("declared"),
+            result.name,
+        )
+        for result in newest_first
+    ]
     others = Counter(gate.get("verdict") for case in cases.values() for gate in case.other_gates)
     if others:
         found.append(_strip("judged in single studies and runs", others, sum(others.values()), None, ""))
@@ -74,10 +124,19 @@ def strips(folder, cases):
 
 def _strip(label, counts, executed, declared, file):
     names = list(VERDICTS) + sorted(str(name) for name in counts if name not in VERDICTS)
-    tiles = [{"verdict": name, "count": counts.get(name) or 0, "meaning": MEANINGS.get(name, "")} for name in names]
+    tiles = [
+        {"verdict": name, "count": counts.get(name) or 0, "meaning": MEANINGS.get(name, "")} for name in names
+    ]
     incomplete = executed is not None and declared is not None and executed != declared
-    return {"label": label, "tiles": tiles, "executed": executed, "declared": declared, "incomplete": incomplete, "file": file,
-            "total": sum(tile["count"] for tile in tiles)}
+    return {
+        "label": label,
+        "tiles": tiles,
+        "executed": executed,
+        "declared": declared,
+        "incomplete": incomplete,
+        "file": file,
+        "total": sum(tile["count"] for tile in tiles),
+    }
 
 
 def counts_row(case):
@@ -87,7 +146,11 @@ def counts_row(case):
 def not_run(case):
     """Gates that the catalog declares and no file judged."""
     judged = {(gate.get("scheme"), gate.get("id")) for gate in case.all_gates}
-    return [gate_row(gate) for gate in case.catalog.get("gates") or [] if (gate.get("scheme"), gate.get("id")) not in judged]
+    return [
+        gate_row(gate)
+        for gate in case.catalog.get("gates") or []
+        if (gate.get("scheme"), gate.get("id")) not in judged
+    ]
 
 
 def one_line_reason(case):
@@ -97,29 +160,54 @@ def one_line_reason(case):
     first = most_urgent_first(case.all_gates)[0]
     row, same = gate_row(first), case.counts[first.get("verdict")]
     if case.verdict not in GREEN:
-        head = f"{text.plural(same, 'gate')} of {text.count(len(case.all_gates))} {_HAPPENED.get(case.verdict, (case.verdict,) * 2)[same != 1]}"
+        happened = _HAPPENED.get(case.verdict, (case.verdict,) * 2)[same != 1]
+        head = f"{text.plural(same, 'gate')} of {text.count(len(case.all_gates))} {happened}"
+        first = f"{'It is' if same == 1 else 'First'}: {row['quantity']} ({row['scheme']})"
         found = f"{row['measured']} {row['interval']}".strip()
-        return f"{head}. {'It is' if same == 1 else 'First'}: {row['quantity']} ({row['scheme']}), measured {found}, expected {row['expected']}."
-    words = [f"{text.plural(case.counts['PASS'], 'gate passes', 'gates pass')}" if case.counts["PASS"] else "",
-             f"{text.plural(case.counts['XFAIL'], 'known failure is', 'known failures are')} found as expected" if case.counts["XFAIL"] else "",
-             f"{text.plural(case.counts['NONE'], 'result is', 'results are')} reported without judgement" if case.counts["NONE"] else ""]
+        return f"{head}. {first}, measured {found}, expected {row['expected']}."
+    words = [
+        f"{text.plural(case.counts['PASS'], 'gate passes', 'gates pass')}" if case.counts["PASS"] else "",
+        f"{text.plural(case.counts['XFAIL'], 'known failure is', 'known failures are')} found as expected"
+        if case.counts["XFAIL"]
+        else "",
+        f"{text.plural(case.counts['NONE'], 'result is', 'results are')} reported without judgement"
+        if case.counts["NONE"]
+        else "",
+    ]
     sentence = text.listing(word for word in words if word)
     return sentence[0].upper() + sentence[1:] + "."
 
 
-# --- cases ----------------------------------------------------------------------------------------------------------
+# --- cases ----------------------------------------------------------------------------------------
+
 
 def case_row(case):
-    judged = sorted({gate.get("scheme") for gate in case.all_gates if gate.get("scheme") and gate.get("verdict") != "NONE"})
-    return {"name": case.name, "title": case.catalog.get("title") or case.name, "claim": case.catalog.get("claim") or "",
-            "schemes": text.listing(judged) if judged else text.MISSING, "verdict": case.verdict, "counts": counts_row(case),
-            "best": best_order(case), "measure": case.measure}
+    judged = sorted(
+        {
+            gate.get("scheme")
+            for gate in case.all_gates
+            if gate.get("scheme") and gate.get("verdict") != "NONE"
+        }
+    )
+    return {
+        "name": case.name,
+        "title": case.catalog.get("title") or case.name,
+        "claim": case.catalog.get("claim") or "",
+        "schemes": text.listing(judged) if judged else text.MISSING,
+        "verdict": case.verdict,
+        "counts": counts_row(case),
+        "best": best_order(case),
+        "measure": case.measure,
+    }
 
 
 def best_order(case):
     """The highest order measured by mesh refinement in the measure that stands for the case."""
-    found = [(entry.measures[case.measure]["order"], entry) for entry in case.studies("cells")
-             if (entry.measures.get(case.measure) or {}).get("order") is not None]
+    found = [
+        (entry.measures[case.measure]["order"], entry)
+        for entry in case.studies("cells")
+        if (entry.measures.get(case.measure) or {}).get("order") is not None
+    ]
     if not found:
         return None
     _, entry = max(found, key=lambda pair: pair[0])
@@ -127,11 +215,24 @@ def best_order(case):
 
 
 def study_rows(case):
-    return [{"style": entry.style, "label": entry.label, "scheme": entry.scheme, "vary": _varied(entry) or "single runs", "why": entry.why,
-             "title": entry.title if entry.title != entry.label else "",
-             "levels": [text.exact(level.get("value") if entry.vary else (level.get("settings") or {}).get("cells")) for level in entry.levels],
-             "points": _range(entry, "points"), "steps": _range(entry, "steps"), "file": entry.files[0] if len(entry.files) == 1
-             else f"{len(entry.files)} files"} for entry in case.series]
+    return [
+        {
+            "style": entry.style,
+            "label": entry.label,
+            "scheme": entry.scheme,
+            "vary": _varied(entry) or "single runs",
+            "why": entry.why,
+            "title": entry.title if entry.title != entry.label else "",
+            "levels": [
+                text.exact(level.get("value") if entry.vary else (level.get("settings") or {}).get("cells"))
+                for level in entry.levels
+            ],
+            "points": _range(entry, "points"),
+            "steps": _range(entry, "steps"),
+            "file": entry.files[0] if len(entry.files) == 1 else f"{len(entry.files)} files",
+        }
+        for entry in case.series
+    ]
 
 
 def _varied(entry):
@@ -156,23 +257,38 @@ def settings_matrix(case):
     ordered = [key for key in _FIRST_FIELDS if key in keys] + sorted(keys - set(_FIRST_FIELDS))
     rows = []
     for key in ordered:
-        values = [text.exact(settings[key]) if key in settings else text.MISSING for _, settings in columns.values()]
+        values = [
+            text.exact(settings[key]) if key in settings else text.MISSING for _, settings in columns.values()
+        ]
         rows.append({"key": key, "values": values, "differs": len(set(values)) > 1})
     rows.sort(key=lambda row: not row["differs"])
-    return {"columns": [{"label": label, "style": style} for label, (style, _) in columns.items()], "rows": rows}
+    return {
+        "columns": [{"label": label, "style": style} for label, (style, _) in columns.items()],
+        "rows": rows,
+    }
 
 
 def parameter_rows(case):
     """(the case's own parameters, the numerical choices)."""
     rows = _parameter_rows(case)
-    return [row for row in rows if row["key"] not in _NUMERICAL], [row for row in rows if row["key"] in _NUMERICAL]
+    return [row for row in rows if row["key"] not in _NUMERICAL], [
+        row for row in rows if row["key"] in _NUMERICAL
+    ]
 
 
 def _parameter_rows(case):
-    return [{"key": entry.get("key"), "value": text.exact(entry.get("value")), "default": text.exact(entry.get("default")),
-             "unit": "" if isinstance(entry.get("value"), str) else text.unit(entry.get("unit") or ""), "range": _parameter_range(entry), "description": entry.get("description") or "",
-             "changed": entry.get("value") != entry.get("default") and entry.get("default") is not None}
-            for entry in case.catalog.get("parameters") or []]
+    return [
+        {
+            "key": entry.get("key"),
+            "value": text.exact(entry.get("value")),
+            "default": text.exact(entry.get("default")),
+            "unit": "" if isinstance(entry.get("value"), str) else text.unit(entry.get("unit") or ""),
+            "range": _parameter_range(entry),
+            "description": entry.get("description") or "",
+            "changed": entry.get("value") != entry.get("default") and entry.get("default") is not None,
+        }
+        for entry in case.catalog.get("parameters") or []
+    ]
 
 
 def _parameter_range(entry):
@@ -185,15 +301,30 @@ def _parameter_range(entry):
 def fit_rows(case, leading):
     """(rows of the leading measures, rows of all others) of every study with a fit."""
     rows = _fit_rows(case)
-    return [row for row in rows if row["measure"] in leading], [row for row in rows if row["measure"] not in leading]
+    return [row for row in rows if row["measure"] in leading], [
+        row for row in rows if row["measure"] not in leading
+    ]
 
 
 def _fit_rows(case):
-    return [{"style": entry.style, "label": entry.label, "vary": _varied(entry), "measure": name, "order": text.order(fit),
-             "theory": _theory(case, name) if entry.vary == "cells" else text.MISSING, "constant": text.number(fit.get("constant")),
-             "asymptotic": {True: "yes", False: "no"}.get(fit.get("asymptotic"), text.MISSING), "reason": fit.get("reason") or "",
-             "leave_one_out": _spread(fit.get("leave_one_out"))}
-            for entry in case.series if entry.refined for name, fit in entry.measures.items() if isinstance(fit, dict)]
+    return [
+        {
+            "style": entry.style,
+            "label": entry.label,
+            "vary": _varied(entry),
+            "measure": name,
+            "order": text.order(fit),
+            "theory": _theory(case, name) if entry.vary == "cells" else text.MISSING,
+            "constant": text.number(fit.get("constant")),
+            "asymptotic": {True: "yes", False: "no"}.get(fit.get("asymptotic"), text.MISSING),
+            "reason": fit.get("reason") or "",
+            "leave_one_out": _spread(fit.get("leave_one_out")),
+        }
+        for entry in case.series
+        if entry.refined
+        for name, fit in entry.measures.items()
+        if isinstance(fit, dict)
+    ]
 
 
 def _theory(case, measure):
@@ -212,12 +343,24 @@ def by_label(rows):
 
 def level_rows(case, measure):
     """Every level of every study and run: size, work, time and error."""
-    return [{"style": entry.style, "label": entry.label, "vary": _varied(entry) or "single run", "value": text.exact(level.get("value")),
-             "cells": text.exact((level.get("settings") or {}).get("cells")), "points": text.count(level.get("points")),
-             "steps": text.count(level.get("steps")), "wall": text.seconds(level.get("wall_s")),
-             "speed": text.number(level.get("point_steps_per_s")), "error": text.number(_error(level, measure)),
-             "relative": text.number(_error(level, measure, "relative_error"), 3), "file": level.get("file") or ""}
-            for entry in case.series for level in entry.levels]
+    return [
+        {
+            "style": entry.style,
+            "label": entry.label,
+            "vary": _varied(entry) or "single run",
+            "value": text.exact(level.get("value")),
+            "cells": text.exact((level.get("settings") or {}).get("cells")),
+            "points": text.count(level.get("points")),
+            "steps": text.count(level.get("steps")),
+            "wall": text.seconds(level.get("wall_s")),
+            "speed": text.number(level.get("point_steps_per_s")),
+            "error": text.number(_error(level, measure)),
+            "relative": text.number(_error(level, measure, "relative_error"), 3),
+            "file": level.get("file") or "",
+        }
+        for entry in case.series
+        for level in entry.levels
+    ]
 
 
 def _error(level, measure, key="error"):
@@ -225,17 +368,26 @@ def _error(level, measure, key="error"):
 
 
 def scalar_rows(case):
-    """Measures that have a value of their own (a period, an amplitude), from the finest level of each line."""
+    """Measures with a value of their own (a period, an amplitude), from the finest level of each line."""
     rows = []
     for entry in case.series:
         if entry.vary not in ("cells", "") or not entry.levels:
             continue
         for name, values in (entry.levels[-1].get("measures") or {}).items():
             if isinstance(values, dict) and values.get("value") is not None:
-                rows.append({"style": entry.style, "label": entry.label, "cells": _cells(entry.levels[-1]), "measure": name,
-                             "value": text.number(values["value"], 6), "reference": text.number(values.get("reference"), 6),
-                             "unit": "" if values.get("unit") in (None, "1") else text.unit(values["unit"]),
-                             "relative": text.number(values.get("relative_error")), "bound": text.number(values.get("reference_bound"), 2)})
+                rows.append(
+                    {
+                        "style": entry.style,
+                        "label": entry.label,
+                        "cells": _cells(entry.levels[-1]),
+                        "measure": name,
+                        "value": text.number(values["value"], 6),
+                        "reference": text.number(values.get("reference"), 6),
+                        "unit": "" if values.get("unit") in (None, "1") else text.unit(values["unit"]),
+                        "relative": text.number(values.get("relative_error")),
+                        "bound": text.number(values.get("reference_bound"), 2),
+                    }
+                )
     return rows
 
 
@@ -244,29 +396,57 @@ def _cells(level):
 
 
 def reference_budget(case):
-    """The largest reference bound of the runs, and the smallest error it is compared with, per measure that is judged."""
+    """Per measure that is judged: the largest reference bound, and the smallest error it is compared with."""
     found = {}
     for entry in case.series:
         for level in entry.levels:
             for name, values in (level.get("measures") or {}).items():
-                if isinstance(values, dict) and values.get("reference_bound") is not None and values.get("error"):
+                if (
+                    isinstance(values, dict)
+                    and values.get("reference_bound") is not None
+                    and values.get("error")
+                ):
                     bound, error = found.get(name, (0.0, float("inf")))
                     found[name] = max(bound, values["reference_bound"]), min(error, values["error"])
     judged = [name for name in found if case.gates_about(name)] or list(found)
-    return [{"measure": name, "bound": text.number(bound, 2), "error": text.number(error), "share": text.number(bound / error, 2)}
-            for name, (bound, error) in found.items() if name in judged]
+    return [
+        {
+            "measure": name,
+            "bound": text.number(bound, 2),
+            "error": text.number(error),
+            "share": text.number(bound / error, 2),
+        }
+        for name, (bound, error) in found.items()
+        if name in judged
+    ]
 
 
 def ledger_rows(finest):
     """Books of the finest run of each line: [(series, result)]."""
-    return [{"style": entry.style, "label": entry.label, "cells": _cells(result.run), "quantity": quantity.replace("_", " "),
-             "initial": text.number(book.get("initial"), 6), "final": text.number(book.get("final"), 6),
-             "drift": text.number(book.get("relative_drift"), 2), "flows": _amounts(book.get("flows")), "stores": _amounts(book.get("stores"))}
-            for entry, result in finest for quantity, book in (result.run.get("ledger") or {}).items() if isinstance(book, dict) and quantity in result.ledger]
+    return [
+        {
+            "style": entry.style,
+            "label": entry.label,
+            "cells": _cells(result.run),
+            "quantity": quantity.replace("_", " "),
+            "initial": text.number(book.get("initial"), 6),
+            "final": text.number(book.get("final"), 6),
+            "drift": text.number(book.get("relative_drift"), 2),
+            "flows": _amounts(book.get("flows")),
+            "stores": _amounts(book.get("stores")),
+        }
+        for entry, result in finest
+        for quantity, book in (result.run.get("ledger") or {}).items()
+        if isinstance(book, dict) and quantity in result.ledger
+    ]
 
 
 def _amounts(amounts):
-    return [{"name": name.replace("_", " "), "amount": text.number(amount)} for name, amount in (amounts or {}).items() if amount != 0]
+    return [
+        {"name": name.replace("_", " "), "amount": text.number(amount)}
+        for name, amount in (amounts or {}).items()
+        if amount != 0
+    ]
 
 
 def stopped(case):
@@ -275,16 +455,30 @@ def stopped(case):
     for run in [level for entry in case.series for level in entry.levels] + case.runs:
         if run.get("finished") is False:
             known[run.get("file") or len(known)] = run
-    return [{"scheme": run.get("scheme"), "cells": _cells(run), "file": run.get("file") or "", **_stop_words(run.get("stop") or {})}
-            for run in known.values()]
+    return [
+        {
+            "scheme": run.get("scheme"),
+            "cells": _cells(run),
+            "file": run.get("file") or "",
+            **_stop_words(run.get("stop") or {}),
+        }
+        for run in known.values()
+    ]
 
 
 def _stop_words(stop):
-    return {"reason": stop.get("reason") or "not stated", "step": text.count(stop.get("step")), "time": text.number(stop.get("time")),
-            "point": text.count(stop.get("point")), "field": stop.get("field") or text.MISSING, "value": text.number(stop.get("value"))}
+    return {
+        "reason": stop.get("reason") or "not stated",
+        "step": text.count(stop.get("step")),
+        "time": text.number(stop.get("time")),
+        "point": text.count(stop.get("point")),
+        "field": stop.get("field") or text.MISSING,
+        "value": text.number(stop.get("value")),
+    }
 
 
-# --- provenance ---------------------------------------------------------------------------------------------------------
+# --- provenance -----------------------------------------------------------------------------------
+
 
 def provenance(folder):
     """[(files, rows)]: one entry per distinct build and machine, the one with most files first."""
@@ -292,7 +486,9 @@ def provenance(folder):
     for result in folder.verdicts + folder.studies + folder.runs:
         rows = _provenance_rows(result.provenance)
         groups.setdefault(tuple(rows), []).append(result.name)
-    return sorted(((names, list(rows)) for rows, names in groups.items()), key=lambda group: (-len(group[0]), group[0]))
+    return sorted(
+        ((names, list(rows)) for rows, names in groups.items()), key=lambda group: (-len(group[0]), group[0])
+    )
 
 
 def _provenance_rows(stated):
@@ -314,17 +510,24 @@ def commands(folder):
         command = result.provenance.get("command")
         if command:
             found.setdefault(command, (result.provenance.get("threads"), result.provenance.get("started")))
-    return [{"command": command, "threads": threads, "started": started} for command, (threads, started) in found.items()]
+    return [
+        {"command": command, "threads": threads, "started": started}
+        for command, (threads, started) in found.items()
+    ]
 
 
-# --- CSV ----------------------------------------------------------------------------------------------------------------
+# --- CSV ------------------------------------------------------------------------------------------
+
 
 def write_folder(folder, cases, target):
-    """Every table of every file, and the tables over all of them, as CSV; returns the number of files written."""
+    """Every table of every file, and the tables over all of them, as CSV; returns how many were written."""
     target = pathlib.Path(target)
     target.mkdir(parents=True, exist_ok=True)
     gates = [plumbline_results.gate_row(gate) for case in cases.values() for gate in case.all_gates]
-    summary = [[case.name, case.catalog.get("title"), case.verdict, *(case.counts[name] for name in VERDICTS)] for case in cases.values()]
+    summary = [
+        [case.name, case.catalog.get("title"), case.verdict, *(case.counts[name] for name in VERDICTS)]
+        for case in cases.values()
+    ]
     plumbline_results.write_csv(plumbline_results.GATE_COLUMNS, gates, target / "gates.csv")
     plumbline_results.write_csv(["case", "title", "verdict", *VERDICTS], summary, target / "cases.csv")
     plumbline_results.write_csv(["file", "reason"], folder.damaged, target / "damaged.csv")

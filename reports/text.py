@@ -87,7 +87,11 @@ def expected(bounds):
 
 def measured(value, bounds):
     """The measured value with enough digits to tell it from the bounds it is compared with."""
-    ends = [end for end in ((bounds or {}).get("low"), (bounds or {}).get("high")) if end is not None and end != value]
+    ends = [
+        end
+        for end in ((bounds or {}).get("low"), (bounds or {}).get("high"))
+        if end is not None and end != value
+    ]
     for digits in range(4, 16):
         if number(value, digits) not in [number(end, digits) for end in ends]:
             break

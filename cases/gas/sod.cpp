@@ -91,7 +91,8 @@ class Sod final : public Case {
     for (const char* density : {"cell", "continuity", "grid"}) {
       plans.push_back({.id = std::string("york-") + density, .title = std::string("York 1997, density by ") + density,
                        .why = "One of the densities of Fig. 13.", .scheme = "york1997",
-                       .overrides = {{"density", density}}, .values = {100}});
+                       .overrides = {{"density", density}},
+                       .values = density == std::string("continuity") ? std::vector<double>{100, 200, 400, 800} : std::vector<double>{100}});
     }
     for (const char* density : {"cell", "quadratic", "continuity"}) {
       plans.push_back({.id = std::string("york-inviscid-") + density,
@@ -103,6 +104,8 @@ class Sod final : public Case {
     plans.push_back({.id = "step", .title = "default, step refined alone",
                      .why = "Stress and density are taken at the start of the step: first order in dt.",
                      .overrides = {{"cells", 200.0}}, .vary = Vary::dt, .values = {1, 0.5, 0.25, 0.125, 0.0625}});
+    plans.push_back({.id = "york-step", .title = "York 1997, step refined alone", .why = "Explicit in time: first order in dt on a fixed mesh.",
+                     .scheme = "york1997", .overrides = {{"cells", 100.0}}, .vary = Vary::dt, .values = {1, 0.5, 0.25, 0.125, 0.0625}});
     plans.push_back({.id = "points", .title = "default, points per cell", .why = "Not an order of the mesh: more points sample the same kernels.",
                      .overrides = {{"cells", 100.0}}, .vary = Vary::ppc, .values = {8, 16, 32, 64, 128}});
     plans.push_back({.id = "offset", .title = "default, grid shifted below a cell", .why = "The grid's place must not matter.",
@@ -119,7 +122,7 @@ class Sod final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {84, 85}; }
+  GateCount gate_count() const override { return {74, 74}; }
 
  private:
   static std::vector<CaseGate> default_gates() {
@@ -140,13 +143,14 @@ class Sod final : public Case {
                                    "the step closes the energy ledger to rounding; 1e-12 is 1e4 units in the last place")),
         value_gate("default", "coverage", 100, gate("default/coverage-100", {0.99, 1.01}, Origin::theory, coverage_reason)),
         value_gate("default", "coverage", 1600, gate("default/coverage-1600", {0.99, 1.01}, Origin::theory, coverage_reason)),
-        order_gate("equal-volume", "density.L1",
+        fitted_order_gate("equal-volume", "density.L1",
                    expected_failure(gate("equal-volume/order", {0.90, {}}, Origin::theory, "the same bound as for points of equal mass"),
                                     "the jump in point mass at the contact: kernels over both sides see more points than mass",
                                     {0.60, 0.80}, "2026-11-21 941ec0a"))};
   }
 
   static std::vector<CaseGate> york_gates() {
+    const std::string grows = "a prototype of York's step diverged under refinement; the plan asks for at least 1.3";
     const std::string converging = "first order from his 0.010 at 100 cells";
     const std::string crossing = "points that cross cells of linear shapes feel jumps of force, clump at the head of the rarefaction, and more cells mean more crossings";
     return {
@@ -162,15 +166,25 @@ class Sod final : public Case {
         ratio_gate("york1997", "density.L1", 800, 400,
                    expected_failure(gate("york1997/converges", {{}, 0.6}, Origin::theory, "first order gives 0.5"), crossing,
                                     {1.02, 1.5}, "2026-11-21 941ec0a")),
+        ratio_gate("york1997", "density.L1", 800, 400,
+                   expected_failure(gate("york1997/grows", {1.3, {}}, Origin::target, grows),
+                                    "quadratic density sums the masses anew each step, so what crossings spoil does not accumulate in it; "
+                                    "with the continuity density it does, and the same ratio is above 1.3",
+                                    {1.0, 1.2}, "2026-11-21 cd031e8")),
+        ratio_gate("york-continuity", "density.L1", 800, 400, gate("york-continuity/grows", {1.3, {}}, Origin::target, grows)),
         error_gate("york-cell", "density.L1", 100,
                    gate("york-cell/density", {0.041, 0.051}, Origin::target, "cell density: about 0.046, within 10 %")),
         worst_density_gate(), inviscid_gate()};
   }
 
   static std::vector<CaseGate> refinement_gates() {
-    return {order_gate("step", "density.step",
-                       gate("step/order", {0.8, {}}, Origin::theory,
-                            "explicit in time with stress from the start of the step: order 1; points that change cells between two steps sizes blur it")),
+    return {fitted_order_gate("step", "density.step",
+                              expected_failure(gate("step/order", {0.8, {}}, Origin::theory, "explicit in time, stress of the start of the step: order 1"),
+                                               "APIC filters what is not affine once a step, whatever the step: its diffusion grows as 1/dt and the solution has no limit as dt alone goes to 0",
+                                               {-0.6, -0.2}, "2026-11-21 cd031e8")),
+            fitted_order_gate("york-step", "density.step",
+                              gate("york-step/order", {0.75, 1.35}, Origin::theory,
+                                   "explicit in time: order 1; FLIP filters nothing, and a quarter is left to points that change cells at another step")),
             spread_gate()};
   }
 

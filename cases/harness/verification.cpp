@@ -86,8 +86,14 @@ void verify_case(const Case& entry, Tier tier, int threads, const ResultsFolder&
     for (const CaseGate& gate : declared) {
       if (gate.study == study.plan.id) gates.push_back(gate);
     }
-    for (CaseGate& gate : generic_gates(study.plan.id, dim)) gates.push_back(std::move(gate));
-    if (k >= own) generic_of_integrators += static_cast<int>(generic_gates(study.plan.id, dim).size());
+    const std::size_t declared_here = gates.size();
+    for (CaseGate& gate : generic_gates(study.plan.id, dim)) {
+      // A case may declare a generic gate itself, as one that is expected to fail.
+      const bool declared_already = std::any_of(gates.begin(), gates.begin() + static_cast<std::ptrdiff_t>(declared_here),
+                                                [&](const CaseGate& g) { return g.gate.id == gate.gate.id; });
+      if (!declared_already) gates.push_back(std::move(gate));
+    }
+    if (k >= own) generic_of_integrators += static_cast<int>(gates.size());
     const std::vector<JudgedGate> judged = judge_gates(gates, study);
     folder.write_study(study, judged, provenance);
     verification.gates.insert(verification.gates.end(), judged.begin(), judged.end());

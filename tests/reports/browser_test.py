@@ -1,4 +1,4 @@
-"""The page in a real browser: no sideways scrolling, no overlap, no messages, both colour schemes, phone and desk."""
+"""The page in a real browser: no sideways scrolling, overlap or messages; phone and desk, light and dark."""
 
 import os
 import pathlib
@@ -10,15 +10,18 @@ import chromium
 
 SIZES = {"phone": (390, 844), "desk": (1440, 1000)}
 OVERLAPS = """(() => {
-  const blocks = [...document.querySelectorAll('main > *, section > *, article > *, .plots > *, .tiles > *, .plot > *')]
+  const blocks = [...document.querySelectorAll(
+      'main > *, section > *, article > *, .plots > *, .tiles > *, .plot > *')]
     .filter(element => element.getClientRects().length);
   const found = [];
   for (const element of blocks) {
     const next = element.nextElementSibling;
     if (!next || !next.getClientRects().length) continue;
     const a = element.getBoundingClientRect(), b = next.getBoundingClientRect();
-    if (Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 1 && Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1)
-      found.push((element.id || element.className || element.tagName) + ' and ' + (next.id || next.className || next.tagName));
+    const name = entry => entry.id || entry.className || entry.tagName;
+    if (Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 1 &&
+        Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1)
+      found.push(name(element) + ' and ' + name(next));
   }
   return found;
 })()"""
@@ -27,9 +30,11 @@ OUTSIDE = """(() => [...document.querySelectorAll('main *')].filter(element => {
   return box.width && !element.closest('.scroll, pre, .equations, thead') && box.right > innerWidth + 1;
 }).map(element => element.tagName + ' ' + element.textContent.slice(0, 40)))()"""
 CROWDED_LABELS = """(() => [...document.querySelectorAll('.plot > svg')].flatMap(drawing => {
-  const boxes = [...drawing.querySelectorAll('text')].map(text => [text.textContent, text.getBoundingClientRect()]).filter(([, box]) => box.width);
+  const boxes = [...drawing.querySelectorAll('text')]
+    .map(text => [text.textContent, text.getBoundingClientRect()]).filter(([, box]) => box.width);
   return boxes.flatMap(([words, a], index) => boxes.slice(index + 1).filter(([, b]) =>
-    Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 4)
+    Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 &&
+    Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 4)
     .map(([other]) => words + ' | ' + other + ' in ' + drawing.getAttribute('aria-label')));
 }))()"""
 
@@ -37,7 +42,9 @@ CROWDED_LABELS = """(() => [...document.querySelectorAll('.plot > svg')].flatMap
 @pytest.fixture(scope="module")
 def browser():
     if not chromium.executable():
-        pytest.skip("no Chromium is installed (apt-get install chromium): the page was not looked at in a browser")
+        pytest.skip(
+            "no Chromium is installed (apt-get install chromium): the page was not looked at in a browser"
+        )
     with chromium.Chromium() as opened:
         yield opened
 
@@ -84,7 +91,10 @@ def test_ink_of_the_figures_follows_the_scheme(browser, page):
 
 def test_levels_can_be_hidden(browser, page):
     browser.open(page, *SIZES["desk"], "light")
-    shown = "[...document.querySelectorAll('.level-coarsest')].filter(element => getComputedStyle(element).display != 'none').length"
+    shown = (
+        "[...document.querySelectorAll('.level-coarsest')]"
+        ".filter(element => getComputedStyle(element).display != 'none').length"
+    )
     assert browser.evaluate(shown) > 0
     browser.evaluate("document.querySelectorAll('.pick-coarsest').forEach(box => box.click())")
     assert browser.evaluate(shown) == 0
@@ -93,7 +103,10 @@ def test_levels_can_be_hidden(browser, page):
 
 def test_keyboard_reaches_what_scrolls(browser, page):
     browser.open(page, *SIZES["phone"], "light")
-    stuck = "[...document.querySelectorAll('.scroll, pre')].filter(element => element.scrollWidth > element.clientWidth && element.tabIndex < 0).length"
+    stuck = (
+        "[...document.querySelectorAll('.scroll, pre')]"
+        ".filter(element => element.scrollWidth > element.clientWidth && element.tabIndex < 0).length"
+    )
     assert browser.evaluate(stuck) == 0
 
 

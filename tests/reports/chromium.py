@@ -12,8 +12,18 @@ import tempfile
 import time
 
 NAMES = ("chromium", "chromium-browser", "google-chrome")
-FLAGS = ("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-         "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", "--remote-debugging-pipe")
+FLAGS = (
+    "--headless",
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--disable-dev-shm-usage",
+    "--remote-debugging-pipe",
+)
 
 
 def executable():
@@ -53,8 +63,12 @@ class Chromium:
         self._read, answer_write = os.pipe()
         shell = f'exec "$0" "$@" 3<&{command_read} 4>&{answer_write}'
         flags = [*FLAGS, f"--user-data-dir={self._profile.name}", "about:blank"]
-        self._browser = subprocess.Popen(["/bin/bash", "-c", shell, executable(), *flags], pass_fds=(command_read, answer_write),
-                                         stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self._browser = subprocess.Popen(
+            ["/bin/bash", "-c", shell, executable(), *flags],
+            pass_fds=(command_read, answer_write),
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        )
         os.close(command_read)
         os.close(answer_write)
 
@@ -93,12 +107,20 @@ class Chromium:
             self.messages.append(parameters["entry"]["text"])
         elif method == "Runtime.consoleAPICalled" and parameters["type"] in ("warning", "error"):
             self.messages.append(str(parameters["args"]))
-        elif method == "Network.requestWillBeSent" and not parameters["request"]["url"].startswith(("file:", "data:", "about:")):
+        elif method == "Network.requestWillBeSent" and not parameters["request"]["url"].startswith(
+            ("file:", "data:", "about:")
+        ):
             self.messages.append(f"the page asked the network for {parameters['request']['url']}")
 
     def open(self, path, width, height, scheme):
         """Loads a file at the given viewport with the preferred colour scheme 'light' or 'dark'."""
-        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=width < 600)
+        self.call(
+            "Emulation.setDeviceMetricsOverride",
+            width=width,
+            height=height,
+            deviceScaleFactor=1,
+            mobile=width < 600,
+        )
         self.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
         self.call("Page.navigate", url=pathlib.Path(path).resolve().as_uri())
         deadline = time.monotonic() + self.timeout

@@ -23,6 +23,7 @@ def results(tmp_path_factory):
 def page(results, tmp_path_factory):
     """The report of that folder as a file; read-only for the tests."""
     import render
+
     output = tmp_path_factory.mktemp("page") / "index.html"
     assert render.main([str(results[0]), str(output)]) == 4
     return output

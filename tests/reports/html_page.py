@@ -12,8 +12,8 @@ class Page(HTMLParser):
     def __init__(self, source):
         super().__init__()
         self.ids, self.links, self.loads, self.words = [], [], [], []
-        self.rows = []             # (identifier of the section or case, [texts of cells])
-        self.labels = []           # aria-label of drawings
+        self.rows = []  # (identifier of the section or case, [texts of cells])
+        self.labels = []  # aria-label of drawings
         self._open, self._case, self._row = [], "", None
         self.feed(source)
         self.close()
@@ -55,9 +55,13 @@ class Page(HTMLParser):
             self.links.append(attributes["href"])
         if tag == "svg" and attributes.get("role") == "img":
             self.labels.append(attributes.get("aria-label"))
-        self.loads += [(tag, name, value) for name, value in attributes.items()
-                       if name in ("src", "srcset", "data", "action", "poster") or (name == "href" and tag not in ("a", "use"))
-                       or (name == "style" and value and "url(" in value)]
+        self.loads += [
+            (tag, name, value)
+            for name, value in attributes.items()
+            if name in ("src", "srcset", "data", "action", "poster")
+            or (name == "href" and tag not in ("a", "use"))
+            or (name == "style" and value and "url(" in value)
+        ]
 
     @property
     def text(self):

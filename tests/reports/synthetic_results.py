@@ -15,25 +15,43 @@ import numpy
 
 CELLS = (100, 200, 400, 800, 1600)
 VERDICTS = ("PASS", "FAIL", "INCONCLUSIVE", "XFAIL", "XPASS", "INVALID", "NONE")
-PROVENANCE = {"version": "0.1.0", "git": "0123456789abcdef0123456789abcdef01234567", "dirty": True, "compiler": "g++ 12.2.0",
-              "flags": "-O3 -DNDEBUG -ffp-contract=off -march=x86-64-v3", "cpu": "Synthetic CPU at 3 GHz",
-              "instruction_set": "x86-64-v3 (AVX2, FMA)", "threads": 1,
-              "libraries": {"Eigen": "3.4.0", "GSL": "2.7.1", "HDF5": "1.10.8"},
-              "command": "plumbline verify --tier quick", "started": "2026-11-21T08:00:00Z"}
-SETTINGS = {"integrator": "energy", "transfer": "apic", "shape": "quadratic", "density": "quadratic", "cfl": 0.3,
-            "points": "equal-mass", "viscosity.linear": 1.0, "viscosity.quadratic": 1.0, "gamma": 1.4}
+PROVENANCE = {
+    "version": "0.1.0",
+    "git": "0123456789abcdef0123456789abcdef01234567",
+    "dirty": True,
+    "compiler": "g++ 12.2.0",
+    "flags": "-O3 -DNDEBUG -ffp-contract=off -march=x86-64-v3",
+    "cpu": "Synthetic CPU at 3 GHz",
+    "instruction_set": "x86-64-v3 (AVX2, FMA)",
+    "threads": 1,
+    "libraries": {"Eigen": "3.4.0", "GSL": "2.7.1", "HDF5": "1.10.8"},
+    "command": "plumbline verify --tier quick",
+    "started": "2026-11-21T08:00:00Z",
+}
+SETTINGS = {
+    "integrator": "energy",
+    "transfer": "apic",
+    "shape": "quadratic",
+    "density": "quadratic",
+    "cfl": 0.3,
+    "points": "equal-mass",
+    "viscosity.linear": 1.0,
+    "viscosity.quadratic": 1.0,
+    "gamma": 1.4,
+}
 SKETCH = """<svg viewBox="0 0 320 96" fill="none" stroke="currentColor" stroke-width="1.5">
 <rect x="10" y="20" width="300" height="40"/><line x1="160" y1="14" x2="160" y2="66" stroke-dasharray="4 3"/>
 <g fill="currentColor" stroke="none" font-size="12"><text x="28" y="44">ρ = 1, p = 1</text>
 <text x="178" y="44">ρ = 0.125, p = 0.1</text><text x="160" y="82" text-anchor="middle">x = 0.5</text></g></svg>"""
 
 
-# --- exact solution of Sod's problem (star states from [Toro table 4.2]) -----------------------------------------
+# --- exact solution of Sod's problem (star states from [Toro table 4.2]) --------------------------
+
 
 def sod_exact(x, time=0.143):
     """Density, velocity and pressure at the positions x."""
     pressure_star, velocity_star, left_star, right_star = 0.30313, 0.92745, 0.42632, 0.26557
-    gamma, sound_left = 1.4, 1.4 ** 0.5
+    gamma, sound_left = 1.4, 1.4**0.5
     speed = (x - 0.5) / time
     sound_star = sound_left * (pressure_star ** ((gamma - 1) / (2 * gamma)))
     fan = (2 / (gamma + 1)) * (sound_left + speed)
@@ -43,7 +61,7 @@ def sod_exact(x, time=0.143):
     fan_density = (fan_sound / sound_left) ** (2 / (gamma - 1))
     density = numpy.select(regions, [1.0, fan_density, left_star, right_star], 0.125)
     velocity = numpy.select(regions, [0.0, fan, velocity_star, velocity_star], 0.0)
-    pressure = numpy.select(regions, [1.0, fan_density ** gamma, pressure_star, pressure_star], 0.1)
+    pressure = numpy.select(regions, [1.0, fan_density**gamma, pressure_star, pressure_star], 0.1)
     return density, velocity, pressure
 
 
@@ -53,7 +71,8 @@ def smeared(x, width):
     return [sum(fields) / len(shifts) for fields in zip(*(sod_exact(x + shift) for shift in shifts))]
 
 
-# --- writing --------------------------------------------------------------------------------------------------------
+# --- writing --------------------------------------------------------------------------------------
+
 
 def digest(*parts):
     return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()[:12]
@@ -63,7 +82,9 @@ def create(path, kind, parts, version=1):
     """A file with its root attributes and JSON parts; returned open."""
     file = h5py.File(path, "w")
     file.attrs["plumbline_format"] = numpy.int64(version)
-    file.attrs["kind"] = numpy.bytes_(kind) if kind == "run" else kind     # fixed and variable strings both occur
+    file.attrs["kind"] = (
+        numpy.bytes_(kind) if kind == "run" else kind
+    )  # fixed and variable strings both occur
     for name, value in parts.items():
         file[name] = json.dumps(value, ensure_ascii=False)
     return file
@@ -76,22 +97,48 @@ def write_columns(file, group, columns, **attributes):
 
 
 def measure(error, value=None, reference=None, unit="1", bound=1e-13):
-    return {"error": error, "relative_error": None if error is None else error / (abs(reference) if reference else 0.39),
-            "value": value, "reference": reference, "reference_bound": bound, "unit": unit}
+    return {
+        "error": error,
+        "relative_error": None if error is None else error / (abs(reference) if reference else 0.39),
+        "value": value,
+        "reference": reference,
+        "reference_bound": bound,
+        "unit": unit,
+    }
 
 
 def gate(case, scheme, name, quantity, low, high, verdict, measured, **more):
-    return {"id": name, "case": case, "scheme": scheme, "quantity": quantity, "expected": {"low": low, "high": high},
-            "origin": "target", "reason": "figure set by the plan of the project", "measured": measured, "interval": None,
-            "margin": 0.06, "verdict": verdict, "cause": None, "run_ids": [], **more}
+    return {
+        "id": name,
+        "case": case,
+        "scheme": scheme,
+        "quantity": quantity,
+        "expected": {"low": low, "high": high},
+        "origin": "target",
+        "reason": "figure set by the plan of the project",
+        "measured": measured,
+        "interval": None,
+        "margin": 0.06,
+        "verdict": verdict,
+        "cause": None,
+        "run_ids": [],
+        **more,
+    }
 
 
 def ledger_json(drift):
     zero = {"initial": 1.0, "final": 1.0, "relative_drift": 0.0}
-    return {"mass": zero, "momentum_x": {"initial": 0.0, "final": 0.128, "relative_drift": 4e-16},
-            "energy": {"initial": 1.375, "final": 1.375, "relative_drift": drift,
-                       "stores": {"kinetic": 0.187, "internal": 1.188}, "flows": {"walls": 0.0, "transfer": -2.1e-4,
-                                                                                "integration": 3.0e-5}}}
+    return {
+        "mass": zero,
+        "momentum_x": {"initial": 0.0, "final": 0.128, "relative_drift": 4e-16},
+        "energy": {
+            "initial": 1.375,
+            "final": 1.375,
+            "relative_drift": drift,
+            "stores": {"kinetic": 0.187, "internal": 1.188},
+            "flows": {"walls": 0.0, "transfer": -2.1e-4, "integration": 3.0e-5},
+        },
+    }
 
 
 def write_ledger(file, drift, end, rows=200):
@@ -100,8 +147,18 @@ def write_ledger(file, drift, end, rows=200):
     kinetic = 0.187 * time / end
     write_columns(file, "ledger/mass", {"time": time, "step": range(rows), "residual": 0 * time})
     write_columns(file, "ledger/momentum_x", {"time": time, "step": range(rows), "residual": wobble * 1e-2})
-    write_columns(file, "ledger/energy", {"time": time, "step": range(rows), "kinetic": kinetic, "internal": 1.375 - kinetic,
-                                          "transfer": -2.1e-4 * time / end, "residual": wobble})
+    write_columns(
+        file,
+        "ledger/energy",
+        {
+            "time": time,
+            "step": range(rows),
+            "kinetic": kinetic,
+            "internal": 1.375 - kinetic,
+            "transfer": -2.1e-4 * time / end,
+            "residual": wobble,
+        },
+    )
 
 
 def run_object(case, scheme, cells, settings, measures, **more):
@@ -109,10 +166,25 @@ def run_object(case, scheme, cells, settings, measures, **more):
     steps = more.pop("steps", int(1.08 * cells))
     wall = more.pop("wall_s", points * steps / 1.2e7)
     name = f"{case}-{scheme}-{cells}-{digest(case, scheme, cells, settings, more.get('value'))}.h5"
-    run = {"case": case, "scheme": scheme, "settings": {**settings, "cells": cells}, "verdict": "NONE", "finished": True,
-           "stop": None, "steps": steps, "points": points, "wall_s": wall, "point_steps_per_s": points * steps / wall,
-           "measures": measures, "ledger": ledger_json(more.pop("drift", 3e-15)), "gates": [], "provenance": PROVENANCE, "file": name,
-           "h": 1 / cells, "time": 0.143}
+    run = {
+        "case": case,
+        "scheme": scheme,
+        "settings": {**settings, "cells": cells},
+        "verdict": "NONE",
+        "finished": True,
+        "stop": None,
+        "steps": steps,
+        "points": points,
+        "wall_s": wall,
+        "point_steps_per_s": points * steps / wall,
+        "measures": measures,
+        "ledger": ledger_json(more.pop("drift", 3e-15)),
+        "gates": [],
+        "provenance": PROVENANCE,
+        "file": name,
+        "h": 1 / cells,
+        "time": 0.143,
+    }
     return {**run, **more}
 
 
@@ -131,8 +203,18 @@ def write_run(folder, run, profile=None, kind="space"):
 def write_study(folder, case, scheme, vary, levels, measures, catalog, **more):
     settings = {key: value for key, value in levels[0]["settings"].items() if key not in ("cells", vary)}
     gates = more.pop("gates", [])
-    study = {"scheme": scheme, "vary": vary, "settings": settings, "levels": levels, "measures": measures, "gates": gates,
-             "case": case, "id": more.get("id", "study"), "title": more.get("title", ""), "why": more.get("why", "")}
+    study = {
+        "scheme": scheme,
+        "vary": vary,
+        "settings": settings,
+        "levels": levels,
+        "measures": measures,
+        "gates": gates,
+        "case": case,
+        "id": more.get("id", "study"),
+        "title": more.get("title", ""),
+        "why": more.get("why", ""),
+    }
     parts = {"study": study, "fit": measures, "gates": gates, "catalog": catalog, "provenance": PROVENANCE}
     name = f"study-{case}-{scheme}-{vary}-{digest(case, scheme, vary, settings)}.h5"
     create(folder / name, "study", parts).close()
@@ -146,36 +228,88 @@ def fit(errors, sizes, used=None):
     order, intercept = numpy.polyfit(x, y, 1)
     spread = ((y - order * x - intercept) ** 2).sum() / (len(x) - 2)
     half = 3.18 * (spread / ((x - x.mean()) ** 2).sum()) ** 0.5
-    pairwise = [float(numpy.log(a / b) / numpy.log(g / h)) for a, b, g, h in zip(errors, errors[1:], sizes, sizes[1:])]
-    return {"order": order, "order_low": order - half, "order_high": order + half, "constant": float(numpy.exp(intercept)),
-            "asymptotic": bool(half < 0.15), "pairwise": pairwise, "leave_one_out": [order] * len(errors),
-            "plateau": [float(e / h ** order) for e, h in zip(errors, sizes)], "levels_used": used, "reason": ""}
+    pairwise = [
+        float(numpy.log(a / b) / numpy.log(g / h)) for a, b, g, h in zip(errors, errors[1:], sizes, sizes[1:])
+    ]
+    return {
+        "order": order,
+        "order_low": order - half,
+        "order_high": order + half,
+        "constant": float(numpy.exp(intercept)),
+        "asymptotic": bool(half < 0.15),
+        "pairwise": pairwise,
+        "leave_one_out": [order] * len(errors),
+        "plateau": [float(e / h**order) for e, h in zip(errors, sizes)],
+        "levels_used": used,
+        "reason": "",
+    }
 
 
-# --- the two cases ----------------------------------------------------------------------------------------------------
+# --- the two cases --------------------------------------------------------------------------------
+
 
 def sod_catalog():
-    parameter = {"key": "gamma", "value": 1.4, "default": 1.4, "unit": "1", "low": 1.01, "high": 3, "description": "ratio of specific heats"}
-    end = {"key": "t_end", "value": 0.143, "default": 0.143, "unit": "s", "low": 0, "high": 0.2, "description": "end time"}
-    return {"name": "sod", "title": "Sod’s shock tube", "source": "York 4.1 (SAND97-1893), Figs. 13 and 14; Sod 1978",
-            "claim": "The density error of the default scheme falls at first order through rarefaction, contact and shock.",
-            "physics": "A diaphragm parts a dense from a thin gas at rest. When it bursts, a shock runs into the thin gas, "
-                       "a contact follows it, and a rarefaction runs back.\n\nThe gas is ideal and has no viscosity.",
-            "equations": ["∂ρ/∂t + ∂(ρu)/∂x = 0", "∂(ρu)/∂t + ∂(ρu² + p)/∂x = 0", "p = (γ − 1) ρ e"], "sketch": SKETCH,
-            "cells_along": "the tube, length 1", "parameters": [parameter, end],
-            "reference": {"name": "riemann", "text": "Exact Riemann solver [Toro 4.2–4.5], Newton iteration for the pressure between "
-                          "the waves.", "bound": "computed for each call from the residual; about 1e-13 here"},
-            "theory_order": {"density.L1": {"order": 1, "why": "a shock is smeared over a fixed number of cells"}},
-            "known_limits": ["No overshoot limiter at the contact.", "One wall distance only."],
-            "gates": [{"id": "density-order", "scheme": "default", "tier": "full", "quantity": "density.L1 order",
-                       "expected": {"low": 0.9, "high": None}, "origin": "theory", "reason": "first order", "cause": None}],
-            "regenerate": "plumbline verify sod --tier quick"}
+    parameter = {
+        "key": "gamma",
+        "value": 1.4,
+        "default": 1.4,
+        "unit": "1",
+        "low": 1.01,
+        "high": 3,
+        "description": "ratio of specific heats",
+    }
+    end = {
+        "key": "t_end",
+        "value": 0.143,
+        "default": 0.143,
+        "unit": "s",
+        "low": 0,
+        "high": 0.2,
+        "description": "end time",
+    }
+    return {
+        "name": "sod",
+        "title": "Sod’s shock tube",
+        "source": "York 4.1 (SAND97-1893), Figs. 13 and 14; Sod 1978",
+        "claim": "The density error of the default scheme falls at first order through all waves.",
+        "physics": "A diaphragm parts a dense from a thin gas. When it bursts, a shock runs into the thin gas, "
+        "a contact follows it, and a rarefaction runs back.\n\nThe gas is ideal and has no viscosity.",
+        "equations": ["∂ρ/∂t + ∂(ρu)/∂x = 0", "∂(ρu)/∂t + ∂(ρu² + p)/∂x = 0", "p = (γ − 1) ρ e"],
+        "sketch": SKETCH,
+        "cells_along": "the tube, length 1",
+        "parameters": [parameter, end],
+        "reference": {
+            "name": "riemann",
+            "text": "Exact Riemann solver [Toro 4.2–4.5], Newton iteration for the pressure between "
+            "the waves.",
+            "bound": "computed for each call from the residual; about 1e-13 here",
+        },
+        "theory_order": {
+            "density.L1": {"order": 1, "why": "a shock is smeared over a fixed number of cells"}
+        },
+        "known_limits": ["No overshoot limiter at the contact.", "One wall distance only."],
+        "gates": [
+            {
+                "id": "density-order",
+                "scheme": "default",
+                "tier": "full",
+                "quantity": "density.L1 order",
+                "expected": {"low": 0.9, "high": None},
+                "origin": "theory",
+                "reason": "first order",
+                "cause": None,
+            }
+        ],
+        "regenerate": "plumbline verify sod --tier quick",
+    }
 
 
 def sod_profile(cells, wide):
     x = (numpy.arange(int(4.5 * cells)) + 0.5) / int(4.5 * cells)
     columns = {"x": x, "volume": numpy.full(len(x), 1 / len(x))}
-    for (name, exact), computed in zip(zip(("density", "velocity", "pressure"), sod_exact(x)), smeared(x, wide / cells)):
+    for (name, exact), computed in zip(
+        zip(("density", "velocity", "pressure"), sod_exact(x)), smeared(x, wide / cells)
+    ):
         columns[name], columns[name + "_reference"] = computed, exact
     columns["energy"] = columns["pressure"] / columns["density"] / 0.4
     columns["energy_reference"] = columns["pressure_reference"] / columns["density_reference"] / 0.4
@@ -186,13 +320,28 @@ def sod_study(folder, scheme, errors, wide, choices, **more):
     settings = {**SETTINGS, **choices}
     levels = []
     for cells, error in zip(CELLS, errors):
-        measures = {"density.L1": measure(error), "density.Linf": measure(30 * error ** 0.5 * 0.05),
-                    "velocity.L1": measure(2 * error)}
-        levels.append(run_object("sod", scheme, cells, settings, measures, value=cells,
-                                 drift=3e-15 * wide if scheme == "default" else 2e-13))
+        measures = {
+            "density.L1": measure(error),
+            "density.Linf": measure(30 * error**0.5 * 0.05),
+            "velocity.L1": measure(2 * error),
+        }
+        levels.append(
+            run_object(
+                "sod",
+                scheme,
+                cells,
+                settings,
+                measures,
+                value=cells,
+                drift=3e-15 * wide if scheme == "default" else 2e-13,
+            )
+        )
         write_run(folder, levels[-1], sod_profile(cells, wide))
     sizes = [level["h"] for level in levels]
-    fits = {name: fit([level["measures"][name]["error"] for level in levels], sizes, more.get("used")) for name in levels[0]["measures"]}
+    fits = {
+        name: fit([level["measures"][name]["error"] for level in levels], sizes, more.get("used"))
+        for name in levels[0]["measures"]
+    }
     return write_study(folder, "sod", scheme, "cells", levels, fits, sod_catalog(), **more)
 
 
@@ -200,67 +349,221 @@ def sod_dt_study(folder):
     levels = []
     for level, dt in enumerate((2e-4, 1e-4, 5e-5, 2.5e-5, 1.25e-5)):
         settings = {**SETTINGS, "cfl": None, "dt": dt}
-        levels.append(run_object("sod", "default", 200, settings, {"density.L1": measure(0.0030 + 2 * dt)}, value=dt, h=dt,
-                                 steps=int(0.143 / dt)))
-    errors, steps = [entry["measures"]["density.L1"]["error"] for entry in levels], [entry["value"] for entry in levels]
-    write_study(folder, "sod", "default", "dt", levels, {"density.L1": {**fit(errors, steps), "reason": "space error dominates"}},
-                sod_catalog(), title="Time step alone", why="an error that grows as dt falls would be a leak per step")
+        levels.append(
+            run_object(
+                "sod",
+                "default",
+                200,
+                settings,
+                {"density.L1": measure(0.0030 + 2 * dt)},
+                value=dt,
+                h=dt,
+                steps=int(0.143 / dt),
+            )
+        )
+    errors, steps = [entry["measures"]["density.L1"]["error"] for entry in levels], [
+        entry["value"] for entry in levels
+    ]
+    write_study(
+        folder,
+        "sod",
+        "default",
+        "dt",
+        levels,
+        {"density.L1": {**fit(errors, steps), "reason": "space error dominates"}},
+        sod_catalog(),
+        title="Time step alone",
+        why="an error that grows as dt falls would be a leak per step",
+    )
 
 
 def spring_catalog():
-    return {"name": "spring-mass", "title": "Mass on a massless spring", "source": "York 5.5 (SAND97-1893), Fig. 26",
-            "claim": "Period and amplitude of a mass on a membrane spring agree with the closed form.",
-            "physics": "A mass hangs on a string of ten points and is released from rest.", "equations": ["ω = √(k/m)", "k = E A / L"],
-            "sketch": "", "cells_along": "height of the grid", "parameters": [], "reference": {
-                "name": "spring", "text": "Closed form [York 5.11].", "bound": 1e-15},
-            "theory_order": {"period": {"order": 1, "why": "the mass is smeared over the kernel"}}, "known_limits": [], "gates": [],
-            "regenerate": "plumbline verify spring-mass --tier quick"}
+    return {
+        "name": "spring-mass",
+        "title": "Mass on a massless spring",
+        "source": "York 5.5 (SAND97-1893), Fig. 26",
+        "claim": "Period and amplitude of a mass on a membrane spring agree with the closed form.",
+        "physics": "A mass hangs on a string of ten points and is released from rest.",
+        "equations": ["ω = √(k/m)", "k = E A / L"],
+        "sketch": "",
+        "cells_along": "height of the grid",
+        "parameters": [],
+        "reference": {"name": "spring", "text": "Closed form [York 5.11].", "bound": 1e-15},
+        "theory_order": {"period": {"order": 1, "why": "the mass is smeared over the kernel"}},
+        "known_limits": [],
+        "gates": [],
+        "regenerate": "plumbline verify spring-mass --tier quick",
+    }
 
 
 def spring_profile():
     time = numpy.linspace(0, 0.1, 400)
     exact, close = (-0.0025 * (1 - numpy.cos(2 * numpy.pi * time / period)) for period in (0.01986, 0.01987))
-    return {"time": time, "displacement": close, "displacement_reference": exact, "kinetic_energy": close ** 2,
-            "kinetic_energy_reference": exact ** 2, "elastic_energy": -close, "elastic_energy_reference": -exact}
+    return {
+        "time": time,
+        "displacement": close,
+        "displacement_reference": exact,
+        "kinetic_energy": close**2,
+        "kinetic_energy_reference": exact**2,
+        "elastic_energy": -close,
+        "elastic_energy_reference": -exact,
+    }
 
 
 def spring_files(folder):
     settings = {"integrator": "musl", "transfer": "flip", "shape": "linear", "dt": 1.8e-6}
-    measures = {"period": measure(1.2e-5, 0.01987, 0.0198592, "s"), "max_displacement": measure(2e-6, 0.004997, 0.004995, "m"),
-                "energy_drift": measure(None, 2e-3, None, "1", None)}
-    run = run_object("spring-mass", "york1997", 20, settings, measures, points=10, steps=55556, wall_s=0.07, time=0.1)
+    measures = {
+        "period": measure(1.2e-5, 0.01987, 0.0198592, "s"),
+        "max_displacement": measure(2e-6, 0.004997, 0.004995, "m"),
+        "energy_drift": measure(None, 2e-3, None, "1", None),
+    }
+    run = run_object(
+        "spring-mass", "york1997", 20, settings, measures, points=10, steps=55556, wall_s=0.07, time=0.1
+    )
     write_run(folder, run, spring_profile(), "history")
-    levels = [run_object("spring-mass", "default", cells, {"integrator": "energy", "transfer": "apic", "shape": "quadratic"},
-                         {"period": measure(2e-4 * 20 / cells, 0.0199, 0.0198592, "s")}, value=cells, points=cells)
-              for cells in (20, 40, 80, 160, 320)]
-    errors, sizes = [level["measures"]["period"]["error"] for level in levels], [level["h"] for level in levels]
-    write_study(folder, "spring-mass", "default", "cells", levels, {"period": fit(errors, sizes)}, spring_catalog())
+    levels = [
+        run_object(
+            "spring-mass",
+            "default",
+            cells,
+            {"integrator": "energy", "transfer": "apic", "shape": "quadratic"},
+            {"period": measure(2e-4 * 20 / cells, 0.0199, 0.0198592, "s")},
+            value=cells,
+            points=cells,
+        )
+        for cells in (20, 40, 80, 160, 320)
+    ]
+    errors, sizes = [level["measures"]["period"]["error"] for level in levels], [
+        level["h"] for level in levels
+    ]
+    write_study(
+        folder, "spring-mass", "default", "cells", levels, {"period": fit(errors, sizes)}, spring_catalog()
+    )
     return run["file"]
 
 
 def all_gates():
-    order = {"interval": [0.952, 1.031], "origin": "theory", "reason": "first order where a shock is smeared over a fixed number of cells"}
+    order = {
+        "interval": [0.952, 1.031],
+        "origin": "theory",
+        "reason": "first order where a shock is smeared over a fixed number of cells",
+    }
     cause = "the noise of cell crossing does not fall with the mesh, and a fixed step per cell keeps it"
-    return [gate("sod", "default", "density-100", "density.L1 at 100 cells", None, 0.0070, "PASS", 0.0066),
-            gate("sod", "default", "density-1600", "density.L1 at 1600 cells", None, 0.0005, "PASS", 0.00044, margin=0.12),
-            gate("sod", "default", "order", "density.L1 order", 0.9, None, "PASS", 0.985, **order),
-            gate("sod", "default", "velocity-order", "velocity.L1 order", 0.9, None, "INCONCLUSIVE", 0.93, **{**order, "interval": [0.84, 1.02]}),
-            gate("sod", "default", "energy-drift", "relative drift of energy", None, 1e-12, "PASS", 3.1e-15, origin="identity", margin=0.99),
-            gate("sod", "york1997", "stall", "density.L1 at 400 cells", 0.005, 0.0085, "XFAIL", 0.0064, origin="frozen", cause=cause),
-            gate("sod", "york1997", "density-100", "density.L1 at 100 cells", 0.009, 0.011, "FAIL", 0.0117, origin="literature",
-                 reason="York's Fig. 14, read off the print", margin=-0.7),
-            gate("spring-mass", "york1997", "period", "period", 0.0198195, 0.0198989, "XPASS", 0.01987, margin=0.7, cause="drift"),
-            gate("spring-mass", "york1997", "amplitude", "max_displacement", 0.00494505, 0.00504495, "INVALID", None, margin=None),
-            gate("spring-mass", "usavg", "finite", "finite", None, None, "NONE", None, reason="no expectation is stated for this scheme")]
+    return [
+        gate("sod", "default", "density-100", "density.L1 at 100 cells", None, 0.0070, "PASS", 0.0066),
+        gate(
+            "sod",
+            "default",
+            "density-1600",
+            "density.L1 at 1600 cells",
+            None,
+            0.0005,
+            "PASS",
+            0.00044,
+            margin=0.12,
+        ),
+        gate("sod", "default", "order", "density.L1 order", 0.9, None, "PASS", 0.985, **order),
+        gate(
+            "sod",
+            "default",
+            "velocity-order",
+            "velocity.L1 order",
+            0.9,
+            None,
+            "INCONCLUSIVE",
+            0.93,
+            **{**order, "interval": [0.84, 1.02]},
+        ),
+        gate(
+            "sod",
+            "default",
+            "energy-drift",
+            "relative drift of energy",
+            None,
+            1e-12,
+            "PASS",
+            3.1e-15,
+            origin="identity",
+            margin=0.99,
+        ),
+        gate(
+            "sod",
+            "york1997",
+            "stall",
+            "density.L1 at 400 cells",
+            0.005,
+            0.0085,
+            "XFAIL",
+            0.0064,
+            origin="frozen",
+            cause=cause,
+        ),
+        gate(
+            "sod",
+            "york1997",
+            "density-100",
+            "density.L1 at 100 cells",
+            0.009,
+            0.011,
+            "FAIL",
+            0.0117,
+            origin="literature",
+            reason="York's Fig. 14, read off the print",
+            margin=-0.7,
+        ),
+        gate(
+            "spring-mass",
+            "york1997",
+            "period",
+            "period",
+            0.0198195,
+            0.0198989,
+            "XPASS",
+            0.01987,
+            margin=0.7,
+            cause="drift",
+        ),
+        gate(
+            "spring-mass",
+            "york1997",
+            "amplitude",
+            "max_displacement",
+            0.00494505,
+            0.00504495,
+            "INVALID",
+            None,
+            margin=None,
+        ),
+        gate(
+            "spring-mass",
+            "usavg",
+            "finite",
+            "finite",
+            None,
+            None,
+            "NONE",
+            None,
+            reason="no expectation is stated for this scheme",
+        ),
+    ]
 
 
 def write_verdicts(folder, gates=None, declared=None):
     gates = all_gates() if gates is None else gates
     counts = {verdict: sum(entry.get("verdict") == verdict for entry in gates) for verdict in VERDICTS}
-    verdicts = {"gates": gates, "counts": counts, "executed": len(gates), "declared": len(gates) if declared is None else declared,
-                "tier": "quick"}
-    parts = {"verdicts": verdicts, "gates": gates, "catalog": {"sod": sod_catalog(), "spring-mass": spring_catalog()},
-             "provenance": PROVENANCE}
+    verdicts = {
+        "gates": gates,
+        "counts": counts,
+        "executed": len(gates),
+        "declared": len(gates) if declared is None else declared,
+        "tier": "quick",
+    }
+    parts = {
+        "verdicts": verdicts,
+        "gates": gates,
+        "catalog": {"sod": sod_catalog(), "spring-mass": spring_catalog()},
+        "provenance": PROVENANCE,
+    }
     name = f"verdicts-quick-{digest(gates)}.h5"
     create(folder / name, "verdicts", parts).close()
     return name
@@ -270,7 +573,7 @@ def write_truncated(folder, whole):
     """A copy of a whole file that lost its second half."""
     content = (folder / whole).read_bytes()
     name = "sod-default-50-00000000dead.h5"
-    (folder / name).write_bytes(content[:len(content) // 2])
+    (folder / name).write_bytes(content[: len(content) // 2])
     return name
 
 
@@ -278,12 +581,36 @@ def write_all(folder, damaged=True):
     """The whole folder; returns the names of the files that tests ask for."""
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    names = {"study": sod_study(folder, "default", (0.0066, 0.0033, 0.0017, 0.00084, 0.00044), 1.6, {}, title="Points of equal mass",
-                                why="a shock is smeared over a fixed number of cells")}
-    sod_study(folder, "default", (0.0081, 0.0049, 0.0031, 0.0019, 0.0012), 2.6, {"points": "equal-volume"},
-              title="Points of equal volume", why="the jump in point mass at the contact costs about 0.3 of the order")
-    sod_study(folder, "york1997", (0.0098, 0.0066, 0.0064, 0.0089, 0.0131), 2.0, used=[True, True, True, True, False], choices={
-        "integrator": "musl", "transfer": "flip", "shape": "linear", "cfl": None}, title="York’s own choices", id="york1997")
+    names = {
+        "study": sod_study(
+            folder,
+            "default",
+            (0.0066, 0.0033, 0.0017, 0.00084, 0.00044),
+            1.6,
+            {},
+            title="Points of equal mass",
+            why="a shock is smeared over a fixed number of cells",
+        )
+    }
+    sod_study(
+        folder,
+        "default",
+        (0.0081, 0.0049, 0.0031, 0.0019, 0.0012),
+        2.6,
+        {"points": "equal-volume"},
+        title="Points of equal volume",
+        why="the jump in point mass at the contact costs about 0.3 of the order",
+    )
+    sod_study(
+        folder,
+        "york1997",
+        (0.0098, 0.0066, 0.0064, 0.0089, 0.0131),
+        2.0,
+        used=[True, True, True, True, False],
+        choices={"integrator": "musl", "transfer": "flip", "shape": "linear", "cfl": None},
+        title="York’s own choices",
+        id="york1997",
+    )
     sod_dt_study(folder)
     names["run"] = spring_files(folder)
     names["verdicts"] = write_verdicts(folder)

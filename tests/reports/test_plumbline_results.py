@@ -52,7 +52,9 @@ def test_folder_sorts_by_kind_and_lists_the_damaged(results):
     assert "truncated" in found.damaged[0][1]
     assert len(found.studies) == 5 and len(found.verdicts) == 1
     kinds = {result.kind for result in found.runs}
-    assert kinds == {"run"} and [result.name for result in found.runs] == sorted(result.name for result in found.runs)
+    assert kinds == {"run"} and [result.name for result in found.runs] == sorted(
+        result.name for result in found.runs
+    )
 
 
 def test_truncated_at_any_length_is_damaged(results, tmp_path):
@@ -75,16 +77,23 @@ def _file(path, kind="verdicts", version=1, **parts):
     return path
 
 
-@pytest.mark.parametrize("what, reason", [
-    ({"version": None, "verdicts": "{}"}, "plumbline_format"),
-    ({"version": 0, "verdicts": "{}"}, "format 0"),
-    ({"kind": "picture", "verdicts": "{}"}, "picture"),
-    ({}, "/verdicts is missing"),
-    ({"verdicts": "{"}, "not valid JSON"),
-    ({"verdicts": "[]"}, "should be a JSON object"),
-    ({"verdicts": "{}", "gates": "{}"}, "should be a JSON list"),
-    ({"verdicts": '{"executed": NaN}'}, "NaN"),
-    ({"verdicts": "{}", "ledger/mass/time": [0.0, 1.0], "ledger/mass/residual": [0.0]}, "differ in length")])
+@pytest.mark.parametrize(
+    "what, reason",
+    [
+        ({"version": None, "verdicts": "{}"}, "plumbline_format"),
+        ({"version": 0, "verdicts": "{}"}, "format 0"),
+        ({"kind": "picture", "verdicts": "{}"}, "picture"),
+        ({}, "/verdicts is missing"),
+        ({"verdicts": "{"}, "not valid JSON"),
+        ({"verdicts": "[]"}, "should be a JSON object"),
+        ({"verdicts": "{}", "gates": "{}"}, "should be a JSON list"),
+        ({"verdicts": '{"executed": NaN}'}, "NaN"),
+        (
+            {"verdicts": "{}", "ledger/mass/time": [0.0, 1.0], "ledger/mass/residual": [0.0]},
+            "differ in length",
+        ),
+    ],
+)
 def test_what_is_refused_and_why(tmp_path, what, reason):
     with pytest.raises(DamagedFile, match=reason):
         plumbline_results.load(_file(tmp_path / "bad.h5", **what))
@@ -120,8 +129,11 @@ def test_csv_gives_the_same_numbers_back(results, tmp_path):
 def test_every_table_of_every_file(results, tmp_path):
     folder, _ = results
     found = plumbline_results.load_folder(folder)
-    expected = {"run": {"measures", "ledger", "profile", "settings", "provenance"},
-                "study": {"measures", "levels", "settings", "provenance"}, "verdicts": {"gates", "provenance"}}
+    expected = {
+        "run": {"measures", "ledger", "profile", "settings", "provenance"},
+        "study": {"measures", "levels", "settings", "provenance"},
+        "verdicts": {"gates", "provenance"},
+    }
     for result in found.runs + found.studies + found.verdicts:
         assert set(result.table_names()) == expected[result.kind]
         for name in result.table_names():
@@ -131,15 +143,21 @@ def test_every_table_of_every_file(results, tmp_path):
 
 
 def _command(*arguments):
-    return subprocess.run([sys.executable, REPORTS / "plumbline_results.py", *map(str, arguments)], capture_output=True, text=True,
-                          check=False)
+    return subprocess.run(
+        [sys.executable, REPORTS / "plumbline_results.py", *map(str, arguments)],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
 
 
 def test_command_line(results):
     folder, names = results
     gates = _command(folder / names["verdicts"], "--csv", "gates")
     rows = list(csv.DictReader(gates.stdout.splitlines()))
-    assert gates.returncode == 0 and [row["verdict"] for row in rows] == [gate["verdict"] for gate in synthetic_results.all_gates()]
+    assert gates.returncode == 0 and [row["verdict"] for row in rows] == [
+        gate["verdict"] for gate in synthetic_results.all_gates()
+    ]
     assert rows[2]["interval_low"] == "0.952" and rows[2]["high"] == ""
     summary = _command(folder / names["study"])
     assert summary.returncode == 0 and "study" in summary.stdout and "levels" in summary.stdout

@@ -33,7 +33,8 @@ def parsed(source):
     return Page(source)
 
 
-# --- form --------------------------------------------------------------------------------------------------------
+# --- form -----------------------------------------------------------------------------------------
+
 
 def test_page_is_well_formed(source, parsed):
     assert len(source) < 5e6
@@ -59,6 +60,7 @@ def test_nothing_is_loaded_from_elsewhere(source, parsed):
 
 def test_figures_follow_the_colours_of_the_page(source):
     import svg
+
     stand_ins = re.findall("|".join(svg._VARIABLES), source)
     assert not stand_ins and "var(--s1)" in source and "currentColor" in source
     fixed = set(re.findall(r"(?:fill|stroke): (#[0-9a-f]{6})", source))
@@ -72,19 +74,34 @@ def test_same_files_give_the_same_bytes(results, tmp_path):
     pages = []
     for source, seed, zone in ((folder, "1", "UTC"), (moved, "2", "Asia/Tokyo")):
         output = tmp_path / f"{seed}.html"
-        environment = {**os.environ, "PYTHONHASHSEED": seed, "TZ": zone, "LC_ALL": "C.UTF-8" if seed == "1" else "C"}
-        done = subprocess.run([sys.executable, REPORTS / "render.py", source, output], env=environment, check=False, capture_output=True)
+        environment = {
+            **os.environ,
+            "PYTHONHASHSEED": seed,
+            "TZ": zone,
+            "LC_ALL": "C.UTF-8" if seed == "1" else "C",
+        }
+        done = subprocess.run(
+            [sys.executable, REPORTS / "render.py", source, output],
+            env=environment,
+            check=False,
+            capture_output=True,
+        )
         assert done.returncode == 4, done.stderr
         pages.append(output.read_bytes())
     assert pages[0] == pages[1]
     assert str(folder).encode() not in pages[0]
 
 
-# --- truth ---------------------------------------------------------------------------------------------------------
+# --- truth ----------------------------------------------------------------------------------------
+
 
 def test_verdicts_shown_are_those_of_the_files(parsed):
     for case in ("sod", "spring-mass"):
-        expected = Counter((entry["verdict"], entry["id"], entry["scheme"]) for entry in synthetic_results.all_gates() if entry["case"] == case)
+        expected = Counter(
+            (entry["verdict"], entry["id"], entry["scheme"])
+            for entry in synthetic_results.all_gates()
+            if entry["case"] == case
+        )
         assert Counter(parsed.gate_rows(f"case-{case}")) == expected
     missed = parsed.gate_rows("verdicts")
     assert [verdict for verdict, _, _ in missed] == ["INVALID", "FAIL", "XPASS", "INCONCLUSIVE", "XFAIL"]
@@ -92,23 +109,30 @@ def test_verdicts_shown_are_those_of_the_files(parsed):
 
 def test_counts_and_executed_gates(source, parsed):
     tiles = dict(re.findall(r"<dt>(\w+)</dt><dd>(\d+)</dd>", source))
-    assert tiles == {verdict: str(sum(entry["verdict"] == verdict for entry in synthetic_results.all_gates()))
-                     for verdict in synthetic_results.VERDICTS}
+    assert tiles == {
+        verdict: str(sum(entry["verdict"] == verdict for entry in synthetic_results.all_gates()))
+        for verdict in synthetic_results.VERDICTS
+    }
     assert "10 of 10 declared gates executed" in parsed.text
 
 
 def test_a_verdict_is_never_decided_anew(tmp_path):
     """Verdicts and counts that contradict the numbers beside them are shown as stated."""
-    gates = [gate("sod", "default", "absurd-pass", "density.L1", None, 0.007, "PASS", 0.9, margin=-100),
-             gate("sod", "default", "absurd-fail", "density.L1", None, 0.007, "FAIL", 0.001, margin=1)]
+    gates = [
+        gate("sod", "default", "absurd-pass", "density.L1", None, 0.007, "PASS", 0.9, margin=-100),
+        gate("sod", "default", "absurd-fail", "density.L1", None, 0.007, "FAIL", 0.001, margin=1),
+    ]
     write_verdicts(tmp_path, gates, declared=3)
     shown = Page(rendered(tmp_path))
-    assert Counter(shown.gate_rows("case-sod")) == Counter([("PASS", "absurd-pass", "default"), ("FAIL", "absurd-fail", "default")])
+    assert Counter(shown.gate_rows("case-sod")) == Counter(
+        [("PASS", "absurd-pass", "default"), ("FAIL", "absurd-fail", "default")]
+    )
     assert "2 of 3 declared gates executed" in shown.text
 
 
 def test_orders_are_those_of_the_files(results, parsed):
     import text
+
     folder, _ = results
     for study in plumbline_results.load_folder(folder).studies:
         for name, values in study.measures.items():
@@ -118,17 +142,38 @@ def test_orders_are_those_of_the_files(results, parsed):
 
 
 def test_what_a_reader_needs_is_there(parsed):
-    for words in ("SAND97-1893", "Cause: the noise of cell crossing", "0123456789abcdef0123456789abcdef01234567 — with uncommitted changes",
-                  "g++ 12.2.0", "x86-64-v3 (AVX2, FMA)", "plumbline verify --tier quick", "plumbline verify sod --tier quick", "Eigen 3.4.0",
-                  "0.005 … 0.0085", "frozen: own earlier measurement", "York’s own choices", "ratio of specific heats", "ω = √(k/m)",
-                  "No overshoot limiter at the contact.", "Error against wall time", "Error against point-steps", "Time step alone",
-                  "Order level by level", "Plateau of the error constant", "Drift of energy", "Closed to the last bit at every stored step: mass",
-                  "1 gate declared for this case, not judged in these files"):
+    for words in (
+        "SAND97-1893",
+        "Cause: the noise of cell crossing",
+        "0123456789abcdef0123456789abcdef01234567 — with uncommitted changes",
+        "g++ 12.2.0",
+        "x86-64-v3 (AVX2, FMA)",
+        "plumbline verify --tier quick",
+        "plumbline verify sod --tier quick",
+        "Eigen 3.4.0",
+        "0.005 … 0.0085",
+        "frozen: own earlier measurement",
+        "York’s own choices",
+        "ratio of specific heats",
+        "ω = √(k/m)",
+        "No overshoot limiter at the contact.",
+        "Error against wall time",
+        "Error against point-steps",
+        "Time step alone",
+        "Order level by level",
+        "Plateau of the error constant",
+        "Drift of energy",
+        "Closed to the last bit at every stored step: mass",
+        "1 gate declared for this case, not judged in these files",
+    ):
         assert words in parsed.text, words
 
 
 def test_newest_of_two_verdict_files_counts(tmp_path):
-    old, new = (gate("sod", "default", "same", "density.L1", None, 0.007, verdict, value) for verdict, value in (("FAIL", 0.008), ("PASS", 0.006)))
+    old, new = (
+        gate("sod", "default", "same", "density.L1", None, 0.007, verdict, value)
+        for verdict, value in (("FAIL", 0.008), ("PASS", 0.006))
+    )
     for entry, started in ((new, "2026-11-21T09:00:00Z"), (old, "2026-11-20T09:00:00Z")):
         synthetic_results.PROVENANCE["started"], kept = started, synthetic_results.PROVENANCE["started"]
         write_verdicts(tmp_path, [entry])
@@ -136,7 +181,8 @@ def test_newest_of_two_verdict_files_counts(tmp_path):
     assert Page(rendered(tmp_path)).gate_rows("case-sod") == [("PASS", "same", "default")]
 
 
-# --- damage and gaps ---------------------------------------------------------------------------------------------------
+# --- damage and gaps ------------------------------------------------------------------------------
+
 
 def test_damaged_file_is_listed_as_invalid(results, parsed):
     _, names = results
@@ -181,14 +227,39 @@ def test_a_stopped_run_is_named(tmp_path):
 def test_gaps_do_not_break_the_page(tmp_path):
     """Nulls, empty lists and missing parts, one after the other, in every place that may lack something."""
     bare = {"density.L1": measure(None, bound=None), "velocity.L1": {}}
-    levels = [run_object("sod", "default", cells, {}, bare, value=None, points=4, steps=2) for cells in (10, 20)]
+    levels = [
+        run_object("sod", "default", cells, {}, bare, value=None, points=4, steps=2) for cells in (10, 20)
+    ]
     levels[0].update(h=None, wall_s=None, points=None, steps=None, measures=None, settings={}, ledger=None)
-    empty_fit = {"order": None, "order_low": None, "order_high": None, "constant": None, "asymptotic": None, "pairwise": [None],
-                 "leave_one_out": [], "plateau": [None, None], "levels_used": [False, False], "reason": "two levels"}
+    empty_fit = {
+        "order": None,
+        "order_low": None,
+        "order_high": None,
+        "constant": None,
+        "asymptotic": None,
+        "pairwise": [None],
+        "leave_one_out": [],
+        "plateau": [None, None],
+        "levels_used": [False, False],
+        "reason": "two levels",
+    }
     for vary in ("cells", "dt", "ppc", "offset"):
-        write_study(tmp_path, "sod", "default", vary, levels, {"density.L1": empty_fit, "velocity.L1": {}}, {})
-    write_study(tmp_path, "spring-mass", "default", "cells", levels[1:], {}, {"theory_order": {"period": {}}, "gates": [{}], "parameters": [{}]})
-    write_verdicts(tmp_path, [{"case": "sod"}, {}, gate("sod", None, "x", "", None, None, "NONE", None, margin=None, origin=None)])
+        write_study(
+            tmp_path, "sod", "default", vary, levels, {"density.L1": empty_fit, "velocity.L1": {}}, {}
+        )
+    write_study(
+        tmp_path,
+        "spring-mass",
+        "default",
+        "cells",
+        levels[1:],
+        {},
+        {"theory_order": {"period": {}}, "gates": [{}], "parameters": [{}]},
+    )
+    write_verdicts(
+        tmp_path,
+        [{"case": "sod"}, {}, gate("sod", None, "x", "", None, None, "NONE", None, margin=None, origin=None)],
+    )
     with synthetic_results.create(tmp_path / "bare.h5", "run", {"run": {}}):
         pass
     shown = Page(rendered(tmp_path)).text
@@ -197,20 +268,45 @@ def test_gaps_do_not_break_the_page(tmp_path):
 
 def test_text_of_the_files_is_never_markup(tmp_path):
     evil = '<script>alert(1)</script>'
-    catalog = {**synthetic_results.sod_catalog(), "claim": evil, "title": evil, "name": evil,
-               "sketch": '<svg viewBox="0 0 1 1"><script>alert(1)</script></svg>'}
+    catalog = {
+        **synthetic_results.sod_catalog(),
+        "claim": evil,
+        "title": evil,
+        "name": evil,
+        "sketch": '<svg viewBox="0 0 1 1"><script>alert(1)</script></svg>',
+    }
     level = run_object("sod", evil, 10, {evil: evil}, {evil: measure(0.1)}, value=1)
     errors = {evil: fit([0.1, 0.05, 0.025], [0.1, 0.05, 0.025])}
-    write_study(tmp_path, "sod", "default", "cells", [level, {**level, "h": 0.05}, {**level, "h": 0.02}], errors, catalog)
+    write_study(
+        tmp_path,
+        "sod",
+        "default",
+        "cells",
+        [level, {**level, "h": 0.05}, {**level, "h": 0.02}],
+        errors,
+        catalog,
+    )
     assert "<script" not in rendered(tmp_path)
 
 
 def test_sketches_are_checked():
     import svg
+
     assert "currentColor" in svg.sketch(synthetic_results.SKETCH, "x", "label")
-    for bad in ("<svg viewBox='0 0 1 1'><image href='a.png'/></svg>", "<svg viewBox='0 0 1 1'><foreignObject/></svg>", "<svg", "<p/>", ""):
+    for bad in (
+        "<svg viewBox='0 0 1 1'><image href='a.png'/></svg>",
+        "<svg viewBox='0 0 1 1'><foreignObject/></svg>",
+        "<svg",
+        "<p/>",
+        "",
+    ):
         assert svg.sketch(bad, "x", "label") == ""
-    cleaned = svg.sketch("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 1 1' onload='a()'><path fill='url(//a)' d='M0 0'/></svg>", "x", "a<b")
+    cleaned = svg.sketch(
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 1 1' onload='a()'><path fill='url(//a)' d='M0 "
+        "0'/></svg>",
+        "x",
+        "a<b",
+    )
     assert "onload" not in cleaned and "url" not in cleaned and "http" not in cleaned and "a&lt;b" in cleaned
 
 
@@ -223,74 +319,111 @@ def test_csv_of_the_whole_folder(results, tmp_path):
     assert (tmp_path / "csv" / f"{names['run'].removesuffix('.h5')}.profile.csv").exists()
 
 
-# --- the arithmetic of the figures --------------------------------------------------------------------------------------
+# --- the arithmetic of the figures ----------------------------------------------------------------
+
 
 def test_band_is_that_of_linear_regression():
     """Against the textbook formula from the residuals, which the page does not have."""
     import figures
     from scipy import stats
+
     h = numpy.array([0.01, 0.005, 0.0025, 0.00125, 0.000625])
-    error = 0.7 * h ** 0.9 * numpy.array([1.05, 0.97, 1.02, 0.95, 1.01])
+    error = 0.7 * h**0.9 * numpy.array([1.05, 0.97, 1.02, 0.95, 1.01])
     x, y = numpy.log(h), numpy.log(error)
     line = stats.linregress(x, y)
     t = stats.t.ppf(0.975, len(h) - 2)
-    stated = {"order": line.slope, "order_low": line.slope - t * line.stderr, "order_high": line.slope + t * line.stderr,
-              "constant": numpy.exp(line.intercept)}
+    stated = {
+        "order": line.slope,
+        "order_low": line.slope - t * line.stderr,
+        "order_high": line.slope + t * line.stderr,
+        "constant": numpy.exp(line.intercept),
+    }
     at = numpy.array([0.0007, 0.003, 0.009])
     s = numpy.sqrt(((y - line.intercept - line.slope * x) ** 2).sum() / (len(h) - 2))
     half = t * s * numpy.sqrt(1 / len(h) + (numpy.log(at) - x.mean()) ** 2 / ((x - x.mean()) ** 2).sum())
     low, high = figures.confidence_band(at, h, stated)
     middle = line.intercept + line.slope * numpy.log(at)
-    assert numpy.allclose(numpy.log(low), middle - half, rtol=1e-12) and numpy.allclose(numpy.log(high), middle + half, rtol=1e-12)
+    assert numpy.allclose(numpy.log(low), middle - half, rtol=1e-12) and numpy.allclose(
+        numpy.log(high), middle + half, rtol=1e-12
+    )
     assert figures.confidence_band(at, h, {**stated, "order_low": None}) is None
 
 
 def test_front_of_cost_and_error():
     import figures
+
     points = [(1, 10), (2, 11), (2, 5), (3, 5), (4, 1), (5, 2)]
     assert figures.front(points) == [(1, 10), (2, 5), (4, 1)]
 
 
 def test_thinning_keeps_every_extreme():
     import profiles
+
     x = numpy.linspace(0, 1, 10000)
     y = numpy.sin(40 * x)
     y[1234], y[7777] = 9.0, -9.0
     thin_x, thin_y = profiles.envelope(x, y)
-    assert len(thin_x) <= 640 and thin_y.max() == 9.0 and thin_y.min() == -9.0 and (numpy.diff(thin_x) > 0).all()
+    assert (
+        len(thin_x) <= 640 and thin_y.max() == 9.0 and thin_y.min() == -9.0 and (numpy.diff(thin_x) > 0).all()
+    )
     _, largest = profiles.largest_in_bins(x, y)
     assert numpy.nanmax(largest) == 9.0 and (largest == 9.0).sum() == 2
 
 
 def test_drift_is_scaled_to_the_stated_one(results):
     import profiles
+
     folder, names = results
     run = plumbline_results.load(folder / names["run"])
     relative = profiles.relative_residual(run, "energy")
     assert relative.max() == pytest.approx(run.run["ledger"]["energy"]["relative_drift"], rel=1e-14)
-    run.run["ledger"]["energy"]["largest_residual"] = -2 * numpy.abs(run.ledger["energy"]["residual"]).max()   # signed, between stored rows
+    run.run["ledger"]["energy"]["largest_residual"] = (
+        -2 * numpy.abs(run.ledger["energy"]["residual"]).max()
+    )  # signed, between stored rows
     assert profiles.relative_residual(run, "energy") == pytest.approx(relative / 2, rel=1e-14)
     assert not profiles.relative_residual(run, "mass").any()
     assert profiles.relative_residual(run, "angular_momentum") is None
 
 
-@pytest.mark.parametrize("low, high", [(1e-18, 1e-11), (2e-4, 0.03), (0.0021, 0.0043), (3e-5, 4e-5), (0.9, 1.1), (1, 1e20)])
+@pytest.mark.parametrize(
+    "low, high", [(1e-18, 1e-11), (2e-4, 0.03), (0.0021, 0.0043), (3e-5, 4e-5), (0.9, 1.1), (1, 1e20)]
+)
 def test_logarithmic_axes_have_distinct_labels(low, high):
     import figures
+
     ticks = figures.log_ticks(low, high)
     labels = [figures.tick(value) for value in ticks]
-    assert 2 <= len(ticks) <= 9 and len(set(labels)) == len(labels) and all(low <= value <= high for value in ticks)
+    assert (
+        2 <= len(ticks) <= 9
+        and len(set(labels)) == len(labels)
+        and all(low <= value <= high for value in ticks)
+    )
 
 
-@pytest.mark.parametrize("value, words", [(None, "—"), (0, "0"), (0.0066, "0.0066"), (1.0, "1"), (-0.25, "−0.25"), (12345.678, "12346"),
-                                          (1e-13, "1\u202f×\u202f10⁻¹³"), (9.9999e-4, "0.001"), (float("nan"), "—"), (0.0198592, "0.0199")])
+@pytest.mark.parametrize(
+    "value, words",
+    [
+        (None, "—"),
+        (0, "0"),
+        (0.0066, "0.0066"),
+        (1.0, "1"),
+        (-0.25, "−0.25"),
+        (12345.678, "12346"),
+        (1e-13, "1\u202f×\u202f10⁻¹³"),
+        (9.9999e-4, "0.001"),
+        (float("nan"), "—"),
+        (0.0198592, "0.0199"),
+    ],
+)
 def test_numbers(value, words):
     import text
+
     assert text.number(value) == words
 
 
 def test_measured_value_is_told_from_its_bound():
     import text
+
     assert text.measured(0.0070000001, {"high": 0.007}) == "0.0070000001"
     assert text.measured(0.007, {"high": 0.007}) == "0.007"
     assert text.expected({"low": 0.005, "high": 0.0085}) == "0.005 … 0.0085"

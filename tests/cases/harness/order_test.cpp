@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <utility>
 
 namespace plumbline {
 namespace {
@@ -163,8 +164,9 @@ double coverage(const std::function<Level(double, Normal&)>& level, int count, W
   Normal normal;
   int hits = 0;
   for (int repetition = 0; repetition < 2000; ++repetition) {
-    std::vector<Level> study;
-    for (int k = 0; k < count; ++k) study.push_back(level(0.01 * std::pow(0.5, k), normal));
+    std::vector<Level> study(static_cast<std::size_t>(count));
+    double h = 0.01;
+    for (Level& one : study) one = level(std::exchange(h, h / 2), normal);
     const OrderFit fit = fit_order(study, weighting);
     if (fit.low <= 1 && 1 <= fit.high) ++hits;
   }

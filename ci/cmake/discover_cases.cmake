@@ -1,0 +1,17 @@
+# Writes one ctest entry per case and tier from what the executable lists, so that a new case needs no line here.
+execute_process(COMMAND ${PLUMBLINE} list --json - OUTPUT_VARIABLE listed RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "${PLUMBLINE} list --json - failed")
+endif()
+string(JSON count LENGTH "${listed}" cases)
+math(EXPR last "${count} - 1")
+set(text "")
+foreach(k RANGE ${last})
+  string(JSON name GET "${listed}" cases ${k} name)
+  foreach(tier quick full)
+    set(entry "case.${name}.${tier}")
+    string(APPEND text "add_test([[${entry}]] ${PLUMBLINE} verify ${name} --tier ${tier} --results ${RESULTS}/${tier} --junit ${RESULTS}/${entry}.xml)\n"
+      "set_tests_properties([[${entry}]] PROPERTIES LABELS \"case;${tier}\" TIMEOUT 1800)\n")
+  endforeach()
+endforeach()
+file(WRITE ${OUTPUT} "${text}")
