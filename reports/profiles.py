@@ -11,6 +11,7 @@ LEVEL_NAMES = ("coarsest", "middle", "finest")
 REFERENCE = "_reference"
 _BINS = 320
 _ERROR_BINS = 160
+_LONGEST_LABEL = 18     # characters that fit along the vertical axis, unit aside
 _QUANTITIES = {
     "mass": "mass",
     "momentum_x": "momentum along x",
@@ -161,8 +162,11 @@ def _label(columns, name):
 
 
 def axis_label(columns, name):
+    """Label with unit; the name of the column where the label is too long for an axis."""
+    label = _label(columns, name)
+    label = label if len(label) <= _LONGEST_LABEL else name.replace("_", " ")
     unit = columns.units.get(name)
-    return f"{_label(columns, name)} in {text.unit(unit)}" if unit and unit != "1" else _label(columns, name)
+    return f"{label} in {text.unit(unit)}" if unit and unit != "1" else label
 
 
 # --- ledger ---------------------------------------------------------------------------------------

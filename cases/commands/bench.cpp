@@ -33,11 +33,14 @@ struct Entry {
   double target;             // point-steps per second, or seconds where target_is_time
   bool target_is_time;
   int passes;                // sweeps over the points in one step, for the traffic
+  std::vector<Override> overrides = {};
 };
 
-Json bench_entry(const Entry& at, double bytes_per_s, const Output& out) {
+Json bench_entry(const Entry& at, const std::vector<std::string>& typed, double bytes_per_s, const Output& out) {
   const Case& entry = find_case(at.case_name);
-  const Settings settings = entry.settings(at.scheme, {{"cells", static_cast<double>(at.cells)}});
+  std::vector<Override> overrides = at.overrides;
+  overrides.emplace_back("cells", static_cast<double>(at.cells));
+  const Settings settings = entry.settings(at.scheme, overrides, typed);
   std::vector<RunResult> runs;
   std::vector<double> times;
   for (int k = 0; k < 5; ++k) {
@@ -90,10 +93,18 @@ int execute(const Invocation& invocation) {
   Json document{{"machine", {{"cpu", p.cpu}, {"instruction_set", p.instruction_set}, {"compiler", p.compiler}, {"flags", p.flags},
                              {"copy_bytes_per_s", bytes_per_s}}},
                 {"kernels", Json::array()}};
-  const std::vector<Entry> entries{{"gas, 1-D, 1600 cells", "sod", "default", 1600, 1e7, false, 11},
+  std::vector<Entry> entries{{"gas, 1-D, 1600 cells", "sod", "default", 1600, 1e7, false, 11},
                                    {"York's gas, 1-D, 800 cells", "sod", "york1997", 800, 1e7, false, 10},
                                    {"York's spring, ten points", "spring-mass", "york1997", 10, 0.1, true, 9}};
-  for (const Entry& entry : entries) document["kernels"].push_back(bench_entry(entry, bytes_per_s, out));
+  const CommonOptions& common = invocation.options;
+  if (!common.schemes.empty() || !common.integrators.empty()) {
+    entries.clear();
+    for (const SchemeChoice& choice : chosen_schemes(common)) {
+      const std::string integrator = choice.overrides.empty() ? "" : " with " + to_text(choice.overrides.front().second);
+      entries.push_back({"gas, 1-D, " + choice.scheme + integrator, "sod", choice.scheme, 800, 1e7, false, 10, choice.overrides});
+    }
+  }
+  for (const Entry& entry : entries) document["kernels"].push_back(bench_entry(entry, common.settings, bytes_per_s, out));
   document["empty_step"] = empty_step(out);
   write_json(invocation.options, document);
   return 0;

@@ -98,6 +98,7 @@ int execute(const Invocation& invocation, const RunOptions& options) {
   const ResultsFolder folder(invocation.options.results);
   RunResult run = run_experiment(entry, chosen[0].scheme, settings);
   if (chosen[0].scheme == "default") run.scheme = integrator_scheme(entry, settings.text("integrator"));
+  run.file = ResultsFolder::run_name(run);
   const auto declared = declared_run(entry, chosen[0].scheme, settings);
   const std::vector<JudgedGate> gates = judge_run(entry, run, declared);
   const Provenance provenance = invocation.provenance();

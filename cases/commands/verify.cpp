@@ -54,6 +54,7 @@ void write_junit(const std::string& path, const std::vector<JudgedGate>& gates, 
   boost::property_tree::ptree root;
   root.add_child("testsuite", suite);
   std::ofstream file(path);
+  if (!file) throw FileError(path, path + ": cannot be written");
   boost::property_tree::write_xml(file, root);
   if (!file.flush()) throw FileError(path, path + ": cannot be written");
 }
@@ -62,16 +63,14 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
   const CommonOptions& common = invocation.options;
   const std::vector<std::string> tiers{"quick", "full"};
   if (options.tier != tiers[0] && options.tier != tiers[1]) throw unknown_name("--tier", options.tier, tiers);
-  if (!common.schemes.empty() || !common.integrators.empty() || !common.settings.empty()) {
-    throw UsageError("--scheme", "", "", {}, "verify judges the declared choices of each case; use converge for others");
-  }
+  const Selection selection{common.schemes, common.integrators, common.settings};
   const auto entries = matching(options.patterns);
   const ResultsFolder folder(common.results);
   const Provenance provenance = invocation.provenance();
   const Output out(common);
   Verification verification;
   for (const Case* entry : entries) {
-    verify_case(*entry, options.tier == "full" ? Tier::full : Tier::quick, common.threads, folder, provenance,
+    verify_case(*entry, options.tier == "full" ? Tier::full : Tier::quick, selection, common.threads, folder, provenance,
                 terminal_progress(entry->name()), verification);
     end_progress();
   }

@@ -49,6 +49,9 @@ class Sod final : public Case {
     s.reference_text = "Exact solution of the Riemann problem: the pressure between the waves is the root of the two wave curves, "
                        "found by bracketing; every point is sampled at (x − diaphragm)/t.";
     s.reference_bound = "Computed with each value: residual of the root over the slope, and rounding carried through.";
+    for (const char* measure : {"density.L1", "velocity.L1", "pressure.L1", "energy.L1"}) {
+      s.theory_orders.push_back({measure, 1, "shock and contact are jumps; a scheme of any order spreads them over a number of cells"});
+    }
     s.known_limits = {
         "With points of equal volume the mass of a point jumps across the contact by the density ratio; the density there stays wrong by a fixed amount over a fixed number of points, and the order sinks to about 0.7.",
         "york1997 does not converge: points clump where they cross cells of linear shapes, and the clumping grows with the number of crossings.",

@@ -25,6 +25,12 @@ struct Statement {
   std::string sketch;                   // inline SVG, currentColor
   std::string cells_along;              // what `cells` counts
   std::string reference_name, reference_text, reference_bound;
+  struct TheoryOrder {
+    std::string measure;
+    double order;
+    std::string why;
+  };
+  std::vector<TheoryOrder> theory_orders;
   std::vector<std::string> known_limits;
 };
 

@@ -46,7 +46,7 @@ struct RunResult {
   LedgerHistory history;
   std::vector<Measure> measures;   // empty if stopped
   Profile profile;
-  std::string file;             // name in the results folder, once written
+  std::string file;             // its name in a results folder
 
   const Measure* find(const std::string& measure) const;
   double point_steps_per_s() const { return wall_s > 0 ? static_cast<double>(points) * static_cast<double>(steps) / wall_s : 0; }

@@ -40,8 +40,7 @@ std::string ResultsFolder::study_name(const StudyResult& study) {
   return fmt::format("study-{}-{}-{}-{}.h5", study.entry->name(), study.scheme, name(study.plan.vary), short_hash(content));
 }
 
-void ResultsFolder::write_run(RunResult& run, const std::vector<JudgedGate>& gates, const Provenance& provenance) const {
-  run.file = run_name(run);
+void ResultsFolder::write_run(const RunResult& run, const std::vector<JudgedGate>& gates, const Provenance& provenance) const {
   Hdf5Writer file(path_ + "/" + run.file);
   begin(file, "run", provenance);
   file.text("/run", run_document(run, gates, provenance).dump());

@@ -17,9 +17,9 @@ class ResultsFolder {
 
   const std::string& path() const { return path_; }
 
-  // Sets run.file and writes the file whole, or not at all. Its name is made of case, scheme, cells and the settings' hash.
-  void write_run(RunResult& run, const std::vector<JudgedGate>& gates, const Provenance& provenance) const;
-  // The name write_run gives.
+  // Writes run.file whole, or not at all.
+  void write_run(const RunResult& run, const std::vector<JudgedGate>& gates, const Provenance& provenance) const;
+  // The name of a run's file: case, scheme, cells and the hash of the settings.
   static std::string run_name(const RunResult& run);
 
   void write_study(StudyResult& study, const std::vector<JudgedGate>& gates, const Provenance& provenance) const;

@@ -66,7 +66,12 @@ std::vector<std::string> names(const std::vector<Key>& keys) {
 
 void Settings::set(const std::string& key, const Value& value, const std::string& owner) {
   const auto found = std::find_if(keys_.begin(), keys_.end(), [&](const Key& k) { return k.name == key; });
-  if (found == keys_.end()) throw unknown_name("key of " + owner, key, names(keys_));
+  if (found == keys_.end()) {
+    UsageError error = unknown_name("key of " + owner, key, names(keys_));
+    error.key = key;
+    error.value = to_text(value);
+    throw error;
+  }
   if (!acceptable(*found, value)) {
     if (!found->choices.empty()) throw unknown_name(key, to_text(value), found->choices);
     throw UsageError(key, to_text(value), found->allowed(), {},

@@ -33,6 +33,7 @@ StudyResult run_study(const Case& entry, const StudyPlan& plan, const std::vecto
     const std::size_t at = order[k];
     results[at] = run_experiment(entry, plan.scheme, planned[at].settings);
     results[at]->scheme = plan.scheme == "default" ? integrator_scheme(entry, planned[at].settings.text("integrator")) : plan.scheme;
+    results[at]->file = ResultsFolder::run_name(*results[at]);
     const std::lock_guard lock(guard);
     if (progress) progress(++done, planned.size(), *results[at]);
   });
@@ -54,52 +55,78 @@ StudyPlan integrator_plan(const Case& entry, const std::string& integrator) {
           .values = {entry.default_levels().front()}};
 }
 
-void verify_case(const Case& entry, Tier tier, int threads, const ResultsFolder& folder, const Provenance& provenance,
-                 const Progress& progress, Verification& verification) {
-  std::vector<StudyPlan> plans;
+namespace {
+
+// The plans of a tier, with those of the integrators last; `own` counts the case's.
+struct Plans {
+  std::vector<StudyPlan> all;
+  std::size_t own = 0;
+};
+
+Plans selected_plans(const Case& entry, Tier tier, const Selection& selection) {
+  Plans plans;
+  const auto wanted = [&](const StudyPlan& plan) {
+    if (selection.schemes.empty()) return selection.integrators.empty();
+    return std::find(selection.schemes.begin(), selection.schemes.end(), plan.scheme) != selection.schemes.end();
+  };
+  for (const std::string& scheme : selection.schemes) entry.settings(scheme, {});
   for (StudyPlan& plan : entry.studies()) {
-    if (in_tier(plan.tier, tier)) plans.push_back(std::move(plan));
+    if (in_tier(plan.tier, tier) && wanted(plan)) plans.all.push_back(std::move(plan));
   }
-  const std::size_t own = plans.size();
-  int generic_of_integrators = 0;
-  if (entry.any_integrator()) {
-    for (const IntegratorEntry& integrator : integrators()) plans.push_back(integrator_plan(entry, integrator.name));
+  plans.own = plans.all.size();
+  if (selection.integrators.empty() && selection.schemes.empty() && entry.any_integrator()) {
+    for (const IntegratorEntry& integrator : integrators()) plans.all.push_back(integrator_plan(entry, integrator.name));
   }
+  for (const std::string& integrator : selection.integrators) plans.all.push_back(integrator_plan(entry, integrator));
+  return plans;
+}
+
+// The gates on one study: the case's own, then the generic ones that it does not declare itself as expected to fail.
+std::vector<CaseGate> gates_on(const StudyResult& study, const std::vector<CaseGate>& declared) {
+  std::vector<CaseGate> gates;
+  for (const CaseGate& gate : declared) {
+    if (gate.study == study.plan.id) gates.push_back(gate);
+  }
+  const std::size_t own = gates.size();
+  for (CaseGate& gate : generic_gates(study.plan.id, study.levels.empty() ? 1 : study.levels.front().run.dim)) {
+    const bool declared_already = std::any_of(gates.begin(), gates.begin() + static_cast<std::ptrdiff_t>(own),
+                                              [&](const CaseGate& g) { return g.gate.id == gate.gate.id; });
+    if (!declared_already) gates.push_back(std::move(gate));
+  }
+  return gates;
+}
+
+}  // namespace
+
+void verify_case(const Case& entry, Tier tier, const Selection& selection, int threads, const ResultsFolder& folder,
+                 const Provenance& provenance, const Progress& progress, Verification& verification) {
+  const Plans plans = selected_plans(entry, tier, selection);
   StudySet studies;
-  for (const StudyPlan& plan : plans) studies.push_back(run_study(entry, plan, planned_runs(entry, plan, tier), threads, progress));
-  std::vector<CaseGate> declared;
-  for (CaseGate& gate : entry.gates()) {
-    if (in_tier(gate.tier, tier)) declared.push_back(std::move(gate));
-  }
-  for (std::size_t k = 0; k < studies.size(); ++k) {
-    StudyResult& study = studies[k];
-    for (StudyLevel& at : study.levels) {
+  for (const StudyPlan& plan : plans.all) {
+    studies.push_back(run_study(entry, plan, planned_runs(entry, plan, tier, selection.settings), threads, progress));
+    for (const StudyLevel& at : studies.back().levels) {
       folder.write_run(at.run, {}, provenance);
-      for (RunResult& other : at.offsets) folder.write_run(other, {}, provenance);
+      for (const RunResult& other : at.offsets) folder.write_run(other, {}, provenance);
     }
   }
+  std::vector<CaseGate> declared;
+  for (CaseGate& gate : entry.gates()) {
+    if (in_tier(gate.tier, tier) && selection.settings.empty()) declared.push_back(std::move(gate));
+  }
+  int expected_here = 0, of_integrators = 0;
   for (std::size_t k = 0; k < studies.size(); ++k) {
     StudyResult& study = studies[k];
     study.siblings = &studies;
-    const int dim = study.levels.empty() ? 1 : study.levels.front().run.dim;
-    std::vector<CaseGate> gates;
-    for (const CaseGate& gate : declared) {
-      if (gate.study == study.plan.id) gates.push_back(gate);
-    }
-    const std::size_t declared_here = gates.size();
-    for (CaseGate& gate : generic_gates(study.plan.id, dim)) {
-      // A case may declare a generic gate itself, as one that is expected to fail.
-      const bool declared_already = std::any_of(gates.begin(), gates.begin() + static_cast<std::ptrdiff_t>(declared_here),
-                                                [&](const CaseGate& g) { return g.gate.id == gate.gate.id; });
-      if (!declared_already) gates.push_back(std::move(gate));
-    }
-    if (k >= own) generic_of_integrators += static_cast<int>(gates.size());
+    const std::vector<CaseGate> gates = gates_on(study, declared);
+    expected_here += static_cast<int>(gates.size());
+    if (k >= plans.own) of_integrators += static_cast<int>(gates.size());
     const std::vector<JudgedGate> judged = judge_gates(gates, study);
     folder.write_study(study, judged, provenance);
     verification.gates.insert(verification.gates.end(), judged.begin(), judged.end());
   }
   const GateCount count = entry.gate_count();
-  verification.declared += (tier == Tier::full ? count.full : count.quick) + generic_of_integrators;
+  const int of_case = tier == Tier::full ? count.full : count.quick;
+  verification.declared += selection.everything() ? of_case + of_integrators : expected_here;
   verification.entries.push_back(&entry);
 }
 

@@ -23,8 +23,15 @@ struct Verification {
   std::vector<const Case*> entries;
 };
 
-// All gates of one case in a tier; files go to `folder`. Adds to `verification`.
-void verify_case(const Case& entry, Tier tier, int threads, const ResultsFolder& folder, const Provenance& provenance,
+// What to verify of a case: everything, or the studies of some schemes and the generic gates of some integrators. Keys
+// that are set leave the generic gates alone to be judged: the declared numbers hold for the declared choices.
+struct Selection {
+  std::vector<std::string> schemes, integrators, settings;
+  bool everything() const { return schemes.empty() && integrators.empty() && settings.empty(); }
+};
+
+// All gates of one case in a tier; files go to `folder`. Adds to `verification`. Throws UsageError for unknown names.
+void verify_case(const Case& entry, Tier tier, const Selection& selection, int threads, const ResultsFolder& folder, const Provenance& provenance,
                  const Progress& progress, Verification& verification);
 
 // The plan a generic study of an integrator follows: the case's default scheme with it, at the coarsest default level.

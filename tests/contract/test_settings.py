@@ -8,9 +8,10 @@ def baseline():
 
 
 @pytest.mark.parametrize("scheme", ["default", "york1997"])
-@pytest.mark.parametrize("setting", ["gamma=1.6667", "gamma=1.2", "t_end=0.1", "t_end=0.18", "diaphragm=0.4", "diaphragm=0.55"])
+@pytest.mark.parametrize("setting", ["gamma=2", "gamma=1.1", "t_end=0.1", "t_end=0.18", "diaphragm=0.4", "diaphragm=0.55"])
 def test_sod_moves_with_its_reference(plumbline, baseline, scheme, setting):
-    # Were only one of the two moved, the error would be the change of the solution itself: at 200 cells at least four times as large.
+    # Were only one of the two moved, the error would be about the change of the exact solution, at least 0.0256 in this norm for
+    # these settings: less york1997's own error of 0.0066 at 200 cells still 2.8 times as much as that error.
     arguments = ["run", "sod", "--scheme", scheme, "--cells", 200]
     if scheme not in baseline:
         baseline[scheme] = plumbline(*arguments, json=True).json()["measures"]["density.L1"]["error"]

@@ -29,6 +29,10 @@ OUTSIDE = """(() => [...document.querySelectorAll('main *')].filter(element => {
   const box = element.getBoundingClientRect();
   return box.width && !element.closest('.scroll, pre, .equations, thead') && box.right > innerWidth + 1;
 }).map(element => element.tagName + ' ' + element.textContent.slice(0, 40)))()"""
+CUT_LABELS = """(() => [...document.querySelectorAll('.plot > svg text')].filter(text => {
+  const box = text.getBoundingClientRect(), drawing = text.closest('svg').getBoundingClientRect();
+  return box.width && (box.top < drawing.top - 4 || box.bottom > drawing.bottom + 4 || box.left < drawing.left - 4);
+}).map(text => text.textContent))()"""
 CROWDED_LABELS = """(() => [...document.querySelectorAll('.plot > svg')].flatMap(drawing => {
   const boxes = [...drawing.querySelectorAll('text')]
     .map(text => [text.textContent, text.getBoundingClientRect()]).filter(([, box]) => box.width);
@@ -70,6 +74,7 @@ def test_layout(browser, page, pictures, size, scheme):
     assert browser.evaluate("document.documentElement.scrollWidth") <= width
     assert browser.evaluate(OVERLAPS) == []
     assert browser.evaluate(CROWDED_LABELS) == []
+    assert browser.evaluate(CUT_LABELS) == []
     assert browser.messages == []
     target = pictures / f"report-{size}-{scheme}.png"
     browser.evaluate("scrollTo({top: 0, behavior: 'instant'})")

@@ -39,6 +39,7 @@ SETTINGS = {
     "viscosity.quadratic": 1.0,
     "gamma": 1.4,
 }
+LONG_LABELS = {"displacement": "displacement of the mass, positive downwards from where it was released"}
 SKETCH = """<svg viewBox="0 0 320 96" fill="none" stroke="currentColor" stroke-width="1.5">
 <rect x="10" y="20" width="300" height="40"/><line x1="160" y1="14" x2="160" y2="66" stroke-dasharray="4 3"/>
 <g fill="currentColor" stroke="none" font-size="12"><text x="28" y="44">ρ = 1, p = 1</text>
@@ -197,7 +198,7 @@ def write_run(folder, run, profile=None, kind="space"):
             write_columns(file, "profile", profile, abscissa=abscissa, kind=kind)
             for name, data in file["profile"].items():
                 data.attrs["unit"] = {"x": "m", "time": "s", "displacement": "m"}.get(name.split("_")[0], "1")
-                data.attrs["label"] = name.replace("_", " ")
+                data.attrs["label"] = LONG_LABELS.get(name, name.replace("_", " "))
 
 
 def write_study(folder, case, scheme, vary, levels, measures, catalog, **more):
@@ -491,10 +492,11 @@ def all_gates():
             "york1997",
             "stall",
             "density.L1 at 400 cells",
-            0.005,
-            0.0085,
+            None,
+            0.0025,
             "XFAIL",
             0.0064,
+            band={"low": 0.005, "high": 0.0085},
             origin="frozen",
             cause=cause,
         ),

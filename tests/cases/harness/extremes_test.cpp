@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 
@@ -22,9 +23,11 @@ struct History {
 History sample(const std::function<double(double)>& signal, double begin, double end,
                const std::function<double()>& step) {
   History history;
-  for (double t = begin; t < end; t += step()) {
+  double t = begin;
+  while (t < end) {
     history.times.push_back(t);
     history.values.push_back(signal(t));
+    t += step();
   }
   return history;
 }
@@ -82,8 +85,8 @@ TEST(Extremes, OfUnequalSteps) {
 
 TEST(Extremes, OfAParabolaAreExactForAnySteps) {
   const std::vector<double> times{1000, 1000.1, 1000.7, 1001.8, 1002.0};
-  std::vector<double> values;
-  for (double t : times) values.push_back(5 - 3 * (t - 1000.9) * (t - 1000.9));
+  std::vector<double> values = times;
+  for (double& value : values) value = 5 - 3 * (value - 1000.9) * (value - 1000.9);
   const auto extremes = find_extremes(times, values);
   ASSERT_EQ(extremes.size(), 1u);
   EXPECT_NEAR(extremes[0].time, 1000.9, 1e-12);  // some ulp of 1000
@@ -120,8 +123,8 @@ TEST(Extremes, OfACuspUnderNoiseAreItsSamples) {
     std::vector<double> values{0, 89.9, 100, 100, 96, 93.5, 92, 91.2, 90.7, 90.4, 90.2, 90.1};
     for (int i = 0; i < tail; ++i) values.push_back(90.1 - 0.001 * i);
     values.insert(values.end(), {89.9, 50});
-    std::vector<double> times;
-    for (std::size_t i = 0; i < values.size(); ++i) times.push_back(static_cast<double>(i));
+    std::vector<double> times(values.size());
+    std::iota(times.begin(), times.end(), 0.0);
     const auto extremes = find_extremes(times, values, 1);
     ASSERT_EQ(extremes.size(), 1u);
     EXPECT_EQ(extremes[0].time, 2.5);

@@ -31,7 +31,7 @@ Gate order_gate(Range expected) {
   return result;
 }
 
-Gate failing(Gate result, Range band, std::optional<StopBand> stops = {}) {
+Gate failing(Gate result, Range band, const std::optional<StopBand>& stops = {}) {
   result.expected_failure = ExpectedFailure{"points of unequal mass at the contact", band, stops, {}};
   return result;
 }

@@ -1,0 +1,35 @@
+#include "kernel/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace plumbline {
+namespace {
+
+std::vector<std::string> names(const std::vector<Choice>& choices) {
+  std::vector<std::string> all;
+  for (const Choice& choice : choices) {
+    EXPECT_FALSE(choice.title.empty());
+    EXPECT_FALSE(choice.source.empty());
+    all.push_back(choice.name);
+  }
+  return all;
+}
+
+TEST(Scene, NamesItsChoices) {
+  EXPECT_EQ(names(shapes()), (std::vector<std::string>{"linear", "quadratic", "cubic"}));
+  EXPECT_EQ(names(transfers()), (std::vector<std::string>{"pic", "flip", "apic"}));
+  EXPECT_EQ(names(densities()), (std::vector<std::string>{"cell", "quadratic", "continuity", "grid"}));
+}
+
+TEST(Scene, FindsDensityMethodsByName) {
+  EXPECT_EQ(density_method("cell"), DensityMethod::cell);
+  EXPECT_EQ(density_method("quadratic"), DensityMethod::quadratic);
+  EXPECT_EQ(density_method("continuity"), DensityMethod::continuity);
+  EXPECT_EQ(density_method("grid"), DensityMethod::grid);
+  EXPECT_THROW(density_method("grids"), std::out_of_range);
+}
+
+}  // namespace
+}  // namespace plumbline
