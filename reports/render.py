@@ -276,6 +276,7 @@ def main(arguments=None):
 
 def write_whole(path, page):
     """Under a temporary name first, so that a page is there whole or not at all."""
+    path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(f".{path.name}.{os.getpid()}")
     try:
         temporary.write_text(page, encoding="utf-8")

@@ -81,6 +81,7 @@ Json to_json(const JudgedGate& g) {
   gate["margin"] = optional_number(g.judgement.margin);
   gate["verdict"] = name(g.judgement.verdict);
   gate["cause"] = g.gate.expected_failure ? Json(g.gate.expected_failure->cause) : Json(nullptr);
+  gate["band"] = g.gate.expected_failure ? range(g.gate.expected_failure->band) : Json(nullptr);
   gate["note"] = g.judgement.note.empty() ? g.measured.note : g.judgement.note;
   gate["run_ids"] = g.run_ids;
   return gate;

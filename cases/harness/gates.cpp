@@ -16,6 +16,18 @@ Measured failed(std::string note) {
   return measured;
 }
 
+// What to say of a study whose run at some level stopped.
+std::optional<Measured> stopped_level(const StudyResult& study) {
+  for (const StudyLevel& at : study.levels) {
+    if (!at.run.stop) continue;
+    Measured measured;
+    measured.stopped = Measured::Stop{at.run.stop->step, at.run.stop->field};
+    measured.note = at.run.stop->reason;
+    return measured;
+  }
+  return std::nullopt;
+}
+
 // Calls read(run, measure) for the measure at a level; a stopped run or a missing level or measure says so.
 template <class Read>
 Measured at_level(const StudyResult& study, const std::string& measure, double level, Read&& read) {
@@ -40,7 +52,7 @@ Gate named(Gate gate, const std::string& quantity) {
 }  // namespace
 
 CaseGate error_gate(std::string study, const std::string& measure, double level, Gate gate, Tier tier) {
-  return {std::move(study), named(std::move(gate), measure), {level}, [=](const StudyResult& s) {
+  return {std::move(study), named(std::move(gate), fmt::format("{} at {}", measure, level)), {level}, [=](const StudyResult& s) {
             return at_level(s, measure, level, [](const RunResult&, const Measure& m) {
               Measured measured;
               measured.value = m.error;
@@ -52,7 +64,7 @@ CaseGate error_gate(std::string study, const std::string& measure, double level,
 }
 
 CaseGate value_gate(std::string study, const std::string& measure, double level, Gate gate, Tier tier) {
-  return {std::move(study), named(std::move(gate), measure + " (value)"), {level}, [=](const StudyResult& s) {
+  return {std::move(study), named(std::move(gate), fmt::format("value of {} at {}", measure, level)), {level}, [=](const StudyResult& s) {
             return at_level(s, measure, level, [&](const RunResult&, const Measure& m) {
               if (!m.value) return failed(measure + " has no value");
               Measured measured;
@@ -81,6 +93,7 @@ CaseGate ratio_gate(std::string study, const std::string& measure, double level,
 CaseGate order_gate(std::string study, const std::string& measure, Gate gate, Tier tier) {
   gate.order = true;
   return study_gate(std::move(study), named(std::move(gate), "order of " + measure), [=](const StudyResult& s) {
+    if (const auto stopped = stopped_level(s)) return *stopped;
     const OrderFit* fit = s.fit(measure);
     return fit ? measured_order(*fit) : failed("no fit of " + measure);
   }, {}, tier);
@@ -88,13 +101,11 @@ CaseGate order_gate(std::string study, const std::string& measure, Gate gate, Ti
 
 CaseGate fitted_order_gate(std::string study, const std::string& measure, Gate gate, Tier tier) {
   return study_gate(std::move(study), named(std::move(gate), "fitted order of " + measure), [=](const StudyResult& s) {
+    if (const auto stopped = stopped_level(s)) return *stopped;
     const OrderFit* fit = s.fit(measure);
     if (!fit || fit->invalid) return failed("no fit of " + measure);
-    Measured measured;
-    measured.value = fit->order;
-    measured.interval = {fit->low, fit->high};
+    Measured measured = measured_order(*fit);
     measured.inconclusive = !fit->usable;
-    measured.note = fit->reason;
     return measured;
   }, {}, tier);
 }
