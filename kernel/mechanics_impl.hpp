@@ -10,6 +10,7 @@
 #include "kernel/density/cell_density.hpp"
 #include "kernel/inadmissible.hpp"
 #include "kernel/mechanics.hpp"
+#include "kernel/points/components.hpp"
 #include "kernel/stencil.hpp"
 #include "kernel/summation.hpp"
 #include "kernel/transfers/transfers.hpp"
@@ -85,23 +86,11 @@ class Mechanics final : public Engine {
     for (int d = 0; d < dim; ++d) d2[d] = Shape::inertia(at.local[d][static_cast<std::size_t>(p)]) * grid_.h() * grid_.h();
     return d2;
   }
-  static Vec vector(const Columns& points, const ColumnId& id, int p) {
-    Vec v;
-    for (int d = 0; d < dim; ++d) v[d] = points(id, d)[p];
-    return v;
-  }
-  static Mat matrix(const Columns& points, const ColumnId& id, int p) {
-    Mat c;
-    for (int a = 0; a < dim; ++a) {
-      for (int b = 0; b < dim; ++b) c(a, b) = points(id, a * dim + b)[p];
-    }
-    return c;
-  }
-  static Strain strains(const Columns& points, const ColumnId& id, int p) {
-    Strain s;
-    for (int k = 0; k < Geometry::strains; ++k) s[k] = points(id, k)[p];
-    return s;
-  }
+  // Pointers to the components of a column, taken once per loop.
+  template <class Value>
+  using Reading = Components<Value, const double>;
+  template <class Value>
+  using Writing = Components<Value, double>;
   MaterialContext context() const { return {dim, grid_.h(), scene_.density == DensityMethod::continuity}; }
   const std::vector<Vec>& nodal(const Field& field, NodalVelocity which) const;
 
@@ -154,14 +143,15 @@ Mechanics<G, S, T>::Mechanics(Scene& scene, Ledger& ledger, bool keep_loss)
   std::vector<std::string> names;
   for (Body& body : scene.bodies) {
     const auto found = std::find(names.begin(), names.end(), body.field);
+    const bool first_of_field = found == names.end();
     Located at;
     at.field = static_cast<std::size_t>(found - names.begin());
-    if (found == names.end()) {
+    if (first_of_field) {
       names.push_back(body.field);
       fields_.emplace_back(grid_);
     }
     alone_.resize(fields_.size(), true);
-    if (found != names.end()) alone_[at.field] = false;
+    if (!first_of_field) alone_[at.field] = false;
     at.lowest.resize(static_cast<std::size_t>(body.points.points()));
     for (auto& local : at.local) local.resize(at.lowest.size());
     located_.push_back(std::move(at));
@@ -278,11 +268,13 @@ template <class G, class S, class T>
 template <bool with_mass>
 void Mechanics<G, S, T>::scatter_momentum(const Body& body, const Located& at, Field& field) const {
   const double* mass = body.points(column::mass);
+  const Reading<Vec> velocity(body.points, column::velocity);
+  const Reading<Mat> affine(body.points, column::affine, T::affine);
   for (int p = 0; p < body.points.points(); ++p) {
     const double m = mass[p];
-    const Vec v = vector(body.points, column::velocity, p);
+    const Vec v = velocity[p];
     Mat c;
-    if constexpr (T::affine) c = matrix(body.points, column::affine, p);
+    if constexpr (T::affine) c = affine[p];
     stencil(at, p).for_nodes([&](std::size_t i, double n, const Vec&, const Vec& r, const Vec&) {
       if constexpr (with_mass) field.mass[i] += n * m;
       if constexpr (T::affine) {
@@ -341,10 +333,12 @@ template <class G, class S, class T>
 double Mechanics<G, S, T>::book_map_loss(Body& body, const Located& at, const Field& field) const {
   const double* mass = body.points(column::mass);
   double* loss = body.points.has(column::transfer_loss) ? body.points(column::transfer_loss) : nullptr;
+  const Reading<Vec> velocity(body.points, column::velocity);
+  const Reading<Mat> affine(body.points, column::affine, T::affine);
   return block_sum<double>(body.points.points(), [&](int p) {
-    const Vec v = vector(body.points, column::velocity, p);
+    const Vec v = velocity[p];
     Mat c = Mat::Zero();
-    if constexpr (T::affine) c = matrix(body.points, column::affine, p);
+    if constexpr (T::affine) c = affine[p];
     double lost = 0;
     stencil(at, p).for_nodes([&](std::size_t i, double n, const Vec&, const Vec& r, const Vec&) {
       lost += n * (v + c * r - field.start[i]).squaredNorm();
@@ -377,8 +371,9 @@ void Mechanics<G, S, T>::map_forces() {
     const Body& body = scene_.bodies[b];
     Field& field = fields_[located_[b].field];
     const double* volume = body.points(column::volume);
+    const Reading<Strain> stress(body.points, column::stress);
     for (int p = 0; p < body.points.points(); ++p) {
-      const Strain s = volume[p] * strains(body.points, column::stress, p);
+      const Strain s = volume[p] * stress[p];
       stencil(located_[b], p).for_nodes([&](std::size_t i, double, const Vec& g, const Vec&, const Vec&) {
         field.force[i] -= G::force(s, g);  // [York 3.17] [EC-APIC 4]
       });
@@ -438,9 +433,8 @@ void Mechanics<G, S, T>::advance_momentum(double dt) {
 template <class G, class S, class T>
 double Mechanics<G, S, T>::stress_power(const Body& body, double dt) const {
   const double* volume = body.points(column::volume);
-  return block_sum<double>(body.points.points(), [&](int p) {
-    return dt * volume[p] * strains(body.points, column::stress, p).dot(strains(body.points, column::strain_rate, p));
-  });
+  const Reading<Strain> stress(body.points, column::stress), rate(body.points, column::strain_rate);
+  return block_sum<double>(body.points.points(), [&](int p) { return dt * volume[p] * stress[p].dot(rate[p]); });
 }
 
 // --- grid to points -------------------------------------------------------------------------------------------------
@@ -451,6 +445,8 @@ auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Fiel
   const double* mass = points(column::mass);
   double* loss = points.has(column::transfer_loss) ? points(column::transfer_loss) : nullptr;
   const double h = grid_.h();
+  Writing<Vec> velocity(points, column::velocity), position(points, column::position);
+  Writing<Mat> affine_part(points, column::affine, T::affine);
   return block_sum<MotionSums>(points.points(), [&](int p) {
     Vec v = Vec::Zero(), a = Vec::Zero();  // sum N v~, sum N (v~ - v)
     Mat c = Mat::Zero();
@@ -475,25 +471,21 @@ auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Fiel
     Vec v_new = v;
     double kept = v.squaredNorm();
     if constexpr (T::increments) {
-      v_new = vector(points, column::velocity, p) + a;  // [York 3.22]
+      v_new = velocity[p] + a;  // [York 3.22]
       kept = a.squaredNorm();
     }
     if constexpr (T::affine) {
       const Vec d2 = inertia(at, p);
       for (int k = 0; k < dim; ++k) kept += d2[k] * c.col(k).squaredNorm();
-      for (int i = 0; i < dim; ++i) {
-        for (int j = 0; j < dim; ++j) points(column::affine, i * dim + j)[p] = c(i, j);
-      }
+      affine_part.set(p, c);
     }
-    for (int d = 0; d < dim; ++d) {
-      points(column::velocity, d)[p] = v_new[d];
-      const double step = dt * v[d];
-      points(column::position, d)[p] += step;  // [York 3.21]
-      if (!(std::abs(step) <= h)) {
-        throw InadmissibleState("a point moved more than one cell in a step", body.name,
-                                body.id[static_cast<std::size_t>(p)], column::velocity.name(), v[d]);
-      }
+    const Vec step = dt * v;
+    if (!(step.cwiseAbs().maxCoeff() <= h)) {
+      throw InadmissibleState("a point moved more than one cell in a step", body.name,
+                              body.id[static_cast<std::size_t>(p)], column::velocity.name(), v.cwiseAbs().maxCoeff());
     }
+    velocity.set(p, v_new);
+    position.set(p, position[p] + step);  // [York 3.21]
     MotionSums sums;
     sums.lost = 0.5 * mass[p] * (square - kept);  // [EC-APIC 5]
     if (loss) loss[p] += sums.lost;
@@ -554,13 +546,13 @@ void Mechanics<G, S, T>::find_strain_rates(NodalVelocity which) {
   for (std::size_t b = 0; b < located_.size(); ++b) {
     Columns& points = scene_.bodies[b].points;
     const std::vector<Vec>& velocity = nodal(fields_[located_[b].field], which);
+    Writing<Strain> rates(points, column::strain_rate);
     for (int p = 0; p < points.points(); ++p) {
       Mat gradient = Mat::Zero();
       stencil(located_[b], p).for_nodes([&](std::size_t i, double, const Vec& g, const Vec&, const Vec&) {
         gradient += velocity[i] * g.transpose();
       });
-      const Strain rate = G::strain(gradient);  // [York 3.23]
-      for (int k = 0; k < G::strains; ++k) points(column::strain_rate, k)[p] = rate[k];
+      rates.set(p, G::strain(gradient));  // [York 3.23]
     }
   }
   rate_of_ = which;
@@ -697,12 +689,14 @@ Totals Mechanics<G, S, T>::body_totals(const Body& body, const Located& at) cons
     Sums operator+(const Sums& o) const { return Sums(*this) += o; }
   };
   const double* mass = body.points(column::mass);
+  const Reading<Vec> velocity(body.points, column::velocity), position(body.points, column::position);
+  const Reading<Mat> affine(body.points, column::affine, T::affine);
   const Sums sums = block_sum<Sums>(body.points.points(), [&](int p) {
     const double m = mass[p];
-    const Vec v = vector(body.points, column::velocity, p);
+    const Vec v = velocity[p];
     double square = v.squaredNorm(), spin = 0;
     if constexpr (T::affine) {
-      const Mat c = matrix(body.points, column::affine, p);
+      const Mat c = affine[p];
       const Vec d2 = inertia(at, p);
       for (int k = 0; k < dim; ++k) square += d2[k] * c.col(k).squaredNorm();
       if constexpr (dim == 2) spin = d2[0] * c(1, 0) - d2[1] * c(0, 1);
@@ -713,7 +707,7 @@ Totals Mechanics<G, S, T>::body_totals(const Body& body, const Located& at) cons
     one.momentum = m * v;
     one.speed = m * v.norm();
     if constexpr (dim == 2) {
-      const Vec x = vector(body.points, column::position, p);
+      const Vec x = position[p];
       one.angular = m * (cross<dim>(x, v) + spin);
       one.angular_scale = x.norm() * one.speed;
     }

@@ -84,6 +84,7 @@ class NaiveStep {
     if (integrator == "usavg") strain(dt / 2, Of::again);
     if (integrator == "energy") {
       strain(dt, Of::middle);
+      if (membrane_) return;
       for (NaivePoint& point : points) point.energy += point.loss / point.m;  // [EC-APIC 6]
       transfer = transfer_before;
       return;

@@ -1,0 +1,200 @@
+#include "kernel/materials/uniaxial_membrane.hpp"
+
+#include <numbers>
+
+#include "tests/kernel/scenes.hpp"
+
+namespace plumbline {
+namespace {
+
+constexpr double rounding = 4e-15;
+constexpr double pi = std::numbers::pi;
+constexpr MaterialContext on_line{1, 0.1, false}, in_plane{2, 0.1, false};
+
+UniaxialMembrane law(bool one_way = true, bool closed = false) {
+  UniaxialMembrane membrane;
+  membrane.youngs_modulus = 100;
+  membrane.density = 4;
+  membrane.one_way = one_way;
+  membrane.closed = closed;
+  return membrane;
+}
+
+Columns chain(const UniaxialMembrane& membrane, const std::vector<scenes::Place>& places, int dim = 2) {
+  return scenes::membrane_body(membrane, dim, places, 0.5).points;
+}
+
+double angle(const Columns& points, int p) {
+  return std::atan2(points(column::tangent, 1)[p], points(column::tangent, 0)[p]);
+}
+
+// [York 5.5] sigma = E eps in tension; [York 5.3] the total strain is what is carried.
+TEST(UniaxialMembrane, CarriesTotalStrainOnALine) {
+  const UniaxialMembrane membrane = law();
+  Columns points = chain(membrane, {{0, 0}}, 1);
+  points(column::strain)[0] = 0.01;
+  points(column::strain_rate)[0] = 2;
+  const double stored = membrane.advance(points, on_line, 0.01);
+  EXPECT_NEAR(points(column::strain)[0], 0.03, rounding);
+  EXPECT_NEAR(stored, 0.5 * (50 * 0.0009 - 50 * 0.0001), rounding);
+  membrane.evaluate_stress(points, on_line);
+  EXPECT_NEAR(points(column::stress)[0], 3, rounding);
+  EXPECT_EQ(membrane.rates(points, on_line)[0], 2);
+}
+
+// The one-way law: no stress while the strain is negative, but it goes on accumulating, and all of it must be undone
+// before the membrane pulls again. [York 5.2, 5.3, 5.5]
+TEST(UniaxialMembrane, NegativeStrainAccumulatesWithoutStress) {
+  const UniaxialMembrane membrane = law();
+  Columns points = chain(membrane, {{0, 0}}, 1);
+  points(column::strain_rate)[0] = -1;
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(membrane.advance(points, on_line, 0.1), 0);
+  membrane.evaluate_stress(points, on_line);
+  EXPECT_NEAR(points(column::strain)[0], -0.3, rounding);
+  EXPECT_EQ(points(column::stress)[0], 0);
+  EXPECT_EQ(membrane.stored_energy(points), 0);
+  points(column::strain_rate)[0] = 1;
+  membrane.advance(points, on_line, 0.2);
+  membrane.evaluate_stress(points, on_line);
+  EXPECT_EQ(points(column::stress)[0], 0);  // still slack
+  membrane.advance(points, on_line, 0.2);
+  membrane.evaluate_stress(points, on_line);
+  EXPECT_NEAR(points(column::stress)[0], 10, 1e-13);
+}
+
+TEST(UniaxialMembrane, TwoWayLawPushes) {
+  const UniaxialMembrane membrane = law(false);
+  Columns points = chain(membrane, {{0, 0}}, 1);
+  points(column::strain)[0] = -0.1;
+  membrane.evaluate_stress(points, on_line);
+  EXPECT_NEAR(points(column::stress)[0], -10, rounding);
+  EXPECT_NEAR(membrane.stored_energy(points), 0.5 * 0.5 * 100 * 0.01, rounding);
+}
+
+// W = E eps^2 / 2, whose derivative is the stress of [York 5.5].
+TEST(UniaxialMembrane, EnergyDensity) {
+  EXPECT_NEAR(law().energy_density(0.2), 2, rounding);
+  EXPECT_EQ(law().energy_density(-0.2), 0);
+  EXPECT_NEAR(law(false).energy_density(-0.2), 2, rounding);
+  const double d = 1e-6;  // central difference of a parabola: exact up to rounding 1e-16 / d
+  EXPECT_NEAR((law().energy_density(0.2 + d) - law().energy_density(0.2 - d)) / (2 * d), 20, 1e-8);
+}
+
+// [York 5.2] t . e . t for e = (2, 5, 2 e_xy = 4) and t at 30 degrees: 2 cos^2 + 5 sin^2 + 4 sin cos.
+TEST(UniaxialMembrane, StrainRateAlongTheTangent) {
+  const UniaxialMembrane membrane = law();
+  const double c = std::cos(pi / 6), s = std::sin(pi / 6);
+  Columns points = chain(membrane, {{0, 0}, {c, s}, {2 * c, 2 * s}});
+  membrane.evaluate_stress(points, in_plane);
+  for (int p = 0; p < 3; ++p) {
+    points(column::strain_rate, 0)[p] = 2;
+    points(column::strain_rate, 1)[p] = 5;
+    points(column::strain_rate, 2)[p] = 4;
+  }
+  const double along = 2 * c * c + 5 * s * s + 4 * s * c;
+  EXPECT_NEAR(membrane.rates(points, in_plane)[1], along, rounding);
+  membrane.advance(points, in_plane, 0.1);
+  EXPECT_NEAR(points(column::strain)[1], 0.1 * along, rounding);
+}
+
+// [York 5.5] sigma = s t t^T, in the grid's frame.
+TEST(UniaxialMembrane, StressPointsAlongTheTangent) {
+  const UniaxialMembrane membrane = law();
+  const double c = std::cos(0.7), s = std::sin(0.7);
+  Columns points = chain(membrane, {{0, 0}, {c, s}});
+  for (int p = 0; p < 2; ++p) points(column::strain)[p] = 0.03;
+  membrane.evaluate_stress(points, in_plane);
+  EXPECT_NEAR(points(column::stress, 0)[1], 3 * c * c, rounding);
+  EXPECT_NEAR(points(column::stress, 1)[1], 3 * s * s, rounding);
+  EXPECT_NEAR(points(column::stress, 2)[1], 3 * s * c, rounding);
+}
+
+// [York 7.1] the mean of the two adjoining angles; at the ends of an open chain the one segment's.
+TEST(UniaxialMembrane, TangentsOfAnOpenChain) {
+  const UniaxialMembrane membrane = law();
+  Columns points = chain(membrane, {{0, 0}, {2, 0}, {2, 1}, {1, 2}});  // lengths must not weigh: angles 0, 90, 135
+  membrane.evaluate_stress(points, in_plane);
+  EXPECT_NEAR(angle(points, 0), 0, rounding);
+  EXPECT_NEAR(angle(points, 1), pi / 4, rounding);
+  EXPECT_NEAR(angle(points, 2), pi * 112.5 / 180, rounding);
+  EXPECT_NEAR(angle(points, 3), pi * 0.75, rounding);
+}
+
+// [York 7.1] on a closed chain every point has two neighbours; a regular polygon's tangents are those of its circle,
+// also across the branch cut of the angle.
+TEST(UniaxialMembrane, TangentsOfAClosedChain) {
+  const UniaxialMembrane membrane = law(true, true);
+  std::vector<scenes::Place> ring;
+  const int n = 12;
+  for (int k = 0; k < n; ++k) ring.push_back({std::cos(2 * pi * k / n), std::sin(2 * pi * k / n)});
+  Columns points = chain(membrane, ring);
+  membrane.evaluate_stress(points, in_plane);
+  for (int k = 0; k < n; ++k) {
+    EXPECT_NEAR(points(column::tangent, 0)[k], -ring[static_cast<std::size_t>(k)][1], rounding);
+    EXPECT_NEAR(points(column::tangent, 1)[k], ring[static_cast<std::size_t>(k)][0], rounding);
+  }
+}
+
+// The total strain is carried along the turning tangent: a rotated chain has the rotated stress. [York 5.3, 5.5]
+TEST(UniaxialMembrane, StressRotatesWithTheChain) {
+  const UniaxialMembrane membrane = law();
+  Columns points = chain(membrane, {{0, 0}, {1, 0}, {2, 0}});
+  for (int p = 0; p < 3; ++p) points(column::strain)[p] = 0.05;
+  membrane.evaluate_stress(points, in_plane);
+  EXPECT_NEAR(points(column::stress, 0)[1], 5, rounding);
+  for (int p = 0; p < 3; ++p) {
+    points(column::position, 0)[p] = -p * std::sin(0.4);
+    points(column::position, 1)[p] = p * std::cos(0.4);
+  }
+  membrane.evaluate_stress(points, in_plane);
+  EXPECT_NEAR(points(column::stress, 0)[1], 5 * std::pow(std::sin(0.4), 2), rounding);
+  EXPECT_NEAR(points(column::stress, 1)[1], 5 * std::pow(std::cos(0.4), 2), rounding);
+  EXPECT_NEAR(points(column::stress, 2)[1], -5 * std::sin(0.4) * std::cos(0.4), rounding);
+}
+
+// A spinning ring's velocity is v0 + omega x r at every node, so no point strains, to rounding: 1e-13 of omega. [York 5.2]
+TEST(UniaxialMembrane, RigidRotationStrainsNothing) {
+  const double omega = 3;
+  std::vector<scenes::Place> ring;
+  for (int k = 0; k < 24; ++k) ring.push_back({0.5 + 0.2 * std::cos(pi * k / 12), 0.5 + 0.2 * std::sin(pi * k / 12)});
+  for (const Choice& shape : shapes()) {
+    Scene scene = scenes::scene_of(
+        scenes::plane(10, 10, 0.1),
+        {scenes::membrane_body(law(true, true), 2, ring, 1e-3,
+                               [&](const scenes::Place& x) { return scenes::Place{1 - omega * x[1], 2 + omega * x[0]}; })},
+        shape.name, "apic");
+    Ledger ledger;
+    const auto engine = make_engine(scene, ledger, false);
+    Columns& points = scene.bodies[0].points;
+    for (int p = 0; p < points.points(); ++p) {
+      points(column::affine, 1)[p] = -omega;
+      points(column::affine, 2)[p] = omega;
+    }
+    engine->initialise();
+    engine->locate_points();
+    engine->map_mass_and_momentum();
+    engine->strain_points(0.1, NodalVelocity::start);
+    for (int p = 0; p < points.points(); ++p) EXPECT_NEAR(points(column::strain)[p], 0, 1e-13 * omega) << shape.name;
+  }
+}
+
+TEST(UniaxialMembrane, StepBounds) {
+  const UniaxialMembrane membrane = law();
+  Columns points = chain(membrane, {{0, 0}, {1, 0}});
+  points(column::velocity, 0)[1] = 3;
+  points(column::velocity, 1)[1] = 4;
+  EXPECT_NEAR(membrane.step_bounds(points, 2).fastest, 5 + 5, rounding);  // sqrt(100 / 4) and |v|
+  EXPECT_EQ(membrane.step_bounds(points, 2).diffusivity, 0);
+}
+
+TEST(UniaxialMembrane, NamesTheFirstFault) {
+  const UniaxialMembrane membrane = law();
+  Columns points = chain(membrane, {{0, 0}, {1, 0}});
+  EXPECT_EQ(membrane.first_fault(points).point, -1);
+  points(column::strain)[1] = std::nan("");
+  EXPECT_EQ(membrane.first_fault(points).point, 1);
+  EXPECT_EQ(membrane.first_fault(points).field, "strain");
+}
+
+}  // namespace
+}  // namespace plumbline
