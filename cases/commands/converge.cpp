@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "cases/commands/command.hpp"
 
 namespace plumbline {
@@ -45,25 +47,43 @@ ChosenPlan plan_for(const Case& entry, const SchemeChoice& choice, Vary vary, co
   return {std::move(plan), false};
 }
 
-void print(const Output& out, const StudyResult& study, const std::vector<JudgedGate>& gates, bool declared) {
-  out.line("{} under {}: {}. {}", study.entry->name(), study.scheme, study.plan.title, study.plan.why);
-  for (const StudyLevel& at : study.levels) {
-    std::string errors;
-    for (const Measure& m : at.run.measures) {
-      const bool minor = m.name.size() > 3 && (m.name.ends_with(".L2") || m.name.ends_with(".Linf"));
-      if (!minor) errors += fmt::format("  {} {:.4g}", m.name, m.error);
-    }
-    out.line("  {:>8.5g}  h {:.4g}  steps {:6}  {:.3g} s{}{}", at.value, at.h, at.run.steps, at.run.wall_s, errors,
-             at.run.stop ? "  STOPPED" : "");
+// The measures a person reads first: no L2, no Linf.
+std::vector<std::string> leading_measures(const StudyResult& study) {
+  std::vector<std::string> names;
+  for (const Measure& m : study.levels.front().run.measures) {
+    if (!m.name.ends_with(".L2") && !m.name.ends_with(".Linf")) names.push_back(m.name);
   }
-  for (const auto& [measure, fit] : study.fits) {
-    if (measure.ends_with(".L2") || measure.ends_with(".Linf")) continue;
-    out.line("  order of {:16} {:.3f} [{:.3f}, {:.3f}]  constant {:.3g}  {}{}", measure, fit.order, fit.low, fit.high, fit.constant,
-             fit.asymptotic ? "asymptotic" : "not asymptotic", fit.reason.empty() ? "" : " (" + fit.reason + ")");
+  return names;
+}
+
+void print_levels(const Output& out, const StudyResult& study, const std::vector<std::string>& measures) {
+  std::string header = fmt::format("{:>8} {:>10} {:>8} {:>9}", name(study.plan.vary), "h", "steps", "time/s");
+  for (const std::string& measure : measures) header += fmt::format(" {:>15}", measure);
+  out.line("{}", header);
+  for (const StudyLevel& at : study.levels) {
+    std::string row = fmt::format("{:>8.5g} {:>10.5g} {:>8} {:>9.3g}", at.value, at.h, at.run.steps, at.run.wall_s);
+    for (const std::string& measure : measures) {
+      const Measure* m = at.run.find(measure);
+      row += fmt::format(" {:>15}", m ? fmt::format("{:.4g}", m->error) : "-");
+    }
+    out.line("{}{}", row, at.run.stop ? "  STOPPED: " + at.run.stop->reason : "");
+  }
+}
+
+void print(const Output& out, const StudyResult& study, const std::vector<JudgedGate>& gates, bool declared) {
+  out.line("{} under {}: {}. {}\nErrors against the reference:", study.entry->name(), study.scheme, study.plan.title, study.plan.why);
+  const std::vector<std::string> measures = leading_measures(study);
+  print_levels(out, study, measures);
+  out.line("{:>24} {:>8} {:>20} {:>10}", "order of", "fit", "95 % interval", "constant");
+  for (const std::string& measure : measures) {
+    const OrderFit* fit = study.fit(measure);
+    if (!fit) continue;
+    out.line("{:>24} {:>8.3f} {:>20} {:>10.3g}  {}{}", measure, fit->order, fmt::format("{:.3f} ... {:.3f}", fit->low, fit->high),
+             fit->constant, fit->asymptotic ? "asymptotic" : "not asymptotic", fit->reason.empty() ? "" : ": " + fit->reason);
   }
   double drift = 0;
   for (const StudyLevel& at : study.levels) drift = std::max(drift, at.run.ledger.energy.relative_drift(false));
-  out.line("  largest relative drift of energy {:.1e}; expectation: {}", drift, declared ? "declared" : "none");
+  out.line("Largest relative drift of energy {:.1e}; expectation: {}", drift, declared ? "declared" : "none");
   out.gates(gates);
 }
 

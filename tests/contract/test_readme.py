@@ -1,0 +1,30 @@
+"""README's figures are what its own command prints (times apart)."""
+
+import os
+import pathlib
+import re
+import subprocess
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PLUMBLINE = os.environ["PLUMBLINE"]
+
+
+def test_the_table_is_what_the_command_prints(tmp_path):
+    lines = (ROOT / "README.md").read_text(encoding="utf-8").splitlines()
+    start = next(k for k, line in enumerate(lines) if line.startswith("$ build/release/bin/plumbline converge sod"))
+    shown = []
+    for line in lines[start + 1 :]:
+        if line.startswith("```"):
+            break
+        shown.append(line)
+    arguments = lines[start].split()[2:]
+    process = subprocess.run([PLUMBLINE, *arguments, "--results", str(tmp_path)], capture_output=True, text=True, check=True)
+    printed = process.stdout.splitlines()[: len(shown)]
+    assert [_without_time(line) for line in shown] == [_without_time(line) for line in printed]
+
+
+def _without_time(line):
+    words = line.split()
+    if len(words) > 4 and re.fullmatch(r"\d+", words[0]):
+        words[3] = "time"
+    return words
