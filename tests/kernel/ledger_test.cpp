@@ -1,8 +1,9 @@
 #include "kernel/ledger.hpp"
 
-#include <gtest/gtest.h>
-
+#include <algorithm>
 #include <limits>
+
+#include "tests/kernel/scenes.hpp"
 
 namespace plumbline {
 namespace {
@@ -81,6 +82,150 @@ TEST(Ledger, NamesItsFlowsInTheirOrder) {
   EXPECT_EQ(flow_names[static_cast<std::size_t>(Flow::constitutive)], "constitutive");
   EXPECT_EQ(flow_names[static_cast<std::size_t>(Flow::integration)], "integration");
   EXPECT_EQ(flow_names[static_cast<std::size_t>(Flow::released)], "released");
+}
+
+// --- whole runs -----------------------------------------------------------------------------------------------------
+
+// Chains under gravity: on a line from a wall, in the plane from a corner of two, some of it slack at first.
+Scene hanging_chain(int dim, const std::string& shape, const std::string& transfer) {
+  UniaxialMembrane law;
+  law.youngs_modulus = 2;
+  law.density = 1;
+  std::vector<scenes::Place> places;
+  for (int k = 0; k < 10; ++k) places.push_back({0.02 + 0.04 * k, dim == 1 ? 0 : 0.62 - 0.02 * k + 0.03 * std::sin(1.0 * k)});
+  const auto sides = scenes::walls(Wall::no_slip, Wall::free, Wall::free, Wall::symmetry);
+  const GridSpec grid = dim == 1 ? scenes::line(8, 0.1, sides) : scenes::plane(8, 7, 0.1, sides);
+  Body body = scenes::membrane_body(law, dim, places, 0.01, [](const scenes::Place& x) {
+    return scenes::Place{0.2 * std::sin(20 * x[0]), 0.2 * std::cos(9 * x[0])};
+  });
+  for (int k = 0; k < 10; ++k) body.points(column::strain)[k] = 0.05 * std::cos(2.0 * k);
+  return scenes::scene_of(grid, {std::move(body)}, shape, transfer, {1, -2});
+}
+
+// A gas and a chain through it, moving with one velocity field.
+Scene gas_and_chain(int dim, const std::string& shape, const std::string& transfer) {
+  Scene scene = scenes::rough_gas(dim, shape, transfer);
+  scene.bodies.push_back(hanging_chain(dim, shape, transfer).bodies[0]);
+  return scene;
+}
+
+// Every identity closes step by step. Ten steps of sums of some hundred terms: 1e-13 leaves room for a hundred roundings
+// of the scale.
+TEST(LedgerOfARun, ClosesForEveryCombination) {
+  for (const scenes::Combination& c : scenes::working_combinations()) {
+    for (int dim : {1, 2}) {
+      for (Scene (*make)(int, const std::string&, const std::string&) : {&hanging_chain, &gas_and_chain}) {
+        SCOPED_TRACE(testing::Message() << dim << "-D, " << c);
+        Simulation run(make(dim, c.shape, c.transfer), c.integrator, {0.2, {}});
+        for (int k = 0; k < 10; ++k) {
+          run.step(1);
+          scenes::expect_ledger_closes(run.ledger(), 1e-13);
+        }
+      }
+    }
+  }
+}
+
+TEST(LedgerOfARun, ClosesForEveryDensityAndWall) {
+  for (DensityMethod method : {DensityMethod::cell, DensityMethod::quadratic, DensityMethod::continuity, DensityMethod::grid}) {
+    for (Wall kind : {Wall::free, Wall::symmetry, Wall::no_slip}) {
+      for (const char* integrator : {"usf", "musl", "usavg"}) {
+        Scene scene = gas_and_chain(2, "cubic", "apic");
+        scene.density = method;
+        scene.grid.walls[1] = {kind, Wall::free};
+        scene.gravity = {1, 3};
+        Simulation run(scene, integrator, {0.2, {}});
+        for (int k = 0; k < 10; ++k) run.step(1);
+        scenes::expect_ledger_closes(run.ledger(), 1e-13);
+      }
+    }
+  }
+}
+
+double residual_without(const Account& account, Flow dropped) {
+  double flows = 0;
+  for (int f = 0; f < flow_count; ++f) flows += static_cast<Flow>(f) == dropped ? 0 : account.flow(static_cast<Flow>(f));
+  return account.store() - account.initial() - flows;
+}
+
+// The identity closes because every entry is there: without any one of those named, it is open by far more than rounding.
+// No entry but those named is booked at all.
+void expect_every_flow_matters(const Account& account, const std::vector<Flow>& active, double scale) {
+  for (int f = 0; f < flow_count; ++f) {
+    const Flow flow = static_cast<Flow>(f);
+    SCOPED_TRACE(flow_names[static_cast<std::size_t>(f)]);
+    if (std::find(active.begin(), active.end(), flow) == active.end()) {
+      EXPECT_EQ(account.flow(flow), 0);
+    } else {
+      EXPECT_LE(std::abs(account.residual()), 1e-13 * scale);
+      EXPECT_GE(std::abs(residual_without(account, flow)), 1e-8 * scale);
+    }
+  }
+}
+
+TEST(LedgerOfARun, DroppingAnyEntryShows) {
+  for (const char* transfer : {"pic", "flip", "apic"}) {
+    SCOPED_TRACE(transfer);
+    Simulation run(gas_and_chain(2, "quadratic", transfer), "usavg", {0.2, {}});
+    for (int k = 0; k < 5; ++k) run.step(1);
+    const Ledger& ledger = run.ledger();
+    const bool flip = transfer == std::string("flip"), apic = transfer == std::string("apic");
+    expect_every_flow_matters(ledger.energy, {Flow::body_force, Flow::transfer, Flow::constitutive, Flow::integration},
+                              ledger.energy.scale());
+    for (const Account& momentum : ledger.momentum) {
+      expect_every_flow_matters(momentum, {Flow::walls, Flow::body_force}, momentum.scale() + momentum.booked());
+    }
+    std::vector<Flow> angular{Flow::walls, Flow::body_force};
+    if (!apic) angular.push_back(Flow::transfer);     // APIC's C keeps it
+    if (flip) angular.push_back(Flow::integration);   // only FLIP moves points with another velocity than their own
+    expect_every_flow_matters(ledger.angular_momentum, angular, ledger.angular_momentum.scale() + ledger.angular_momentum.booked());
+    expect_every_flow_matters(ledger.mass, {}, ledger.mass.scale());
+  }
+}
+
+// The inertia of linear shapes changes with the point's place in its cell: the affine motion's energy and spin with it.
+TEST(LedgerOfARun, DroppingTheMovingInertiaShows) {
+  Simulation run(scenes::rough_gas(2, "linear", "apic"), "musl", {0.2, {}});
+  for (int k = 0; k < 5; ++k) run.step(1);
+  const Ledger& ledger = run.ledger();
+  expect_every_flow_matters(ledger.energy, {Flow::body_force, Flow::transfer, Flow::constitutive, Flow::integration},
+                            ledger.energy.scale());
+  expect_every_flow_matters(ledger.angular_momentum, {Flow::walls, Flow::body_force, Flow::transfer}, ledger.angular_momentum.scale());
+}
+
+// A body that falls freely: m g t of momentum, and the kinetic energy of its height, both of body force.  [York 3.18]
+TEST(LedgerOfARun, BodyForceIsWeightTimesTime) {
+  for (const Choice& transfer : transfers()) {
+    Scene scene = scenes::rough_gas(2, "quadratic", transfer.name, {3, -9});
+    scene.grid.walls = scenes::walls_everywhere(Wall::free);
+    Simulation run(scene, "musl", {0.2, 0.002});
+    for (int k = 0; k < 10; ++k) run.step(1);
+    const double mass = run.ledger().mass.initial();
+    EXPECT_NEAR(run.ledger().momentum[0].flow(Flow::body_force), mass * 3 * 0.02, 1e-15);
+    EXPECT_NEAR(run.ledger().momentum[1].flow(Flow::body_force), mass * -9 * 0.02, 1e-15);
+    EXPECT_NEAR(run.ledger().momentum[0].flow(Flow::walls), 0, 0);
+  }
+}
+
+// What gravity does is dt b . P at mid-step: for APIC and PIC, whose points move with the grid, that is m b . (x' - x) of the
+// centre of mass less its last half step, exactly, when nothing but gravity acts.
+TEST(LedgerOfARun, BodyForceWorksOverTheWay) {
+  Scene scene = scenes::rough_gas(2, "quadratic", "apic", {3, -9});
+  scene.grid.walls = scenes::walls_everywhere(Wall::free);
+  const double dt = 0.002;
+  const int steps = 10;
+  const Scene start = scene;
+  Simulation run(scene, "musl", {0.2, dt});
+  for (int k = 0; k < steps; ++k) run.step(1);
+  double fall = 0;
+  for (int d = 0; d < 2; ++d) {
+    const auto m = scenes::by_id(start.bodies[0], column::mass), x0 = scenes::by_id(start.bodies[0], column::position, d),
+               x1 = scenes::by_id(run.scene().bodies[0], column::position, d);
+    for (std::size_t p = 0; p < m.size(); ++p) fall += m[p] * start.gravity[d] * (x1[p] - x0[p]);
+  }
+  // Points move with the velocity at the end of the step, the work is that of its middle: dt^2 g^2 / 2 less, each step.
+  const double expected = fall - steps * run.ledger().mass.initial() * dt * dt * (9 + 81) / 2;
+  EXPECT_NEAR(run.ledger().energy.flow(Flow::body_force), expected, 1e-14);
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ struct NaivePoint {
 };
 
 struct NaiveNode {
-  Eigen::Vector2d x, momentum, force, start, end, middle, again;
+  Eigen::Vector2d x = Eigen::Vector2d::Zero(), momentum = x, force = x;
+  Eigen::Vector2d start = x, end = x, middle = x, again = x;
   double m = 0;
 };
 

@@ -1,0 +1,150 @@
+// Beside the stages of the material point method, an integrator may ask for the state and its rate and combine states.
+#include "kernel/stages.hpp"
+
+#include <stdexcept>
+
+#include "tests/kernel/scenes.hpp"
+
+namespace plumbline {
+namespace {
+
+class MethodOfLines : public TimeIntegrator {
+ public:
+  std::string refusal(const std::string&, const std::string& transfer) const override {
+    return transfer == "flip" ? "" : "rates of change want the transfer flip";
+  }
+};
+
+class Heun final : public MethodOfLines {
+  void step(Stages& mpm, double dt) override {
+    const State y = mpm.state(), k1 = mpm.rate();
+    mpm.set_state(y + dt * k1);
+    const State k2 = mpm.rate();
+    mpm.set_state(y + dt / 2 * (k1 + k2));
+  }
+};
+PLUMBLINE_INTEGRATOR(Heun, "test_heun", "Runge-Kutta of order two", "Heun 1900");
+
+class RungeKutta4 final : public MethodOfLines {
+  void step(Stages& mpm, double dt) override {
+    const State y = mpm.state(), k1 = mpm.rate();
+    mpm.set_state(y + dt / 2 * k1);
+    const State k2 = mpm.rate();
+    mpm.set_state(y + dt / 2 * k2);
+    const State k3 = mpm.rate();
+    mpm.set_state(y + dt * k3);
+    const State k4 = mpm.rate();
+    mpm.set_state(y + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4));
+  }
+};
+PLUMBLINE_INTEGRATOR(RungeKutta4, "test_rk4", "Runge-Kutta of order four", "Kutta 1901");
+
+TEST(State, IsALinearSpace) {
+  const State a{{1, 2}}, b{{10, 20}};
+  EXPECT_EQ((a + b).values, (std::vector<double>{11, 22}));
+  EXPECT_EQ((3 * a + 0.5 * b).values, (std::vector<double>{8, 16}));
+}
+
+// A spring of four points and a column of gas, each on linear shapes with every point well inside its cell throughout:
+// the semi-discrete equations are smooth, and only the time integrator's error is left.
+Scene spring() {
+  UniaxialMembrane law;
+  law.youngs_modulus = law.density = 1;
+  law.one_way = false;
+  const GridSpec grid = scenes::line(4, 1, scenes::walls(Wall::no_slip, Wall::free));
+  return scenes::scene_of(grid, {scenes::membrane_body(law, 1, scenes::lattice(grid, 1), 1,
+                                                       [](const scenes::Place& x) { return scenes::Place{0.1 * x[0], 0}; })},
+                          "linear", "flip", {0.02, 0});
+}
+Scene gas_column() {
+  IdealGas gas;
+  gas.viscosity = 0.05;
+  const GridSpec grid = scenes::line(4, 1, scenes::walls(Wall::symmetry, Wall::symmetry));
+  Scene scene = scenes::scene_of(grid, {scenes::gas_body(gas, 1, scenes::lattice(grid, 2), 0.5, [](const scenes::Place& x) {
+                                   return scenes::GasState{1, 1, {0.1 * std::sin(0.7 * x[0]), 0}};
+                                 })}, "linear", "flip");
+  scene.density = DensityMethod::continuity;
+  return scene;
+}
+
+std::vector<double> state_after(const Scene& scene, const std::string& integrator, double dt) {
+  Simulation run(scene, integrator, {0.3, dt});
+  run.run_until(3.2);
+  const Body& body = run.scene().bodies[0];
+  std::vector<double> values = scenes::by_id(body, column::position);
+  for (const ColumnId* id : {&column::velocity, body.points.has(column::energy) ? &column::energy : &column::strain}) {
+    const auto more = scenes::by_id(body, *id);
+    values.insert(values.end(), more.begin(), more.end());
+  }
+  return values;
+}
+
+// E(dt) = C dt^p (1 + O(dt)): between the two finest steps the observed order is within a tenth of p.
+void expect_order(const Scene& scene, const std::string& integrator, double coarsest, double order) {
+  const auto exact = state_after(scene, "test_rk4", coarsest / 64);
+  const auto error = [&](double dt) {
+    const auto values = state_after(scene, integrator, dt);
+    double worst = 0;
+    for (std::size_t k = 0; k < values.size(); ++k) worst = std::max(worst, std::abs(values[k] - exact[k]));
+    return worst;
+  };
+  EXPECT_NEAR(std::log2(error(coarsest / 4) / error(coarsest / 8)), order, 0.1);
+  EXPECT_NEAR(std::log2(error(coarsest / 2) / error(coarsest / 4)), order, 0.2);
+}
+
+TEST(Stages, RungeKuttaOnASpring) {
+  expect_order(spring(), "test_heun", 0.2, 2);
+  expect_order(spring(), "test_rk4", 0.4, 4);
+}
+TEST(Stages, RungeKuttaOnAGas) {
+  expect_order(gas_column(), "test_heun", 0.1, 2);
+  expect_order(gas_column(), "test_rk4", 0.2, 4);
+}
+
+// The same measuring stick on York's step: of first order in dt.
+TEST(Stages, MuslIsOfFirstOrder) { expect_order(spring(), "musl", 0.05, 1); }
+
+TEST(Stages, StatesAreReadAndSetExactly) {
+  Scene scene = scenes::rough_gas(2, "quadratic", "flip");
+  Ledger ledger;
+  const auto engine = make_engine(scene, ledger, false);
+  engine->initialise();
+  const Columns before = scene.bodies[0].points;
+  const State state = engine->state();
+  EXPECT_EQ(state.values.size(), static_cast<std::size_t>(5 * before.points()));  // x, v and e
+  engine->set_state(state + 0.5 * state);
+  EXPECT_EQ(scene.bodies[0].points(column::velocity, 1)[3], 1.5 * before(column::velocity, 1)[3]);
+  EXPECT_EQ(scene.bodies[0].points(column::energy)[3], 1.5 * before(column::energy)[3]);
+  engine->set_state(state);
+  EXPECT_EQ(engine->state().values, state.values);
+}
+
+// The rate of a free fall: dx/dt = v, dv/dt = b, de/dt = 0, wherever the points stand. [York 3.18, 3.21, 3.22]
+TEST(Stages, RateOfAFreeFall) {
+  Scene scene = scenes::rough_gas(2, "quadratic", "flip");
+  scene.grid.walls = scenes::walls_everywhere(Wall::free);
+  scene.bodies[0].material = std::make_shared<IdealGas>();
+  Columns& points = scene.bodies[0].points;
+  const int n = points.points();
+  for (int d = 0; d < 2; ++d) std::fill_n(points(column::velocity, d), n, 0.5 + d);
+  std::fill_n(points(column::energy), n, 0.0);
+  Ledger ledger;
+  const auto engine = make_engine(scene, ledger, false);
+  engine->initialise();
+  const State rate = engine->rate();
+  const double expected[5] = {0.5, 1.5, 3, -9, 0};
+  for (int p = 0; p < n; ++p) {
+    for (int k = 0; k < 5; ++k) EXPECT_NEAR(rate.values[static_cast<std::size_t>(k * n + p)], expected[k], 1e-13);
+  }
+}
+
+TEST(Stages, RatesWantFlip) {
+  Scene scene = scenes::rough_gas(1, "quadratic", "apic");
+  Ledger ledger;
+  const auto engine = make_engine(scene, ledger, false);
+  engine->initialise();
+  EXPECT_THROW(engine->rate(), std::logic_error);
+}
+
+}  // namespace
+}  // namespace plumbline
