@@ -80,10 +80,13 @@ class Mechanics final : public Engine {
     for (int d = 0; d < dim; ++d) local[d] = at.local[d][static_cast<std::size_t>(p)];
     return {at.lowest[static_cast<std::size_t>(p)], grid_.row_length(), local, grid_.h()};
   }
-  // D_p of the frozen position, per direction.
-  Vec inertia(const Located& at, int p) const {
+  // D_p at the place x, per direction.
+  Vec inertia(const Vec& x) const {
     Vec d2;
-    for (int d = 0; d < dim; ++d) d2[d] = Shape::inertia(at.local[d][static_cast<std::size_t>(p)]) * grid_.h() * grid_.h();
+    for (int d = 0; d < dim; ++d) {
+      const double cells = Shape::fixed_inertia ? 0.0 : grid_.logical(x[d], d);
+      d2[d] = Shape::inertia(cells - std::floor(cells)) * grid_.h() * grid_.h();
+    }
     return d2;
   }
   // Pointers to the components of a column, taken once per loop.
@@ -112,7 +115,7 @@ class Mechanics final : public Engine {
   void touch(const Located& at, Field& field) const;
   template <class Visit>
   void for_state_columns(Visit&& visit) const;
-  Totals body_totals(const Body& body, const Located& at) const;
+  Totals body_totals(const Body& body) const;
 
   Scene& scene_;
   Ledger& ledger_;
@@ -130,7 +133,7 @@ class Mechanics final : public Engine {
   std::optional<OwnMass> own_mass_;       // a body's mass alone, where its points stand now
   Pending pending_;
   NodalVelocity current_ = NodalVelocity::start;
-  bool moved_ = true, forces_mapped_ = false, sorting_ = true, located_once_ = false;
+  bool moved_ = true, forces_mapped_ = false, sorting_ = true;
   double grid_mass_ = 0;
   NodalVelocity rate_of_ = NodalVelocity::current;  // velocity the strain_rate columns hold; current: none
   double pending_strain_dt_ = 0, pending_stored_ = 0;  // strained before the forces were known
@@ -239,25 +242,15 @@ void Mechanics<G, S, T>::touch(const Located& at, Field& field) const {
 template <class G, class S, class T>
 void Mechanics<G, S, T>::locate_points() {
   for (Field& field : fields_) std::fill(field.touched.begin(), field.touched.end(), std::pair<int, int>{0, 0});
-  constexpr bool moving_inertia = T::affine && !S::fixed_inertia;
-  Totals before;
-  if (moving_inertia && located_once_) before = totals();
-  for (std::size_t b = 0; b < located_.size(); ++b) place(scene_.bodies[b], located_[b]);
-  if (moving_inertia && located_once_) {
-    // 1/2 m C D C^T of a point changes with its place in the cell; the map that follows starts from the new value.
-    const Totals after = totals();
-    ledger_.energy.book(Flow::transfer, after.energy.kinetic - before.energy.kinetic);
-    ledger_.angular_momentum.book(Flow::transfer, after.angular_momentum - before.angular_momentum);
-  }
   for (std::size_t b = 0; b < located_.size(); ++b) {
     Located& at = located_[b];
+    place(scene_.bodies[b], at);
     if (sorting_ && sort_points(scene_.bodies[b], at)) place(scene_.bodies[b], at);
     touch(at, fields_[at.field]);
   }
   for (Field& field : fields_) walls_.include_mirrors(field.touched);
   pending_ = Pending{};
   moved_ = forces_mapped_ = false;
-  located_once_ = true;
   rate_of_ = NodalVelocity::current;
   pending_strain_dt_ = pending_stored_ = 0;
 }
@@ -461,11 +454,8 @@ auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Fiel
         torque += n * cross<dim>(r, change);
       } else {
         square += n * end.squaredNorm();
-        if constexpr (T::affine) {
-          c += end * affine.transpose();
-        } else {
-          torque += n * cross<dim>(r, end);
-        }
+        if constexpr (T::affine) c += end * affine.transpose();
+        if constexpr (!T::affine || !S::fixed_inertia) torque += n * cross<dim>(r, end);
       }
     });
     Vec v_new = v;
@@ -474,11 +464,6 @@ auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Fiel
       v_new = velocity[p] + a;  // [York 3.22]
       kept = a.squaredNorm();
     }
-    if constexpr (T::affine) {
-      const Vec d2 = inertia(at, p);
-      for (int k = 0; k < dim; ++k) kept += d2[k] * c.col(k).squaredNorm();
-      affine_part.set(p, c);
-    }
     const Vec step = dt * v;
     if (!(step.cwiseAbs().maxCoeff() <= h)) {
       throw InadmissibleState("a point moved more than one cell in a step", body.name,
@@ -486,6 +471,13 @@ auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Fiel
     }
     velocity.set(p, v_new);
     position.set(p, position[p] + step);  // [York 3.21]
+    if constexpr (T::affine) {
+      // With the inertia of the new place: where that is another, so are the energy and the spin of the affine part.
+      const Vec d2 = inertia(position[p]);
+      for (int k = 0; k < dim; ++k) kept += d2[k] * c.col(k).squaredNorm();
+      if constexpr (dim == 2 && !S::fixed_inertia) torque -= d2[0] * c(1, 0) - d2[1] * c(0, 1);
+      affine_part.set(p, c);
+    }
     MotionSums sums;
     sums.lost = 0.5 * mass[p] * (square - kept);  // [EC-APIC 5]
     if (loss) loss[p] += sums.lost;
@@ -673,7 +665,7 @@ void Mechanics<G, S, T>::refresh_density() {
 }
 
 template <class G, class S, class T>
-Totals Mechanics<G, S, T>::body_totals(const Body& body, const Located& at) const {
+Totals Mechanics<G, S, T>::body_totals(const Body& body) const {
   struct Sums {
     double mass = 0, kinetic = 0, angular = 0, angular_scale = 0, speed = 0;
     Vec momentum = Vec::Zero();
@@ -697,7 +689,7 @@ Totals Mechanics<G, S, T>::body_totals(const Body& body, const Located& at) cons
     double square = v.squaredNorm(), spin = 0;
     if constexpr (T::affine) {
       const Mat c = affine[p];
-      const Vec d2 = inertia(at, p);
+      const Vec d2 = inertia(position[p]);
       for (int k = 0; k < dim; ++k) square += d2[k] * c.col(k).squaredNorm();
       if constexpr (dim == 2) spin = d2[0] * c(1, 0) - d2[1] * c(0, 1);
     }
@@ -731,8 +723,8 @@ Totals Mechanics<G, S, T>::body_totals(const Body& body, const Located& at) cons
 template <class G, class S, class T>
 Totals Mechanics<G, S, T>::totals() const {
   Totals all;
-  for (std::size_t b = 0; b < located_.size(); ++b) {
-    const Totals one = body_totals(scene_.bodies[b], located_[b]);
+  for (const Body& body : scene_.bodies) {
+    const Totals one = body_totals(body);
     all.mass += one.mass;
     for (std::size_t d = 0; d < 2; ++d) {
       all.momentum[d] += one.momentum[d];
@@ -754,12 +746,13 @@ void Mechanics<G, S, T>::check() const {
     const auto stop = [&](int p, const std::string& field, double value, const std::string& reason) {
       throw InadmissibleState(reason, body.name, body.id[static_cast<std::size_t>(p)], field, value);
     };
-    for (const ColumnId* id : {&column::position, &column::velocity}) {
-      for (int d = 0; d < dim; ++d) {
-        const double* values = body.points(*id, d);
-        for (int p = 0; p < body.points.points(); ++p) {
-          if (!std::isfinite(values[p])) stop(p, id->name(), values[p], "the " + id->name() + " must be finite");
-        }
+    for (int d = 0; d < dim; ++d) {
+      const double *x = body.points(column::position, d), *v = body.points(column::velocity, d);
+      const double low = grid_.line(Grid<dim>::ghosts, d), high = grid_.line(grid_.cells(d) + Grid<dim>::ghosts, d);
+      for (int p = 0; p < body.points.points(); ++p) {
+        if (!std::isfinite(v[p])) stop(p, column::velocity.name(), v[p], "the velocity must be finite");
+        if (x[p] >= low && x[p] <= high) continue;
+        stop(p, column::position.name(), x[p], std::isfinite(x[p]) ? "a point left the grid" : "the position must be finite");
       }
     }
     const Material::Fault fault = body.material->first_fault(body.points);

@@ -81,7 +81,7 @@ int dry_run(const Output& out, const Invocation& invocation, const Case& entry, 
   out.line("{} under {}: {} points, {} cells, about {} steps, {:.3g} MB, about {:.2g} s", entry.name(), scheme, points, cells, steps,
            bytes / 1e6, points * steps / rate);
   write_json(invocation.options, {{"case", entry.name()}, {"scheme", scheme}, {"settings", to_json(settings)}, {"dry_run", true},
-                                  {"points", points}, {"cells", cells}, {"steps", steps}, {"bytes", bytes},
+                                  {"points", simulation.points()}, {"cells", static_cast<long>(cells)}, {"steps", static_cast<long>(steps)}, {"bytes", bytes},
                                   {"estimated_s", points * steps / rate}});
   return 0;
 }

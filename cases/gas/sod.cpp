@@ -144,7 +144,7 @@ class Sod final : public Case {
 
  private:
   static std::vector<CaseGate> default_gates() {
-    const std::string plan_100 = "what a throw-away prototype of the same step reached, 0.0066, and a margin of 6 %";
+    const std::string plan_100 = "a prototype of this step reached 0.0066; 6 % of room";
     return {
         error_gate("default", "density.L1", 100, gate("default/density-100", {{}, 0.0070}, Origin::target, plan_100)),
         error_gate("default", "density.L1", 1600,
@@ -185,7 +185,7 @@ class Sod final : public Case {
   }
 
   static std::vector<CaseGate> york_gates() {
-    const std::string grows = "a prototype of York's step diverged under refinement; the plan asks for at least 1.3";
+    const std::string grows = "a prototype of York's step diverged under refinement: its error was to grow by at least this factor";
     const std::string converging = "first order from his 0.010 at 100 cells";
     const std::string crossing = "points that cross cells of linear shapes feel jumps of force, clump at the head of the rarefaction, and more cells mean more crossings";
     return {

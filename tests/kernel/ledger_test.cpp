@@ -196,8 +196,7 @@ TEST(LedgerOfARun, DroppingTheMovingInertiaShows) {
 // A body that falls freely: m g t of momentum, and the kinetic energy of its height, both of body force.  [York 3.18]
 TEST(LedgerOfARun, BodyForceIsWeightTimesTime) {
   for (const Choice& transfer : transfers()) {
-    Scene scene = scenes::rough_gas(2, "quadratic", transfer.name, {3, -9});
-    scene.grid.walls = scenes::walls_everywhere(Wall::free);
+    Scene scene = scenes::rough_gas_in_space(2, "quadratic", transfer.name, {3, -9});
     Simulation run(scene, "musl", {0.2, 0.002});
     for (int k = 0; k < 10; ++k) run.step(1);
     const double mass = run.ledger().mass.initial();
@@ -210,8 +209,7 @@ TEST(LedgerOfARun, BodyForceIsWeightTimesTime) {
 // What gravity does is dt b . P at mid-step: for APIC and PIC, whose points move with the grid, that is m b . (x' - x) of the
 // centre of mass less its last half step, exactly, when nothing but gravity acts.
 TEST(LedgerOfARun, BodyForceWorksOverTheWay) {
-  Scene scene = scenes::rough_gas(2, "quadratic", "apic", {3, -9});
-  scene.grid.walls = scenes::walls_everywhere(Wall::free);
+  Scene scene = scenes::rough_gas_in_space(2, "quadratic", "apic", {3, -9});
   const double dt = 0.002;
   const int steps = 10;
   const Scene start = scene;

@@ -9,13 +9,6 @@ namespace {
 
 // --- against the equations, [York 3.15-3.24] and [EC-APIC 1-6] ------------------------------------------------------
 
-// Roughness of every kind, free on all sides.
-Scene free_gas(int dim, const std::string& shape, const std::string& transfer) {
-  Scene scene = scenes::rough_gas(dim, shape, transfer);
-  scene.grid.walls = scenes::walls_everywhere(Wall::free);
-  return scene;
-}
-
 Scene free_membrane(int dim, const std::string& shape, const std::string& transfer) {
   UniaxialMembrane law;
   law.youngs_modulus = 2;
@@ -82,7 +75,7 @@ TEST_P(EveryCombination, StepsAsThePrintedEquationsSay) {
     SCOPED_TRACE(testing::Message() << c);
     for (int dim : {1, 2}) {
       SCOPED_TRACE(dim);
-      expect_like_naive(free_gas(dim, c.shape, c.transfer), c.integrator, 0.01);
+      expect_like_naive(scenes::rough_gas_in_space(dim, c.shape, c.transfer), c.integrator, 0.01);
       expect_like_naive(free_membrane(dim, c.shape, c.transfer), c.integrator, 0.01);
     }
   }
@@ -91,7 +84,7 @@ TEST_P(EveryCombination, StepsAsThePrintedEquationsSay) {
 TEST_P(EveryCombination, ContinuityDensityStepsAsThePrintedEquationsSay) {
   for (const char* shape : {"quadratic", "cubic"}) {
     for (const char* transfer : {"pic", "apic"}) {
-      Scene scene = free_gas(2, shape, transfer);
+      Scene scene = scenes::rough_gas_in_space(2, shape, transfer);
       scene.density = DensityMethod::continuity;
       expect_like_naive(scene, GetParam(), 0.01);
     }
@@ -132,7 +125,7 @@ TEST(Mechanics, AffineFieldsAreExactEverywhere) {
   for (int dim : {1, 2}) {
     for (const Choice& shape : shapes()) {
       for (const Eigen::Matrix2d& l : {matrix(0.5, -0.3, 0.8, -0.7), matrix(0, -2, 2, 0)}) {
-        Scene scene = free_gas(dim, shape.name, "apic");
+        Scene scene = scenes::rough_gas_in_space(dim, shape.name, "apic");
         scene.gravity = {0, 0};
         set_affine_motion(scene, v0, dim == 1 ? matrix(l(0, 0), 0, 0, 0) : l);
         Columns& points = scene.bodies[0].points;
@@ -172,7 +165,7 @@ TEST(Mechanics, AffineFieldsAreExactEverywhere) {
 // A uniform velocity is every transfer's exact field.
 TEST(Mechanics, TranslationStrainsNothing) {
   for (const scenes::Combination& c : scenes::working_combinations()) {
-    Scene scene = free_gas(2, c.shape, c.transfer);
+    Scene scene = scenes::rough_gas_in_space(2, c.shape, c.transfer);
     scene.gravity = {0, 0};
     set_affine_motion(scene, {0.3, -0.2}, matrix(0, 0, 0, 0));
     std::fill_n(scene.bodies[0].points(column::energy), scene.bodies[0].points.points(), 1e-12);  // all but cold

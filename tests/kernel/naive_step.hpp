@@ -54,7 +54,7 @@ class NaiveStep {
     for (int j = dim_ == 1 ? 0 : -2; j <= (dim_ == 1 ? 0 : scene.grid.cells[1] + 2); ++j) {
       for (int i = -2; i <= scene.grid.cells[0] + 2; ++i) {
         NaiveNode node;
-        node.x = Vec(i * h_, j * h_);
+        node.x = Vec(scene.grid.origin[0] + i * h_, scene.grid.origin[1] + j * h_);
         nodes_.push_back(node);
       }
     }
@@ -118,6 +118,12 @@ class NaiveStep {
       for (int e = 0; e < dim_; ++e) g[d] *= e == d ? 1 : spline((x[e] - node.x[e]) / h_);
     }
     return g;
+  }
+  // D = sum N r r^T of the place x.
+  Mat inertia(const Vec& x) const {
+    Mat d = Mat::Zero();
+    for (const NaiveNode& node : nodes_) d += weight(x, node) * (node.x - x) * (node.x - x).transpose();
+    return d;
   }
   template <class Visit>
   void for_pairs(Visit&& visit) {
@@ -199,8 +205,7 @@ class NaiveStep {
       if (affine) {
         if (dim_ == 1) moment(1, 1) = 1;
         point.c = scene_.shape == "linear" ? l : Mat(b * moment.inverse());  // [EC-APIC 5]
-        if (dim_ == 1) moment(1, 1) = 0;
-        kept += (point.c * moment * point.c.transpose()).trace();
+        kept += (point.c * inertia(point.x) * point.c.transpose()).trace();
       }
       point.loss += point.m * ((flip ? change_square : square) - kept) / 2;  // [EC-APIC 5] B_p
       transfer -= point.loss;

@@ -148,6 +148,15 @@ inline Scene rough_gas(int dim, const std::string& shape, const std::string& tra
   return scene_of(grid, {gas_body(gas, dim, places, lattice_volume(grid, 3), field)}, shape, transfer, gravity);
 }
 
+// The same in empty space: no walls, and room to all sides.
+inline Scene rough_gas_in_space(int dim, const std::string& shape, const std::string& transfer, Place gravity = {3, -9}) {
+  Scene scene = rough_gas(dim, shape, transfer, gravity);
+  scene.grid.walls = walls_everywhere(Wall::free);
+  scene.grid.origin = {-0.2, dim == 1 ? 0.0 : -0.2};
+  scene.grid.cells = {10, dim == 1 ? 1 : 9};
+  return scene;
+}
+
 // Some integrator, shape and transfer that work together.
 struct Combination {
   std::string integrator, shape, transfer;

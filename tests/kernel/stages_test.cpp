@@ -121,8 +121,7 @@ TEST(Stages, StatesAreReadAndSetExactly) {
 
 // The rate of a free fall: dx/dt = v, dv/dt = b, de/dt = 0, wherever the points stand. [York 3.18, 3.21, 3.22]
 TEST(Stages, RateOfAFreeFall) {
-  Scene scene = scenes::rough_gas(2, "quadratic", "flip");
-  scene.grid.walls = scenes::walls_everywhere(Wall::free);
+  Scene scene = scenes::rough_gas_in_space(2, "quadratic", "flip");
   scene.bodies[0].material = std::make_shared<IdealGas>();
   Columns& points = scene.bodies[0].points;
   const int n = points.points();

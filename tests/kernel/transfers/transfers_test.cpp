@@ -90,8 +90,7 @@ TEST(Transfers, NoPointGainsByTheMaps) {
 // APIC conserves angular momentum where nothing is near, spin of the points included; PIC and FLIP do not, and book it.
 TEST(Transfers, ApicConservesAngularMomentum) {
   for (const char* shape : {"linear", "quadratic", "cubic"}) {
-    Scene scene = scenes::rough_gas(2, shape, "apic", {0, 0});
-    scene.grid.walls = scenes::walls_everywhere(Wall::free);
+    Scene scene = scenes::rough_gas_in_space(2, shape, "apic", {0, 0});
     Simulation run(scene, "musl", {0.2, {}});
     for (int k = 0; k < 10; ++k) run.step(1);
     const Account& angular = run.ledger().angular_momentum;
