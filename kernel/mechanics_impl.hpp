@@ -26,6 +26,8 @@ class Mechanics final : public Engine {
   using Vec = typename Geometry::Vec;
   using Mat = typename Geometry::Mat;
   using Strain = typename Geometry::Strain;
+  // So far beyond a side, in cells, a point still stands on it: on a wall it drifts by the rounding of a sum that is zero.
+  static constexpr double on_side = 1e-9;
 
   Mechanics(Scene& scene, Ledger& ledger, bool keep_loss);
 
@@ -193,11 +195,11 @@ void Mechanics<G, S, T>::place(Body& body, Located& at) {
     int node = 0;
     for (int d = dim - 1; d >= 0; --d) {
       const double x = grid_.logical(body.points(column::position, d)[p], d);
-      if (!(x >= 0 && x <= grid_.cells(d))) {
+      if (!(x >= -on_side && x <= grid_.cells(d) + on_side)) {
         throw InadmissibleState("a point left the grid", body.name, body.id[static_cast<std::size_t>(p)],
                                 column::position.name(), body.points(column::position, d)[p]);
       }
-      const int anchor = S::anchor(x, grid_.cells(d), at.local[d][static_cast<std::size_t>(p)]);
+      const int anchor = S::anchor(std::clamp(x, 0.0, 1.0 * grid_.cells(d)), grid_.cells(d), at.local[d][static_cast<std::size_t>(p)]);
       node = node * grid_.row_length() + anchor + S::first + Grid<dim>::ghosts;
     }
     at.lowest[static_cast<std::size_t>(p)] = node;
@@ -748,7 +750,8 @@ void Mechanics<G, S, T>::check() const {
     };
     for (int d = 0; d < dim; ++d) {
       const double *x = body.points(column::position, d), *v = body.points(column::velocity, d);
-      const double low = grid_.line(Grid<dim>::ghosts, d), high = grid_.line(grid_.cells(d) + Grid<dim>::ghosts, d);
+      const double low = grid_.line(Grid<dim>::ghosts, d) - on_side * grid_.h();
+      const double high = grid_.line(grid_.cells(d) + Grid<dim>::ghosts, d) + on_side * grid_.h();
       for (int p = 0; p < body.points.points(); ++p) {
         if (!std::isfinite(v[p])) stop(p, column::velocity.name(), v[p], "the velocity must be finite");
         if (x[p] >= low && x[p] <= high) continue;

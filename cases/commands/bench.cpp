@@ -52,8 +52,8 @@ Json bench_entry(const Entry& at, const std::vector<std::string>& typed, double 
   const double bytes = 8.0 * run.doubles_per_point;
   const double traffic = rate * bytes * at.passes / bytes_per_s;
   const bool met = at.target_is_time ? time <= at.target : rate >= at.target;
-  out.line("{:28} {:8} points {:6} steps  median {:.4g} s  {:.3g} point-steps/s  {} bytes/point  target {} {:.3g}{}: {}", at.name,
-           run.points, run.steps, time, rate, bytes, at.target_is_time ? "at most" : "at least", at.target,
+  out.line("{:28} {:8} points {:6} steps  median {:.4g} s  {:.3g} point-steps/s  {:.2g} of copy bandwidth  target {} {:.3g}{}: {}", at.name,
+           run.points, run.steps, time, rate, traffic, at.target_is_time ? "at most" : "at least", at.target,
            at.target_is_time ? " s" : "", met ? "met" : "MISSED");
   return {{"name", at.name}, {"dimension", run.dim}, {"material", name(entry.kind())}, {"shape", settings.text("shape")},
           {"transfer", settings.text("transfer")}, {"integrator", settings.text("integrator")}, {"points", run.points},

@@ -1,6 +1,5 @@
 #include "cases/commands/command.hpp"
-#include "kernel/materials/ideal_gas.hpp"
-#include "kernel/materials/uniaxial_membrane.hpp"
+#include "kernel/materials/material.hpp"
 #include "reference/registry.hpp"
 
 namespace plumbline {
@@ -43,8 +42,8 @@ Json document() {
   all["shapes"] = choices(shapes());
   all["transfers"] = choices(transfers());
   all["densities"] = choices(densities());
-  all["materials"] = Json::array({{{"name", IdealGas().name()}, {"title", "ideal gas with energy equation and viscosities"}, {"source", "York 1997, chapter 4"}},
-                                  {{"name", UniaxialMembrane().name()}, {"title", "one layer of points, tension along the tangent, one-way law"}, {"source", "York 1997, chapter 5"}}});
+  all["materials"] = Json::array();
+  for (const MaterialEntry& m : materials()) all["materials"].push_back({{"name", m.name}, {"title", m.title}, {"source", m.source}});
   all["references"] = Json::array();
   for (const reference::Reference* r : reference::references()) {
     all["references"].push_back({{"name", r->name()}, {"title", r->title()}, {"source", r->source()}});

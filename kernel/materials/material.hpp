@@ -71,4 +71,13 @@ class Material {
   virtual Fault first_fault(const Columns& points) const = 0;
 };
 
+// What `list` says of a material; each registers itself in its own source file.
+struct MaterialEntry {
+  std::string name, title, source;
+};
+const std::vector<MaterialEntry>& materials();   // in the order of their names
+struct RegisterMaterial {
+  explicit RegisterMaterial(MaterialEntry entry);
+};
+
 }  // namespace plumbline

@@ -148,12 +148,13 @@ inline Scene rough_gas(int dim, const std::string& shape, const std::string& tra
   return scene_of(grid, {gas_body(gas, dim, places, lattice_volume(grid, 3), field)}, shape, transfer, gravity);
 }
 
-// The same in empty space: no walls, and room to all sides.
+// The same in empty space: no walls, room to all sides, and node lines half a cell off the edges, so that no point starts
+// a cell of its own, where a node of next to no mass would be thrown about.
 inline Scene rough_gas_in_space(int dim, const std::string& shape, const std::string& transfer, Place gravity = {3, -9}) {
   Scene scene = rough_gas(dim, shape, transfer, gravity);
   scene.grid.walls = walls_everywhere(Wall::free);
-  scene.grid.origin = {-0.2, dim == 1 ? 0.0 : -0.2};
-  scene.grid.cells = {10, dim == 1 ? 1 : 9};
+  scene.grid.origin = {-0.25, dim == 1 ? 0.0 : -0.25};
+  scene.grid.cells = {11, dim == 1 ? 1 : 9};
   return scene;
 }
 

@@ -51,10 +51,10 @@ Scene spring() {
   UniaxialMembrane law;
   law.youngs_modulus = law.density = 1;
   law.one_way = false;
-  const GridSpec grid = scenes::line(4, 1, scenes::walls(Wall::no_slip, Wall::free));
-  return scenes::scene_of(grid, {scenes::membrane_body(law, 1, scenes::lattice(grid, 1), 1,
-                                                       [](const scenes::Place& x) { return scenes::Place{0.1 * x[0], 0}; })},
-                          "linear", "flip", {0.02, 0});
+  const GridSpec grid = scenes::line(5, 1, scenes::walls(Wall::no_slip, Wall::free));
+  return scenes::scene_of(grid, {scenes::membrane_body(law, 1, scenes::lattice(grid, 1, {0, 0}, {4, 1}), 1,
+                                                       [](const scenes::Place& x) { return scenes::Place{0.02 * x[0], 0}; })},
+                          "linear", "flip", {0.002, 0});
 }
 Scene gas_column() {
   IdealGas gas;

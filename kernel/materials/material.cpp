@@ -1,0 +1,24 @@
+#include "kernel/materials/material.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace plumbline {
+namespace {
+
+std::vector<MaterialEntry>& registered() {
+  static std::vector<MaterialEntry> all;
+  return all;
+}
+
+}  // namespace
+
+const std::vector<MaterialEntry>& materials() { return registered(); }
+
+RegisterMaterial::RegisterMaterial(MaterialEntry entry) {
+  auto& all = registered();
+  const auto place = std::upper_bound(all.begin(), all.end(), entry, [](const auto& a, const auto& b) { return a.name < b.name; });
+  all.insert(place, std::move(entry));
+}
+
+}  // namespace plumbline
