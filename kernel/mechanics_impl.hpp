@@ -482,6 +482,8 @@ auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Fiel
     }
     MotionSums sums;
     sums.lost = 0.5 * mass[p] * (square - kept);  // [EC-APIC 5]
+    // Never negative but by rounding, and a cold gas has nothing to pay that with. Only a changing inertia can give.
+    if ((!T::affine || S::fixed_inertia) && sums.lost < 0) sums.lost = 0;
     if (loss) loss[p] += sums.lost;
     sums.torque = mass[p] * torque;
     sums.moved = mass[p] * dt * cross<dim>(v, v_new);

@@ -116,6 +116,7 @@ int execute(const Invocation& invocation, const ConvergeOptions& options) {
     folder.write_study(study, judged, provenance);
     print(out, study, judged, declared);
     document["studies"].push_back(study_document(study, judged, provenance));
+    document["studies"].back()["expectation"] = declared ? "declared" : "none";
     all.insert(all.end(), judged.begin(), judged.end());
   }
   write_json(common, document);

@@ -56,6 +56,9 @@ Settings Case::settings(const std::string& scheme, const std::vector<Override>& 
   for (const auto& [key, value] : overrides) settings.set(key, value, name());
   for (const std::string& assignment : typed) settings.set_text(assignment, name());
   derive(settings, scheme);
+  if (!settings.is_set("cfl") && !settings.is_set("dt")) {
+    throw UsageError("cfl", "none", "(0, inf)", {"cfl", "dt"}, "neither cfl nor dt is set: set one of them");
+  }
   if (const IntegratorEntry* entry = find_integrator(settings.text("integrator"))) {
     const std::string &shape = settings.text("shape"), &transfer = settings.text("transfer");
     if (const std::string why = entry->make()->refusal(shape, transfer); !why.empty()) {

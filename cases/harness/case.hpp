@@ -97,7 +97,8 @@ class Case {
   virtual bool any_integrator() const { return false; }   // generic gates for every registered integrator
   virtual std::vector<double> default_levels() const = 0; // of `converge` without --cells
 
-  // The resolved choices of a run. `typed`: "key=value" as given by --set. Throws UsageError.
+  // The resolved choices of a run. `typed`: "key=value" as given by --set. Throws UsageError, also where neither cfl
+  // nor dt is left set.
   Settings settings(const std::string& scheme, const std::vector<Override>& overrides,
                     const std::vector<std::string>& typed = {}) const;
   std::string name() const { return statement().name; }

@@ -12,7 +12,8 @@ namespace {
 volatile std::sig_atomic_t arrived_signal = 0;
 extern "C" void note_signal(int signal_number) { arrived_signal = signal_number; }
 
-// Keeps every k-th step's row, with k doubled whenever twice the allowed number has gathered, and the extreme row.
+// Keeps every k-th step's row, with k doubled whenever twice the allowed number has gathered, the extreme row and the
+// last one. The step that stopped a run has no row: its ledger may be half booked.
 class LedgerRecorder {
  public:
   explicit LedgerRecorder(int dim) : dim_(dim) {}
@@ -27,15 +28,16 @@ class LedgerRecorder {
       extreme_ = ledger.energy.largest_residual();
       extreme_row_ = row(simulation);
     }
-    last_row_due_ = simulation.steps() % stride_ != 0;
+    last_step_ = simulation.steps();
   }
 
   LedgerHistory history(const Simulation& simulation) {
-    if (last_row_due_) rows_.push_back(row(simulation));
     while (rows_.size() > most_rows) thin();
+    if (simulation.steps() == last_step_ && last_step_ % stride_ != 0) rows_.push_back(row(simulation));
     if (!extreme_row_.empty()) rows_.push_back(extreme_row_);
     std::sort(rows_.begin(), rows_.end());
-    rows_.erase(std::unique(rows_.begin(), rows_.end()), rows_.end());
+    const auto same_step = [](const auto& a, const auto& b) { return a[0] == b[0]; };
+    rows_.erase(std::unique(rows_.begin(), rows_.end(), same_step), rows_.end());
     LedgerHistory history;
     const auto names = columns();
     for (const auto& [quantity, column] : names) history.series.push_back({quantity, column, {}});
@@ -48,7 +50,7 @@ class LedgerRecorder {
   }
 
  private:
-  static constexpr std::size_t most_rows = 1999;  // one more for the extreme
+  static constexpr std::size_t most_rows = 1998;  // and two more: the extreme and the last
 
   void thin() {
     stride_ *= 2;
@@ -94,8 +96,7 @@ class LedgerRecorder {
   }
 
   int dim_;
-  long stride_ = 1;
-  bool last_row_due_ = false;
+  long stride_ = 1, last_step_ = 0;
   double extreme_ = 0;
   std::vector<double> extreme_row_;
   std::vector<std::vector<double>> rows_;
@@ -121,10 +122,10 @@ void throw_if_interrupted() {
 
 StepControl step_control(const Settings& settings) {
   StepControl control;
-  if (settings.is_set("dt")) control.dt = settings.number("dt");
-  if (settings.is_set("cfl")) control.cfl = settings.number("cfl");
-  if (!control.dt && !settings.is_set("cfl")) {
-    throw UsageError("cfl", "none", "(0, inf)", {"cfl", "dt"}, "neither cfl nor dt is set: set one of them");
+  if (settings.is_set("dt")) {
+    control.dt = settings.number("dt");
+  } else {
+    control.cfl = settings.number("cfl");
   }
   return control;
 }

@@ -9,7 +9,8 @@
 
 namespace plumbline {
 
-// Rows of the ledger over the run, at most 2000 evenly spaced, and the row of the largest energy residual.
+// Rows of the ledger over the run, at most 2000 evenly spaced but for the last row and that of the
+// largest energy residual.
 struct LedgerHistory {
   std::vector<double> step, time;
   struct Series {
@@ -52,7 +53,7 @@ struct RunResult {
   double point_steps_per_s() const { return wall_s > 0 ? static_cast<double>(points) * static_cast<double>(steps) / wall_s : 0; }
 };
 
-// The step control that the settings ask for. UsageError if neither cfl nor dt is set.
+// The step control that the settings ask for; one of dt and cfl is set.
 StepControl step_control(const Settings& settings);
 
 // Runs it. A stop on an inadmissible state is a result; throws Interrupted if a signal arrives.

@@ -75,6 +75,12 @@ CaseGate value_gate(std::string study, const std::string& measure, double level,
           }, tier};
 }
 
+CaseGate measure_gate(std::string study, Gate gate, const std::string& measure, double level,
+                      std::function<Measured(const RunResult&, const Measure&)> read, Tier tier) {
+  return study_gate(std::move(study), std::move(gate), [=](const StudyResult& s) { return at_level(s, measure, level, read); },
+                    {level}, tier);
+}
+
 CaseGate ratio_gate(std::string study, const std::string& measure, double level, double over, Gate gate, Tier tier) {
   const std::string quantity = fmt::format("{} at {} over {}", measure, level, over);
   return {std::move(study), named(std::move(gate), quantity), {level, over}, [=](const StudyResult& s) {
@@ -112,6 +118,7 @@ CaseGate fitted_order_gate(std::string study, const std::string& measure, Gate g
 
 CaseGate drift_gate(std::string study, Gate gate, Tier tier) {
   return study_gate(std::move(study), named(std::move(gate), "relative drift of energy"), [](const StudyResult& s) {
+    if (s.levels.empty()) return failed("the study has no runs");
     Measured measured;
     double largest = 0;
     for (const StudyLevel& at : s.levels) {
@@ -134,6 +141,7 @@ namespace {
 template <class Read>
 std::function<Measured(const StudyResult&)> largest_over_runs(Read read) {
   return [read](const StudyResult& s) {
+    if (s.levels.empty()) return failed("the study has no runs");
     Measured measured;
     double largest = 0;
     const auto take = [&](const RunResult& run) {
@@ -174,6 +182,7 @@ std::vector<CaseGate> generic_gates(const std::string& study, int dim) {
   finite.origin = Origin::identity;
   finite.reason = "every run arrives at its end with admissible values";
   gates.push_back(study_gate(study, finite, [](const StudyResult& s) {
+    if (s.levels.empty()) return failed("the study has no runs");
     Measured measured;
     double stopped = 0;
     for (const StudyLevel& at : s.levels) {

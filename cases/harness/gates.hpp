@@ -18,9 +18,13 @@ struct JudgedGate {
   std::vector<std::string> run_ids;   // files of the runs it read
 };
 
-// The error of a measure at one level; its value; its ratio between two levels; its fitted order.
+// The error of a measure at one level; its value; its ratio between two levels; its fitted order. A run that stopped or
+// lacks the measure says so.
 CaseGate error_gate(std::string study, const std::string& measure, double level, Gate gate, Tier tier = Tier::quick);
 CaseGate value_gate(std::string study, const std::string& measure, double level, Gate gate, Tier tier = Tier::quick);
+// Any number made of a measure and its run at one level.
+CaseGate measure_gate(std::string study, Gate gate, const std::string& measure, double level,
+                      std::function<Measured(const RunResult&, const Measure&)> read, Tier tier = Tier::quick);
 CaseGate ratio_gate(std::string study, const std::string& measure, double level, double over, Gate gate,
                     Tier tier = Tier::quick);
 CaseGate order_gate(std::string study, const std::string& measure, Gate gate, Tier tier = Tier::quick);
@@ -32,7 +36,8 @@ CaseGate drift_gate(std::string study, Gate gate, Tier tier = Tier::quick);
 CaseGate study_gate(std::string study, Gate gate, std::function<Measured(const StudyResult&)> measure,
                     std::vector<double> levels = {}, Tier tier = Tier::quick);
 
-// finite, mass, momentum (and angular momentum from 2-D on), ledger residual: true of every scheme.
+// finite, mass, momentum (and angular momentum from 2-D on), ledger residual: true of every scheme. INVALID on a study
+// without runs.
 std::vector<CaseGate> generic_gates(const std::string& study, int dim);
 
 // Judges the gates whose levels the study has. A gate that throws is INVALID.

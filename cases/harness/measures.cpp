@@ -1,6 +1,5 @@
 #include "cases/harness/measures.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace plumbline {
@@ -19,10 +18,10 @@ std::vector<Measure> field_norms(const std::string& name, const std::string& uni
     if (!(e <= linf)) linf = e;
     s1 += s.volume * r;
     s2 += s.volume * r * r;
-    sinf = std::max(sinf, r);
+    if (!(r <= sinf)) sinf = r;
     b1 += s.volume * s.bound;
     b2 += s.volume * s.bound * s.bound;
-    binf = std::max(binf, s.bound);
+    if (!(s.bound <= binf)) binf = s.bound;
   }
   const auto norm = [&](const char* which, double error, double scale, double bound) {
     return Measure{name + "." + which, error, scale, {}, {}, bound, unit};

@@ -101,9 +101,11 @@ std::vector<CaseGate> gates_on(const StudyResult& study, const std::vector<CaseG
 void verify_case(const Case& entry, Tier tier, const Selection& selection, int threads, const ResultsFolder& folder,
                  const Provenance& provenance, const Progress& progress, Verification& verification) {
   const Plans plans = selected_plans(entry, tier, selection);
+  std::vector<std::vector<PlannedRun>> planned;   // all of them before the first run: a wrong call must not cost time
+  for (const StudyPlan& plan : plans.all) planned.push_back(planned_runs(entry, plan, tier, selection.settings));
   StudySet studies;
-  for (const StudyPlan& plan : plans.all) {
-    studies.push_back(run_study(entry, plan, planned_runs(entry, plan, tier, selection.settings), threads, progress));
+  for (std::size_t k = 0; k < plans.all.size(); ++k) {
+    studies.push_back(run_study(entry, plans.all[k], planned[k], threads, progress));
     for (const StudyLevel& at : studies.back().levels) {
       folder.write_run(at.run, {}, provenance);
       for (const RunResult& other : at.offsets) folder.write_run(other, {}, provenance);

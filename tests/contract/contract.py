@@ -63,7 +63,7 @@ class Plumbline:
     def command(self, *arguments, json=False):
         return [str(self.executable), *map(str, arguments), *(["--json", "-"] if json else [])]
 
-    def __call__(self, *arguments, json=False, timeout=60, environment=None):
+    def __call__(self, *arguments, json=False, timeout=300, environment=None):
         variables = {**os.environ, "OMP_NUM_THREADS": "1", **(environment or {})}
         process = subprocess.run(self.command(*arguments, json=json), cwd=self.folder, env=variables, stdin=subprocess.DEVNULL,
                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=timeout, encoding="utf-8")

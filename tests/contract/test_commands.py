@@ -124,7 +124,7 @@ def test_converge_varies_one_thing_only(plumbline, vary):
 
 
 def test_verify(plumbline):
-    result = plumbline("verify", "spring-mass", "--tier", "quick", "--junit", "junit.xml", json=True, timeout=120)
+    result = plumbline("verify", "spring-mass", "--tier", "quick", "--junit", "junit.xml", json=True, timeout=600)
     verdicts = result.json()
     assert verdicts["executed"] == verdicts["declared"] == len(verdicts["gates"]) > 0
     assert sum(verdicts["counts"].values()) == len(verdicts["gates"])
@@ -150,7 +150,7 @@ def test_scheme_and_integrator_are_taken_or_refused_but_never_ignored(plumbline,
 
 
 def test_verify_of_one_scheme(plumbline):
-    verdicts = plumbline("verify", "spring-mass", "--scheme", "york1997", json=True, timeout=120).json()
+    verdicts = plumbline("verify", "spring-mass", "--scheme", "york1997", json=True, timeout=600).json()
     assert verdicts["gates"] and {gate["scheme"] for gate in verdicts["gates"]} == {"york1997"}
 
 

@@ -10,7 +10,7 @@ from contract import ROOT
 def render(folder):
     page = folder / "report" / "index.html"   # in a folder that does not exist yet
     process = subprocess.run([sys.executable, "-B", str(ROOT / "reports/render.py"), str(folder / "results"), str(page)],
-                             capture_output=True, text=True, timeout=120, cwd=folder)
+                             capture_output=True, text=True, timeout=600, cwd=folder)
     return process, page.read_text(encoding="utf-8") if page.exists() else ""
 
 
@@ -56,7 +56,7 @@ def test_damaged_file_is_listed_as_invalid(plumbline, results, damage):
 
 
 def test_truncated_verdicts(plumbline):
-    plumbline("verify", "spring-mass", "--tier", "quick", timeout=120)
+    plumbline("verify", "spring-mass", "--tier", "quick", timeout=600)
     (verdicts,) = (plumbline.folder / "results").glob("verdicts-*.h5")
     truncate(verdicts)
     process, page = render(plumbline.folder)

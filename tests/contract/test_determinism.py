@@ -40,7 +40,7 @@ def contents(path):
 def outcome(folder, arguments):
     folder.mkdir()
     plumbline = Plumbline(folder)
-    result = plumbline(*arguments, json=True, timeout=120)
+    result = plumbline(*arguments, json=True, timeout=600)
     files = {name: contents(folder / "results" / name) for name in plumbline.files()}
     assert files
     return result.code, without_volatile(result.json()), files

@@ -120,14 +120,14 @@ def test_results_folder_below_a_file(plumbline, arguments):
 @pytest.mark.parametrize("arguments", [["list"], ["run", "sod", "--cells", 20], ["verify", "spring-mass", "--tier", "quick"]])
 def test_json_file_that_cannot_be_written(plumbline, arguments):
     (plumbline.folder / "file").write_text("")
-    result = plumbline(*arguments, "--json", "file/out.json", timeout=120)
+    result = plumbline(*arguments, "--json", "file/out.json", timeout=600)
     assert result.code == 4 and "file/out.json" in result.err
     assert not [name for name in plumbline.files(".") if ".json" in name]
 
 
 def test_junit_file_that_cannot_be_written(plumbline):
     (plumbline.folder / "file").write_text("")
-    result = plumbline("verify", "spring-mass", "--tier", "quick", "--junit", "file/junit.xml", timeout=120)
+    result = plumbline("verify", "spring-mass", "--tier", "quick", "--junit", "file/junit.xml", timeout=600)
     assert result.code == 4 and "file/junit.xml" in result.err
 
 

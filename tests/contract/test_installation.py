@@ -12,7 +12,7 @@ PLUGIN = Path(__file__).parent / "plugin"
 
 
 def call(*command, **options):
-    process = subprocess.run([str(part) for part in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=240, **options)
+    process = subprocess.run([str(part) for part in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=900, **options)
     assert process.returncode == 0, process.stdout
     return process.stdout
 
@@ -86,7 +86,7 @@ def test_plugin_converges(installed, plugin):
 
 
 def test_plugin_is_verified_by_its_name(installed, plugin):
-    verdicts = installed("verify", "sod", "--tier", "quick", "--plugin", plugin, json=True, timeout=240).json()
+    verdicts = installed("verify", "sod", "--tier", "quick", "--plugin", plugin, json=True, timeout=900).json()
     gates = [gate for gate in verdicts["gates"] if re.search(r"\bmine\b", gate["scheme"] + " " + gate["id"])]
     assert gates and {gate["verdict"] for gate in gates} == {"PASS"}
     assert verdicts["executed"] == verdicts["declared"]

@@ -12,8 +12,8 @@ Vector random_vector(scenes::Random& random) {
   return v;
 }
 
-// s . strain(v g^T) = v . force(s, g) for any stress, velocity and gradient: what the forces do is what the strains get.
-// A dozen products of numbers below one: 4e-15 is about twenty roundings. [York 3.17, 3.23]
+// s . strain(v g^T) = v . force(s, g) for any stress, velocity and gradient: what the forces do is what the
+// strains get. A dozen products of numbers below one: 4e-15 is about twenty roundings. [York 3.17, 3.23]
 template <class Geometry>
 void expect_adjoint() {
   scenes::Random random(3);

@@ -92,7 +92,8 @@ Scene hanging_chain(int dim, const std::string& shape, const std::string& transf
   law.youngs_modulus = 2;
   law.density = 1;
   std::vector<scenes::Place> places;
-  for (int k = 0; k < 10; ++k) places.push_back({0.02 + 0.04 * k, dim == 1 ? 0 : 0.62 - 0.02 * k + 0.03 * std::sin(1.0 * k)});
+  for (int k = 0; k < 10; ++k)
+    places.push_back({0.02 + 0.04 * k, dim == 1 ? 0 : 0.62 - 0.02 * k + 0.03 * std::sin(1.0 * k)});
   const auto sides = scenes::walls(Wall::no_slip, Wall::free, Wall::free, Wall::symmetry);
   const GridSpec grid = dim == 1 ? scenes::line(8, 0.1, sides) : scenes::plane(8, 7, 0.1, sides);
   Body body = scenes::membrane_body(law, dim, places, 0.01, [](const scenes::Place& x) {
@@ -109,8 +110,8 @@ Scene gas_and_chain(int dim, const std::string& shape, const std::string& transf
   return scene;
 }
 
-// Every identity closes step by step. Ten steps of sums of some hundred terms: 1e-13 leaves room for a hundred roundings
-// of the scale.
+// Every identity closes step by step. Ten steps of sums of some hundred terms: 1e-13 leaves room for a hundred
+// roundings of the scale.
 TEST(LedgerOfARun, ClosesForEveryCombination) {
   for (const scenes::Combination& c : scenes::working_combinations()) {
     for (int dim : {1, 2}) {
@@ -127,7 +128,8 @@ TEST(LedgerOfARun, ClosesForEveryCombination) {
 }
 
 TEST(LedgerOfARun, ClosesForEveryDensityAndWall) {
-  for (DensityMethod method : {DensityMethod::cell, DensityMethod::quadratic, DensityMethod::continuity, DensityMethod::grid}) {
+  for (DensityMethod method :
+       {DensityMethod::cell, DensityMethod::quadratic, DensityMethod::continuity, DensityMethod::grid}) {
     for (Wall kind : {Wall::symmetry, Wall::no_slip}) {
       for (const char* integrator : {"usf", "musl", "usavg"}) {
         Scene scene = gas_and_chain(2, "cubic", "apic");
@@ -144,12 +146,13 @@ TEST(LedgerOfARun, ClosesForEveryDensityAndWall) {
 
 double residual_without(const Account& account, Flow dropped) {
   double flows = 0;
-  for (int f = 0; f < flow_count; ++f) flows += static_cast<Flow>(f) == dropped ? 0 : account.flow(static_cast<Flow>(f));
+  for (int f = 0; f < flow_count; ++f)
+    flows += static_cast<Flow>(f) == dropped ? 0 : account.flow(static_cast<Flow>(f));
   return account.store() - account.initial() - flows;
 }
 
-// The identity closes because every entry is there: without any one of those named, it is open by far more than rounding.
-// The entries not named are zero to rounding.
+// The identity closes because every entry is there: without any one of those named, it is open by far more than
+// rounding. The entries not named are zero to rounding.
 void expect_every_flow_matters(const Account& account, const std::vector<Flow>& active, double scale) {
   for (int f = 0; f < flow_count; ++f) {
     const Flow flow = static_cast<Flow>(f);
@@ -176,23 +179,28 @@ TEST(LedgerOfARun, DroppingAnyEntryShows) {
       expect_every_flow_matters(momentum, {Flow::walls, Flow::body_force}, momentum.scale() + momentum.booked());
     }
     std::vector<Flow> angular{Flow::walls, Flow::body_force};
-    if (!apic) angular.push_back(Flow::transfer);     // APIC's C keeps it
-    if (flip) angular.push_back(Flow::integration);   // only FLIP moves points with another velocity than their own
-    expect_every_flow_matters(ledger.angular_momentum, angular, ledger.angular_momentum.scale() + ledger.angular_momentum.booked());
+    if (!apic) angular.push_back(Flow::transfer);    // APIC's C keeps it
+    if (flip) angular.push_back(Flow::integration);  // only FLIP moves points with another velocity than their own
+    expect_every_flow_matters(ledger.angular_momentum, angular,
+                              ledger.angular_momentum.scale() + ledger.angular_momentum.booked());
     expect_every_flow_matters(ledger.mass, {}, ledger.mass.scale());
   }
 }
 
-// The inertia of linear shapes changes with the point's place in its cell: the affine motion's energy and spin with it.
+// The inertia of linear shapes changes with the point's place in its cell: the affine motion's energy and spin
+// with it.
 TEST(LedgerOfARun, DroppingTheMovingInertiaShows) {
   Simulation run(scenes::rough_gas(2, "linear", "apic"), "musl", {0.2, {}});
   for (int k = 0; k < 5; ++k) run.step(1);
   const Ledger& ledger = run.ledger();
-  expect_every_flow_matters(ledger.energy, {Flow::body_force, Flow::transfer, Flow::integration}, ledger.energy.scale());
-  expect_every_flow_matters(ledger.angular_momentum, {Flow::walls, Flow::body_force, Flow::transfer}, ledger.angular_momentum.scale());
+  expect_every_flow_matters(ledger.energy, {Flow::body_force, Flow::transfer, Flow::integration},
+                            ledger.energy.scale());
+  expect_every_flow_matters(ledger.angular_momentum, {Flow::walls, Flow::body_force, Flow::transfer},
+                            ledger.angular_momentum.scale());
 }
 
-// A body that falls freely: m g t of momentum, and the kinetic energy of its height, both of body force.  [York 3.18]
+// A body that falls freely: m g t of momentum, and the kinetic energy of its height, both of body force.  [York
+// 3.18]
 TEST(LedgerOfARun, BodyForceIsWeightTimesTime) {
   for (const Choice& transfer : transfers()) {
     Scene scene = scenes::rough_gas_in_space(2, "quadratic", transfer.name, {3, -9});
@@ -205,8 +213,8 @@ TEST(LedgerOfARun, BodyForceIsWeightTimesTime) {
   }
 }
 
-// What gravity does is dt b . P at mid-step: for APIC and PIC, whose points move with the grid, that is m b . (x' - x) of the
-// centre of mass less its last half step, exactly, when nothing but gravity acts.
+// What gravity does is dt b . P at mid-step: for APIC and PIC, whose points move with the grid, that is m b .
+// (x' - x) of the centre of mass less its last half step, exactly, when nothing but gravity acts.
 TEST(LedgerOfARun, BodyForceWorksOverTheWay) {
   Scene scene = scenes::rough_gas_in_space(2, "quadratic", "apic", {3, -9});
   const double dt = 0.002;
@@ -216,11 +224,13 @@ TEST(LedgerOfARun, BodyForceWorksOverTheWay) {
   for (int k = 0; k < steps; ++k) run.step(1);
   double fall = 0;
   for (int d = 0; d < 2; ++d) {
-    const auto m = scenes::by_id(start.bodies[0], column::mass), x0 = scenes::by_id(start.bodies[0], column::position, d),
+    const auto m = scenes::by_id(start.bodies[0], column::mass),
+               x0 = scenes::by_id(start.bodies[0], column::position, d),
                x1 = scenes::by_id(run.scene().bodies[0], column::position, d);
     for (std::size_t p = 0; p < m.size(); ++p) fall += m[p] * start.gravity[d] * (x1[p] - x0[p]);
   }
-  // Points move with the velocity at the end of the step, the work is that of its middle: dt^2 g^2 / 2 less, each step.
+  // Points move with the velocity at the end of the step, the work is that of its middle: dt^2 g^2 / 2 less,
+  // each step.
   const double expected = fall - steps * run.ledger().mass.initial() * dt * dt * (9 + 81) / 2;
   EXPECT_NEAR(run.ledger().energy.flow(Flow::body_force), expected, 1e-14);
 }

@@ -1,4 +1,5 @@
-// The engine's stages: against the printed equations written out node by node, and on fields whose answer is exact.
+// The engine's stages: against the printed equations written out node by node, and on fields whose answer is
+// exact.
 #include "kernel/mechanics.hpp"
 
 #include "tests/kernel/naive_step.hpp"
@@ -14,7 +15,8 @@ Scene free_membrane(int dim, const std::string& shape, const std::string& transf
   law.youngs_modulus = 2;
   law.density = 1;
   std::vector<scenes::Place> places;
-  for (int k = 0; k < 9; ++k) places.push_back({0.113 + 0.047 * k, dim == 1 ? 0 : 0.217 + 0.03 * k + 0.1 * std::sin(0.7 * k)});
+  for (int k = 0; k < 9; ++k)
+    places.push_back({0.113 + 0.047 * k, dim == 1 ? 0 : 0.217 + 0.03 * k + 0.1 * std::sin(0.7 * k)});
   const GridSpec grid = dim == 1 ? scenes::line(8, 0.1) : scenes::plane(8, 8, 0.1);
   Body body = scenes::membrane_body(law, dim, places, 0.01, [](const scenes::Place& x) {
     return scenes::Place{0.3 * std::sin(20 * x[0]), 0.2 * std::cos(9 * x[0])};
@@ -38,7 +40,8 @@ void expect_like_naive(const Scene& scene, const std::string& integrator, double
     double scale = 0;
     for (double v : values) scale = std::max(scale, std::abs(v));
     for (std::size_t p = 0; p < values.size(); ++p) {
-      ASSERT_NEAR(values[p], value(naive.points[p]), 1e-12 * scale) << id.name() << ' ' << component << " of point " << p;
+      ASSERT_NEAR(values[p], value(naive.points[p]), 1e-12 * scale)
+          << id.name() << ' ' << component << " of point " << p;
     }
   };
   using Point = NaivePoint;
@@ -118,8 +121,8 @@ Eigen::Matrix2d matrix(double a, double b, double c, double d) {
   return m;
 }
 
-// APIC carries any affine field to every node that a point reaches and back without loss, at free sides as elsewhere.
-// [York 3.23] [EC-APIC 1, 5]
+// APIC carries any affine field to every node that a point reaches and back without loss, at free sides as
+// elsewhere. [York 3.23] [EC-APIC 1, 5]
 TEST(Mechanics, AffineFieldsAreExactEverywhere) {
   const Eigen::Vector2d v0(0.3, -0.2);
   for (int dim : {1, 2}) {
@@ -151,7 +154,8 @@ TEST(Mechanics, AffineFieldsAreExactEverywhere) {
         engine->move_points(0.01);
         for (const ColumnId* id : {&column::velocity, &column::affine}) {
           const std::span<const double> now = points.values(*id), then = before.values(*id);
-          for (std::size_t k = 0; k < now.size(); ++k) EXPECT_NEAR(now[k], then[k], 1e-13) << shape.name << ' ' << id->name();
+          for (std::size_t k = 0; k < now.size(); ++k)
+            EXPECT_NEAR(now[k], then[k], 1e-13) << shape.name << ' ' << id->name();
         }
         // No loss but that of the moving inertia of linear shapes, which a uniform field does not feel.
         if (shape.name != "linear") {
@@ -183,12 +187,15 @@ TEST(Mechanics, TranslationStrainsNothing) {
 
 // --- walls ----------------------------------------------------------------------------------------------------------
 
-// A domain cut at its planes of symmetry is the whole domain: same points, same step, differences of rounding only.
+// A domain cut at its planes of symmetry is the whole domain: same points, same step, differences of rounding
+// only.
 TEST(Mechanics, ASymmetryWallIsAMirror) {
   for (int dim : {1, 2}) {
     const double h = 0.125;
-    const GridSpec quarter = dim == 1 ? scenes::line(6, h, scenes::walls(Wall::symmetry, Wall::free))
-                                      : scenes::plane(6, 6, h, scenes::walls(Wall::symmetry, Wall::free, Wall::symmetry, Wall::free));
+    const GridSpec quarter = dim == 1
+                                 ? scenes::line(6, h, scenes::walls(Wall::symmetry, Wall::free))
+                                 : scenes::plane(6, 6, h,
+                                                 scenes::walls(Wall::symmetry, Wall::free, Wall::symmetry, Wall::free));
     GridSpec whole = dim == 1 ? scenes::line(12, h) : scenes::plane(12, 12, h);
     whole.origin = {-6 * h, dim == 1 ? 0 : -6 * h};
     const auto places = scenes::jittered(scenes::lattice(quarter, 2, {0, 0}, {4, 4}), 0.02, dim);
@@ -216,10 +223,12 @@ TEST(Mechanics, ASymmetryWallIsAMirror) {
       SCOPED_TRACE(testing::Message() << dim << "-D, " << c);
       for (DensityMethod density : {DensityMethod::cell, DensityMethod::quadratic, DensityMethod::grid}) {
         std::size_t k = 0;
-        Scene half = scenes::scene_of(quarter, {scenes::gas_body(gas, dim, places, volume, [&](auto&) { return states[k++]; })},
+        Scene half = scenes::scene_of(quarter,
+                                      {scenes::gas_body(gas, dim, places, volume, [&](auto&) { return states[k++]; })},
                                       c.shape, c.transfer);
         k = 0;
-        Scene full = scenes::scene_of(whole, {scenes::gas_body(gas, dim, all, volume, [&](auto&) { return all_states[k++]; })},
+        Scene full = scenes::scene_of(whole,
+                                      {scenes::gas_body(gas, dim, all, volume, [&](auto&) { return all_states[k++]; })},
                                       c.shape, c.transfer);
         half.density = full.density = density;
         Simulation one(half, c.integrator, {0.3, 0.01}), other(full, c.integrator, {0.3, 0.01});
@@ -227,24 +236,28 @@ TEST(Mechanics, ASymmetryWallIsAMirror) {
           one.step(1);
           other.step(1);
         }
-        for (const ColumnId* id : {&column::position, &column::velocity, &column::energy, &column::density, &column::stress}) {
+        for (const ColumnId* id :
+             {&column::position, &column::velocity, &column::energy, &column::density, &column::stress}) {
           for (int d = 0; d < one.scene().bodies[0].points.components(*id); ++d) {
-            const auto a = scenes::by_id(one.scene().bodies[0], *id, d), b = scenes::by_id(other.scene().bodies[0], *id, d);
+            const auto a = scenes::by_id(one.scene().bodies[0], *id, d),
+                       b = scenes::by_id(other.scene().bodies[0], *id, d);
             for (std::size_t p = 0; p < a.size(); ++p) ASSERT_NEAR(a[p], b[p], 1e-12) << id->name() << d << ' ' << p;
           }
         }
         // Four steps' stores of the half are its share of the whole's.
         const double share = dim == 1 ? 0.5 : 0.25;
         EXPECT_NEAR(one.ledger().energy.store(), share * other.ledger().energy.store(), 1e-13);
-        EXPECT_NEAR(one.ledger().energy.flow(Flow::transfer), share * other.ledger().energy.flow(Flow::transfer), 1e-13);
+        EXPECT_NEAR(one.ledger().energy.flow(Flow::transfer), share * other.ledger().energy.flow(Flow::transfer),
+                    1e-13);
       }
     }
   }
 }
 
-// Gas of pressure 1 at rest against one wall, free on the other side: from the first step on the wall pushes with p per
-// area, and nothing else changes the gas's momentum. With four even points a cell the sum over points integrates the
-// gradients of linear and quadratic shapes exactly (midpoint rule on linear pieces). [York 3.17] [EC-APIC walls]
+// Gas of pressure 1 at rest against one wall, free on the other side: from the first step on the wall pushes
+// with p per area, and nothing else changes the gas's momentum. With four even points a cell the sum over
+// points integrates the gradients of linear and quadratic shapes exactly (midpoint rule on linear pieces).
+// [York 3.17] [EC-APIC walls]
 TEST(Mechanics, AWallPushesWithThePressure) {
   const auto gas_at_rest = [](auto&) { return scenes::GasState{1, 2.5, {0, 0}}; };  // p = 0.4 x 2.5
   const double dt = 1e-3, h = 0.5;
@@ -256,7 +269,8 @@ TEST(Mechanics, AWallPushesWithThePressure) {
           const GridSpec grid = dim == 1 ? scenes::line(6, h, sides) : scenes::plane(6, 3, h, sides);
           const auto places = scenes::lattice(grid, 4, {0, 0}, {4, 3});
           Scene scene = scenes::scene_of(
-              grid, {scenes::gas_body({}, dim, places, scenes::lattice_volume(grid, 4), gas_at_rest)}, shape, transfer.name);
+              grid, {scenes::gas_body({}, dim, places, scenes::lattice_volume(grid, 4), gas_at_rest)}, shape,
+              transfer.name);
           scene.density = DensityMethod::continuity;
           Simulation run(scene, "usl", {0.3, dt});
           run.step(1);
@@ -302,11 +316,14 @@ TEST(Mechanics, StepLimit) {
     const auto limit_with = [&](double mu, bool with_membrane) {
       IdealGas gas;
       gas.viscosity = mu;
-      Scene scene = scenes::scene_of(grid, {scenes::gas_body(gas, dim, places, scenes::lattice_volume(grid, 2), [&](const scenes::Place& x) {
-        scenes::GasState state{2, 3, {0, 0}};
-        if (x == places[3]) state.velocity = {-0.7, 0};
-        return state;
-      })}, "quadratic", "apic");
+      Scene scene = scenes::scene_of(grid,
+                                     {scenes::gas_body(gas, dim, places, scenes::lattice_volume(grid, 2),
+                                                       [&](const scenes::Place& x) {
+                                                         scenes::GasState state{2, 3, {0, 0}};
+                                                         if (x == places[3]) state.velocity = {-0.7, 0};
+                                                         return state;
+                                                       })},
+                                     "quadratic", "apic");
       scene.density = DensityMethod::continuity;
       UniaxialMembrane law;
       law.youngs_modulus = 36;

@@ -1,5 +1,6 @@
-// The step written straight from the printed equations, as slowly as can be: every node meets every point, weights come
-// from the distance between them, and nothing is shared with the kernel but the scene it starts from. Free sides only.
+// The step written straight from the printed equations, as slowly as can be: every node meets every point,
+// weights come from the distance between them, and nothing is shared with the kernel but the scene it starts
+// from. Free sides only.
 #pragma once
 
 #include <Eigen/Dense>
@@ -34,7 +35,9 @@ class NaiveStep {
   double transfer = 0, integration = 0, constitutive = 0, body_work = 0;  // the ledger's flows of energy
 
   explicit NaiveStep(const Scene& scene)
-      : scene_(scene), dim_(scene.grid.dim), h_(scene.grid.h),
+      : scene_(scene),
+        dim_(scene.grid.dim),
+        h_(scene.grid.h),
         gas_(dynamic_cast<const IdealGas*>(scene.bodies[0].material.get())),
         membrane_(dynamic_cast<const UniaxialMembrane*>(scene.bodies[0].material.get())) {
     const Columns& from = scene.bodies[0].points;
@@ -155,8 +158,8 @@ class NaiveStep {
       node.momentum.setZero();
     }
     for_pairs([&](NaivePoint& p, NaiveNode& i, double n, const Vec&) {
-      i.m += p.m * n;                                            // [York 3.15]
-      i.momentum += p.m * n * (p.v + p.c * (i.x - frozen(p)));   // [York 3.16] [EC-APIC 1]
+      i.m += p.m * n;                                           // [York 3.15]
+      i.momentum += p.m * n * (p.v + p.c * (i.x - frozen(p)));  // [York 3.16] [EC-APIC 1]
     });
     for (NaiveNode& node : nodes_) node.start = node.m > 0 ? Vec(node.momentum / node.m) : Vec(Vec::Zero());
     for (NaivePoint& point : points) point.loss = 0;
@@ -167,8 +170,10 @@ class NaiveStep {
   }
 
   void forces() {
-    for (NaiveNode& node : nodes_) node.force = node.m * Vec(scene_.gravity[0], dim_ == 1 ? 0 : scene_.gravity[1]);  // [York 3.18]
-    for_pairs([&](NaivePoint& p, NaiveNode& i, double, const Vec& g) { i.force -= p.volume * p.stress * g; });  // [York 3.17]
+    for (NaiveNode& node : nodes_)
+      node.force = node.m * Vec(scene_.gravity[0], dim_ == 1 ? 0 : scene_.gravity[1]);  // [York 3.18]
+    for_pairs(
+        [&](NaivePoint& p, NaiveNode& i, double, const Vec& g) { i.force -= p.volume * p.stress * g; });  // [York 3.17]
     forces_known_ = true;
   }
 
@@ -198,9 +203,9 @@ class NaiveStep {
         moment += n * r * r.transpose();
         l += i.end * g_[p * nodes_.size() + k].transpose();
       }
-      point.x += dt * v;                                             // [York 3.21]
+      point.x += dt * v;  // [York 3.21]
       const bool flip = scene_.transfer == "flip", affine = scene_.transfer == "apic";
-      point.v = flip ? Vec(point.v + change) : v;                    // [York 3.22] [EC-APIC 5]
+      point.v = flip ? Vec(point.v + change) : v;  // [York 3.22] [EC-APIC 5]
       double kept = flip ? change.squaredNorm() : v.squaredNorm();
       if (affine) {
         if (dim_ == 1) moment(1, 1) = 1;
@@ -220,7 +225,8 @@ class NaiveStep {
     for_pairs([&](NaivePoint& p, NaiveNode& i, double n, const Vec&) {
       i.momentum += p.m * n * (p.v + p.c * (i.x - frozen(p)));
     });
-    for (NaiveNode& node : nodes_) node.again = node.m > 0 ? Vec(node.momentum / node.m) : Vec(Vec::Zero());  // [York 3.24]
+    for (NaiveNode& node : nodes_)
+      node.again = node.m > 0 ? Vec(node.momentum / node.m) : Vec(Vec::Zero());  // [York 3.24]
   }
 
   Mat strain_rate(std::size_t p, Of which) const {
@@ -241,8 +247,8 @@ class NaiveStep {
       const double power = dt * point.volume * point.stress.cwiseProduct(e).sum();
       double stored = power;
       if (gas_) {
-        point.energy += power / point.m;                                                                    // [York 4.8]
-        if (scene_.density == DensityMethod::continuity) point.density /= 1 + dt * e.trace();               // [York 4.7]
+        point.energy += power / point.m;                                                       // [York 4.8]
+        if (scene_.density == DensityMethod::continuity) point.density /= 1 + dt * e.trace();  // [York 4.7]
       } else {
         const double before = wrinkled(point.strain) ? 0 : membrane_->youngs_modulus * point.strain * point.strain / 2;
         const Vec t = tangent_of_[p];
@@ -309,7 +315,8 @@ class NaiveStep {
       const Vec d = points[(from + 1) % n].x - points[from % n].x;
       return std::atan2(d[1], d[0]);
     };
-    const double before = open && p == 0 ? angle(0) : angle(p + n - 1), after = open && p == n - 1 ? angle(n - 2) : angle(p);
+    const double before = open && p == 0 ? angle(0) : angle(p + n - 1),
+                 after = open && p == n - 1 ? angle(n - 2) : angle(p);
     const double turn = std::remainder(after - before, 2 * std::numbers::pi);
     return Vec(std::cos(before + turn / 2), std::sin(before + turn / 2));
   }
@@ -327,13 +334,15 @@ class NaiveStep {
     const double div = e.trace(), c = std::sqrt(gas_->gamma * (gas_->gamma - 1) * point.energy);
     point.pressure = (gas_->gamma - 1) * point.density * point.energy;  // [York 4.4]
     const double closing = div < 0 ? h_ * std::abs(div) : 0;
-    const double q = point.density * (gas_->viscosity_linear * c * closing + gas_->viscosity_quadratic * closing * closing);  // [York 4.11]
+    const double q = point.density * (gas_->viscosity_linear * c * closing +
+                                      gas_->viscosity_quadratic * closing * closing);  // [York 4.11]
     Mat one = Mat::Identity();
     if (dim_ == 1) one(1, 1) = 0;
     return 2 * gas_->viscosity * e - (2.0 / 3 * gas_->viscosity * div + point.pressure + q) * one;  // [York 4.1]
   }
 
-  // Where the viscous stress takes heat out over the midpoint velocity, it is taken from that velocity. [EC-APIC viscous heat]
+  // Where the viscous stress takes heat out over the midpoint velocity, it is taken from that velocity.
+  // [EC-APIC viscous heat]
   bool viscosity_would_cool() {
     bool any = false;
     for (std::size_t p = 0; p < points.size(); ++p) {
@@ -352,7 +361,7 @@ class NaiveStep {
   const IdealGas* gas_;
   const UniaxialMembrane* membrane_;
   std::vector<NaiveNode> nodes_;
-  std::vector<double> n_;   // N_ip, point by point
+  std::vector<double> n_;  // N_ip, point by point
   std::vector<Vec> g_, at_, tangent_of_;
   bool forces_known_ = false;
   double stored_first_ = 0;

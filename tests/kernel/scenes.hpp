@@ -1,4 +1,5 @@
-// Small scenes for the tests of the kernel: boxes of gas, chains of membrane points, and looks at what became of them.
+// Small scenes for the tests of the kernel: boxes of gas, chains of membrane points, and looks at what became
+// of them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -52,7 +53,8 @@ inline GridSpec plane(int columns, int rows, double h, WallTable sides = walls_e
 }
 
 // per_cell points a cell and direction in the cells first <= cell < last, evenly spaced, rows of growing x.
-inline std::vector<Place> lattice(const GridSpec& grid, int per_cell, std::array<int, 2> first, std::array<int, 2> last) {
+inline std::vector<Place> lattice(const GridSpec& grid, int per_cell, std::array<int, 2> first,
+                                  std::array<int, 2> last) {
   std::vector<Place> places;
   const double d = grid.h / per_cell;
   const auto at = [&](int k, int direction) { return grid.origin[direction] + (k + 0.5) * d; };
@@ -86,7 +88,8 @@ struct GasState {
 using GasField = std::function<GasState(const Place&)>;
 
 // Each point has the volume `volume` and the mass that the field's density gives it there.
-inline Body gas_body(const IdealGas& gas, int dim, const std::vector<Place>& places, double volume, const GasField& field) {
+inline Body gas_body(const IdealGas& gas, int dim, const std::vector<Place>& places, double volume,
+                     const GasField& field) {
   Body body = make_body("gas", std::make_shared<IdealGas>(gas), static_cast<int>(places.size()), dim);
   for (std::size_t p = 0; p < places.size(); ++p) {
     const GasState state = field(places[p]);
@@ -128,7 +131,8 @@ inline Scene scene_of(const GridSpec& grid, std::vector<Body> bodies, const std:
   return scene;
 }
 
-// A gas with all there is: random velocities, uneven places and energies, both viscosities, walls and a free surface.
+// A gas with all there is: random velocities, uneven places and energies, both viscosities, walls and a free
+// surface.
 inline Scene rough_gas(int dim, const std::string& shape, const std::string& transfer, Place gravity = {3, -9}) {
   IdealGas gas;
   gas.viscosity = 0.01;
@@ -148,9 +152,10 @@ inline Scene rough_gas(int dim, const std::string& shape, const std::string& tra
   return scene_of(grid, {gas_body(gas, dim, places, lattice_volume(grid, 3), field)}, shape, transfer, gravity);
 }
 
-// The same in empty space: no walls, room to all sides, and node lines half a cell off the edges, so that no point starts
-// a cell of its own, where a node of next to no mass would be thrown about.
-inline Scene rough_gas_in_space(int dim, const std::string& shape, const std::string& transfer, Place gravity = {3, -9}) {
+// The same in empty space: no walls, room to all sides, and node lines half a cell off the edges, so that no
+// point starts a cell of its own, where a node of next to no mass would be thrown about.
+inline Scene rough_gas_in_space(int dim, const std::string& shape, const std::string& transfer,
+                                Place gravity = {3, -9}) {
   Scene scene = rough_gas(dim, shape, transfer, gravity);
   scene.grid.walls = walls_everywhere(Wall::free);
   scene.grid.origin = {-0.25, dim == 1 ? 0.0 : -0.25};
@@ -186,9 +191,9 @@ inline std::vector<double> by_id(const Body& body, const ColumnId& id, int compo
 }
 
 inline std::vector<const ColumnId*> all_columns() {
-  return {&column::position, &column::velocity, &column::affine,   &column::mass,    &column::volume,
-          &column::strain_rate, &column::stress, &column::density, &column::energy,  &column::pressure,
-          &column::strain,   &column::tangent,  &column::transfer_loss};
+  return {&column::position,    &column::velocity, &column::affine,       &column::mass,   &column::volume,
+          &column::strain_rate, &column::stress,   &column::density,      &column::energy, &column::pressure,
+          &column::strain,      &column::tangent,  &column::transfer_loss};
 }
 
 // Every column, bit for bit, and the order of the points.

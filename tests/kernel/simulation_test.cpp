@@ -47,8 +47,8 @@ TEST(Simulation, TheLastStepIsShortened) {
 TEST(Simulation, RoundingIsNoStep) {
   UniaxialMembrane law;
   law.youngs_modulus = law.density = 1;
-  Simulation run(scenes::scene_of(scenes::line(4, 1), {scenes::membrane_body(law, 1, {{2.2, 0}}, 1)}, "linear", "flip"), "musl",
-                 {0.3, 0.001});
+  Simulation run(scenes::scene_of(scenes::line(4, 1), {scenes::membrane_body(law, 1, {{2.2, 0}}, 1)}, "linear", "flip"),
+                 "musl", {0.3, 0.001});
   run.run_until(1);
   EXPECT_EQ(run.steps(), 1000);
 }
@@ -76,9 +76,12 @@ Scene stretching(double slope, double gamma, const std::string& transfer = "apic
   IdealGas gas;
   gas.gamma = gamma;
   const GridSpec grid = scenes::line(12, 0.1);
-  return scenes::scene_of(grid, {scenes::gas_body(gas, 1, scenes::lattice(grid, 2, {4, 0}, {8, 1}), 0.05, [&](const scenes::Place& x) {
-                            return scenes::GasState{1, 1e-6, {slope * (x[0] - 0.6), 0}};
-                          })}, "quadratic", transfer);
+  return scenes::scene_of(grid,
+                          {scenes::gas_body(gas, 1, scenes::lattice(grid, 2, {4, 0}, {8, 1}), 0.05,
+                                            [&](const scenes::Place& x) {
+                                              return scenes::GasState{1, 1e-6, {slope * (x[0] - 0.6), 0}};
+                                            })},
+                          "quadratic", transfer);
 }
 
 InadmissibleState stop_of(Simulation&& run, double end) {
@@ -197,7 +200,8 @@ Scene swirling(int dim, const std::string& shape, const std::string& transfer, b
   if (!shuffled) return scene;
   std::vector<int> order(scene.bodies[0].id);
   scenes::Random random(99);
-  for (std::size_t i = order.size() - 1; i > 0; --i) std::swap(order[i], order[static_cast<std::size_t>(random(0, i + 1.0))]);
+  for (std::size_t i = order.size() - 1; i > 0; --i)
+    std::swap(order[i], order[static_cast<std::size_t>(random(0, i + 1.0))]);
   points.reorder(order);
   return scene;
 }
@@ -205,7 +209,8 @@ Scene swirling(int dim, const std::string& shape, const std::string& transfer, b
 TEST(Repeat, TheSameRunHasTheSameBits) {
   for (const scenes::Combination& c : scenes::working_combinations()) {
     for (int dim : {1, 2}) {
-      Simulation one(swirling(dim, c.shape, c.transfer), c.integrator, {0.3, {}}), other(swirling(dim, c.shape, c.transfer), c.integrator, {0.3, {}});
+      Simulation one(swirling(dim, c.shape, c.transfer), c.integrator, {0.3, {}}),
+          other(swirling(dim, c.shape, c.transfer), c.integrator, {0.3, {}});
       for (int k = 0; k < 5; ++k) {
         one.step(1);
         other.step(1);
@@ -225,13 +230,15 @@ void expect_same_ledger(const Account& a, const Account& b) {
   for (int f = 0; f < flow_count; ++f) EXPECT_EQ(a.flow(static_cast<Flow>(f)), b.flow(static_cast<Flow>(f)));
 }
 
-// Saved, carried into another simulation of the same scene and continued: every bit of the points and of the ledger.
+// Saved, carried into another simulation of the same scene and continued: every bit of the points and of the
+// ledger.
 TEST(Repeat, ARestoredRunContinuesBitwise) {
   for (const scenes::Combination& c : scenes::working_combinations()) {
     for (int dim : {1, 2}) {
       SCOPED_TRACE(testing::Message() << dim << "-D, " << c);
       const Scene scene = swirling(dim, c.shape, c.transfer, true);
-      Simulation whole(scene, c.integrator, {0.3, {}}), first(scene, c.integrator, {0.3, {}}), second(scene, c.integrator, {0.3, {}});
+      Simulation whole(scene, c.integrator, {0.3, {}}), first(scene, c.integrator, {0.3, {}}),
+          second(scene, c.integrator, {0.3, {}});
       for (int k = 0; k < 12; ++k) whole.step(1);
       for (int k = 0; k < 7; ++k) first.step(1);
       second.restore(first.save());
@@ -250,7 +257,8 @@ TEST(Repeat, ARestoredRunContinuesBitwise) {
 }
 
 TEST(Repeat, ACheckpointOfAnotherSceneIsRefused) {
-  Simulation one(scenes::rough_gas(1, "quadratic", "apic"), "musl", {}), other(scenes::rough_gas(2, "quadratic", "apic"), "musl", {});
+  Simulation one(scenes::rough_gas(1, "quadratic", "apic"), "musl", {}),
+      other(scenes::rough_gas(2, "quadratic", "apic"), "musl", {});
   EXPECT_THROW(one.restore(other.save()), std::invalid_argument);
 }
 
@@ -266,20 +274,23 @@ TEST(Sorting, PointsStandByCellAndKeepTheirNumbers) {
   EXPECT_EQ(scenes::by_id(body, column::mass), mass);
   std::size_t out_of_order = 0;
   const auto cell = [&](std::size_t p) {
-    return 6 * std::floor(body.points(column::position, 1)[p] / 0.1) + std::floor(body.points(column::position)[p] / 0.1);
+    return 6 * std::floor(body.points(column::position, 1)[p] / 0.1) +
+           std::floor(body.points(column::position)[p] / 0.1);
   };
   for (std::size_t p = 1; p < body.id.size(); ++p) out_of_order += cell(p) < cell(p - 1);
   EXPECT_LE(out_of_order, body.id.size() / 8);  // one in sixteen is when they are sorted again; a step adds a few
 }
 
-// The order in which a scene lists its points is no physics: shuffled, the same points do the same to rounding, which
-// twenty steps of a compressible gas let grow by less than a hundred.
+// The order in which a scene lists its points is no physics: shuffled, the same points do the same to rounding,
+// which twenty steps of a compressible gas let grow by less than a hundred.
 TEST(Sorting, ShuffledPointsDoTheSame) {
   for (int dim : {1, 2}) {
     std::vector<int> order(swirling(dim, "quadratic", "apic").bodies[0].id);
     scenes::Random random(99);
-    for (std::size_t i = order.size() - 1; i > 0; --i) std::swap(order[i], order[static_cast<std::size_t>(random(0, i + 1.0))]);
-    Simulation one(swirling(dim, "quadratic", "apic"), "energy", {0.3, {}}), other(swirling(dim, "quadratic", "apic", true), "energy", {0.3, {}});
+    for (std::size_t i = order.size() - 1; i > 0; --i)
+      std::swap(order[i], order[static_cast<std::size_t>(random(0, i + 1.0))]);
+    Simulation one(swirling(dim, "quadratic", "apic"), "energy", {0.3, {}}),
+        other(swirling(dim, "quadratic", "apic", true), "energy", {0.3, {}});
     for (int k = 0; k < 20; ++k) {
       one.step(1);
       other.step(1);
@@ -299,7 +310,8 @@ TEST(Sorting, ChainsAreNeverSorted) {
   const GridSpec grid = scenes::plane(6, 6, 0.1);
   std::vector<scenes::Place> places;
   for (int k = 0; k < 12; ++k) places.push_back({0.45 - 0.03 * k, 0.45 - 0.02 * k});
-  Simulation run(scenes::scene_of(grid, {scenes::membrane_body(law, 2, places, 0.01)}, "quadratic", "flip"), "musl", {0.3, {}});
+  Simulation run(scenes::scene_of(grid, {scenes::membrane_body(law, 2, places, 0.01)}, "quadratic", "flip"), "musl",
+                 {0.3, {}});
   run.step(1);
   const std::vector<int>& id = run.scene().bodies[0].id;
   EXPECT_TRUE(std::is_sorted(id.begin(), id.end()));

@@ -1,4 +1,5 @@
-// Beside the stages of the material point method, an integrator may ask for the state and its rate and combine states.
+// Beside the stages of the material point method, an integrator may ask for the state and its rate and combine
+// states.
 #include "kernel/stages.hpp"
 
 #include <stdexcept>
@@ -45,24 +46,30 @@ TEST(State, IsALinearSpace) {
   EXPECT_EQ((3 * a + 0.5 * b).values, (std::vector<double>{8, 16}));
 }
 
-// A spring of four points and a column of gas, each on linear shapes with every point well inside its cell throughout:
-// the semi-discrete equations are smooth, and only the time integrator's error is left.
+// A spring of four points and a column of gas, each on linear shapes with every point well inside its cell
+// throughout: the semi-discrete equations are smooth, and only the time integrator's error is left.
 Scene spring() {
   UniaxialMembrane law;
   law.youngs_modulus = law.density = 1;
   law.one_way = false;
   const GridSpec grid = scenes::line(5, 1, scenes::walls(Wall::no_slip, Wall::free));
-  return scenes::scene_of(grid, {scenes::membrane_body(law, 1, scenes::lattice(grid, 1, {0, 0}, {4, 1}), 1,
-                                                       [](const scenes::Place& x) { return scenes::Place{0.02 * x[0], 0}; })},
+  return scenes::scene_of(grid,
+                          {scenes::membrane_body(law, 1, scenes::lattice(grid, 1, {0, 0}, {4, 1}), 1,
+                                                 [](const scenes::Place& x) {
+                                                   return scenes::Place{0.02 * x[0], 0};
+                                                 })},
                           "linear", "flip", {0.002, 0});
 }
 Scene gas_column() {
   IdealGas gas;
   gas.viscosity = 0.05;
   const GridSpec grid = scenes::line(4, 1, scenes::walls(Wall::symmetry, Wall::symmetry));
-  Scene scene = scenes::scene_of(grid, {scenes::gas_body(gas, 1, scenes::lattice(grid, 2), 0.5, [](const scenes::Place& x) {
-                                   return scenes::GasState{1, 1, {0.1 * std::sin(0.7 * x[0]), 0}};
-                                 })}, "linear", "flip");
+  Scene scene = scenes::scene_of(grid,
+                                 {scenes::gas_body(gas, 1, scenes::lattice(grid, 2), 0.5,
+                                                   [](const scenes::Place& x) {
+                                                     return scenes::GasState{1, 1, {0.1 * std::sin(0.7 * x[0]), 0}};
+                                                   })},
+                                 "linear", "flip");
   scene.density = DensityMethod::continuity;
   return scene;
 }

@@ -13,7 +13,8 @@ namespace {
 // Sums of up to 16 products of numbers of order one.
 constexpr double rounding = 1e-14;
 
-// In the plane: sum N = 1, sum grad N = 0, sum N r = 0, sum r grad N^T = 1, sum N r r^T = D, N r = D a. [EC-APIC 5]
+// In the plane: sum N = 1, sum grad N = 0, sum N r = 0, sum r grad N^T = 1, sum N r r^T = D, N r = D a.
+// [EC-APIC 5]
 template <class Shape>
 void expect_plane_identities() {
   const double h = 0.5;
@@ -26,16 +27,16 @@ void expect_plane_identities() {
       Eigen::Vector2d g_sum = Eigen::Vector2d::Zero(), r_sum = g_sum;
       Eigen::Matrix2d moment = Eigen::Matrix2d::Zero(), slope = moment, affine = moment;
       std::set<std::size_t> nodes;
-      stencil.for_nodes([&](std::size_t i, double n, const Eigen::Vector2d& g, const Eigen::Vector2d& r,
-                            const Eigen::Vector2d& a) {
-        nodes.insert(i);
-        n_sum += n;
-        g_sum += g;
-        r_sum += n * r;
-        moment += n * r * r.transpose();
-        slope += r * g.transpose();
-        affine += r * a.transpose();
-      });
+      stencil.for_nodes(
+          [&](std::size_t i, double n, const Eigen::Vector2d& g, const Eigen::Vector2d& r, const Eigen::Vector2d& a) {
+            nodes.insert(i);
+            n_sum += n;
+            g_sum += g;
+            r_sum += n * r;
+            moment += n * r * r.transpose();
+            slope += r * g.transpose();
+            affine += r * a.transpose();
+          });
       const Eigen::Vector2d d2(Shape::inertia(local[0]) * h * h, Shape::inertia(local[1]) * h * h);
       EXPECT_NEAR(n_sum, 1, rounding);
       EXPECT_LE(g_sum.norm(), rounding / h);

@@ -42,7 +42,8 @@ TEST(TimeIntegrator, OneRegisteredHereIsFoundByName) {
   EXPECT_EQ(entry->title, "usavg with the whole map repeated");
 }
 
-// Stages may be called more than once a step: each takes what the latest calls left, nothing remembered from before.
+// Stages may be called more than once a step: each takes what the latest calls left, nothing remembered from
+// before.
 TEST(TimeIntegrator, TheWholeMapRepeatedIsTheMapOfMomentum) {
   Simulation usual(scenes::rough_gas(2, "quadratic", "flip"), "usavg", {0.2, {}});
   Simulation repeated(scenes::rough_gas(2, "quadratic", "flip"), "test_second_map", {0.2, {}});

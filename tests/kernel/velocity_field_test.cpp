@@ -1,4 +1,5 @@
-// A body names the velocity field it moves with: bodies of one field move together, of two they do not know of each other.
+// A body names the velocity field it moves with: bodies of one field move together, of two they do not know of
+// each other.
 #include "kernel/velocity_field.hpp"
 
 #include "tests/kernel/scenes.hpp"
@@ -8,8 +9,9 @@ namespace {
 
 Body block(const GridSpec& grid, int first_cell, double speed, const std::string& field) {
   const auto places = scenes::jittered(scenes::lattice(grid, 2, {first_cell, 1}, {first_cell + 3, 4}), 0.01, grid.dim);
-  Body body = scenes::gas_body({}, grid.dim, places, scenes::lattice_volume(grid, 2),
-                               [&](const scenes::Place& x) { return scenes::GasState{1 + x[1], 0.01, {speed, 0.1 * x[0]}}; });
+  Body body = scenes::gas_body({}, grid.dim, places, scenes::lattice_volume(grid, 2), [&](const scenes::Place& x) {
+    return scenes::GasState{1 + x[1], 0.01, {speed, 0.1 * x[0]}};
+  });
   body.field = field;
   return body;
 }
@@ -26,7 +28,8 @@ TEST(VelocityField, BodiesOfTwoFieldsPassThroughEachOther) {
     const auto alone = places_after({left}, grid, 0), other_alone = places_after({right}, grid, 0);
     EXPECT_EQ(places_after({left, right}, grid, 0), alone);  // bit for bit
     EXPECT_EQ(places_after({left, right}, grid, 1), other_alone);
-    EXPECT_GT(*std::min_element(alone.begin(), alone.end()), *std::max_element(other_alone.begin(), other_alone.end()) - 0.2);
+    EXPECT_GT(*std::min_element(alone.begin(), alone.end()),
+              *std::max_element(other_alone.begin(), other_alone.end()) - 0.2);
   }
 }
 

@@ -69,7 +69,8 @@ struct Mirrors {
 std::vector<GridSpec> walled_lines() {
   std::vector<GridSpec> all;
   for (Wall low : {Wall::free, Wall::symmetry, Wall::no_slip}) {
-    for (Wall high : {Wall::free, Wall::symmetry, Wall::no_slip}) all.push_back(scenes::line(4, 0.5, scenes::walls(low, high)));
+    for (Wall high : {Wall::free, Wall::symmetry, Wall::no_slip})
+      all.push_back(scenes::line(4, 0.5, scenes::walls(low, high)));
   }
   return all;
 }
@@ -143,7 +144,8 @@ void expect_scalars_extend(const GridSpec& spec) {
   for (int i = 0; i < m.grid.node_count(); ++i) EXPECT_EQ(m.field.mass[i], before[m.image(i).node]);
 }
 
-// What the map back gives to points beyond what the inner nodes hold: sum over ghosts of their own M_g (u_g - u_image).
+// What the map back gives to points beyond what the inner nodes hold: sum over ghosts of their own M_g (u_g -
+// u_image).
 template <int dim>
 void expect_extension_impulse(const GridSpec& spec) {
   Mirrors<dim> m(spec);
@@ -185,7 +187,8 @@ TEST(Walls, ImpulseOfTheMapBack) {
   for (const GridSpec& spec : walled_planes()) expect_extension_impulse<2>(spec);
 }
 
-// Interpolated at places on the wall, the odd components are zero: exactly where mirror weights are the same numbers.
+// Interpolated at places on the wall, the odd components are zero: exactly where mirror weights are the same
+// numbers.
 template <class Shape>
 void expect_still_wall(Wall kind) {
   Mirrors<2> m(scenes::plane(6, 5, 0.5, scenes::walls(kind, Wall::free, Wall::free, Wall::free)));

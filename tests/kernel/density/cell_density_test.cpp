@@ -20,7 +20,8 @@ GridSpec walled(int dim, Wall kind) {
 
 Scene gas_scene(const GridSpec& grid, int per_cell, const std::string& shape, const scenes::GasField& field) {
   return scenes::scene_of(
-      grid, {scenes::gas_body({}, grid.dim, scenes::lattice(grid, per_cell), scenes::lattice_volume(grid, per_cell), field)},
+      grid,
+      {scenes::gas_body({}, grid.dim, scenes::lattice(grid, per_cell), scenes::lattice_volume(grid, per_cell), field)},
       shape, "flip");
 }
 
@@ -51,8 +52,9 @@ TEST(Density, AUniformGasIsUniformUpToTheWalls) {
   }
 }
 
-// A ramp rho = 1 + x + y/2: cells take its value at their centre, [York 4.5] as the mean of its points, [York 4.6] because
-// symmetric weights keep a linear field; nodes keep it for the same reason and shapes interpolate it, [EC-APIC 2].
+// A ramp rho = 1 + x + y/2: cells take its value at their centre, [York 4.5] as the mean of its points, [York
+// 4.6] because symmetric weights keep a linear field; nodes keep it for the same reason and shapes interpolate
+// it, [EC-APIC 2].
 TEST(Density, ARampAwayFromTheEdges) {
   for (int dim : {1, 2}) {
     const GridSpec grid = dim == 1 ? scenes::line(8, 0.25) : scenes::plane(8, 8, 0.25);
@@ -60,9 +62,11 @@ TEST(Density, ARampAwayFromTheEdges) {
     const auto places = scenes::lattice(grid, 2);
     for (const Choice& shape : shapes()) {
       for (DensityMethod method : by_mass) {
-        const auto rho = densities_of(gas_scene(grid, 2, shape.name, [&](const scenes::Place& x) {
-          return scenes::GasState{ramp(x), 1, {0, 0}};
-        }), method);
+        const auto rho = densities_of(gas_scene(grid, 2, shape.name,
+                                                [&](const scenes::Place& x) {
+                                                  return scenes::GasState{ramp(x), 1, {0, 0}};
+                                                }),
+                                      method);
         for (std::size_t p = 0; p < places.size(); ++p) {
           scenes::Place where = places[p];
           bool inside = true;
@@ -91,34 +95,38 @@ TEST(Density, AtAFreeEdge) {
 // Every point of a cell has the cell's density: 3 and 1 points of the same mass. [York 4.5]
 TEST(Density, CellsCountTheirOwnPoints) {
   const GridSpec grid = scenes::line(2, 0.5);
-  Scene scene = scenes::scene_of(
-      grid, {scenes::gas_body({}, 1, {{0.1, 0}, {0.2, 0}, {0.45, 0}, {0.9, 0}}, 0.25, [](auto&) { return scenes::GasState{}; })},
-      "linear", "flip");
+  Scene scene = scenes::scene_of(grid,
+                                 {scenes::gas_body({}, 1, {{0.1, 0}, {0.2, 0}, {0.45, 0}, {0.9, 0}}, 0.25,
+                                                   [](auto&) { return scenes::GasState{}; })},
+                                 "linear", "flip");
   const auto rho = densities_of(scene, DensityMethod::cell);
   for (std::size_t p = 0; p < 3; ++p) EXPECT_NEAR(rho[p], 1.5, rounding);
   EXPECT_NEAR(rho[3], 0.5, rounding);
 }
 
-// The quadratic weights of a point off centre, mirrored at the wall: 1/2 (1/2 - f)^2 beyond it falls back into the cell. [York 4.6]
+// The quadratic weights of a point off centre, mirrored at the wall: 1/2 (1/2 - f)^2 beyond it falls back into
+// the cell. [York 4.6]
 TEST(Density, QuadraticWeightsMirrorAtWalls) {
   for (Wall kind : {Wall::free, Wall::symmetry}) {
     const GridSpec grid = scenes::line(3, 1, scenes::walls_everywhere(kind));
-    const Scene scene =
-        scenes::scene_of(grid, {scenes::gas_body({}, 1, {{0.3, 0}}, 1, [](auto&) { return scenes::GasState{}; })}, "linear", "flip");
+    const Scene scene = scenes::scene_of(
+        grid, {scenes::gas_body({}, 1, {{0.3, 0}}, 1, [](auto&) { return scenes::GasState{}; })}, "linear", "flip");
     const double own = 0.75 - 0.04, beyond = kind == Wall::free ? 0 : 0.5 * 0.49;
     EXPECT_NEAR(densities_of(scene, DensityMethod::quadratic)[0], own + beyond, rounding);
   }
 }
 
-// A second gas in the same cells, in the same velocity field or its own, before the motion and after it, adds nothing.
+// A second gas in the same cells, in the same velocity field or its own, before the motion and after it, adds
+// nothing.
 TEST(Density, OnlyABodysOwnMassCounts) {
   const GridSpec grid = walled(2, Wall::symmetry);
   const auto places = scenes::lattice(grid, 2);
   for (const std::string& other_field : {std::string("common"), std::string("other")}) {
     for (DensityMethod method : by_mass) {
       Scene scene = gas_scene(grid, 2, "quadratic", [](auto&) { return scenes::GasState{1.5, 1, {0.1, 0.2}}; });
-      Body other = scenes::gas_body({}, 2, places, scenes::lattice_volume(grid, 2),
-                                    [](auto&) { return scenes::GasState{40, 1, {0.1, 0.2}}; });
+      Body other = scenes::gas_body({}, 2, places, scenes::lattice_volume(grid, 2), [](auto&) {
+        return scenes::GasState{40, 1, {0.1, 0.2}};
+      });
       other.field = other_field;
       scene.bodies.push_back(other);
       scene.density = method;
@@ -141,7 +149,8 @@ TEST(Density, OnlyABodysOwnMassCounts) {
   }
 }
 
-// After the points moved, the density is that of their new places, although the step's weights are frozen. [EC-APIC 2]
+// After the points moved, the density is that of their new places, although the step's weights are frozen.
+// [EC-APIC 2]
 TEST(Density, GridDensityFollowsThePoints) {
   Scene scene = scenes::rough_gas(2, "quadratic", "apic");
   Ledger ledger;
@@ -158,8 +167,9 @@ TEST(Density, GridDensityFollowsThePoints) {
   for (std::size_t p = 0; p < moved.size(); ++p) EXPECT_NEAR(moved[p], expected[p], rounding);
 }
 
-// [York 4.7] Cold gas with v = -k x shrinks to (1 - k dt) x in a step, and the grid sees div v exactly. On a line continuity
-// divides rho by 1 - k dt: exact. In the plane by 1 - 2 k dt, where the area shrinks by (1 - k dt)^2: rho k^2 dt^2 too much.
+// [York 4.7] Cold gas with v = -k x shrinks to (1 - k dt) x in a step, and the grid sees div v exactly. On a
+// line continuity divides rho by 1 - k dt: exact. In the plane by 1 - 2 k dt, where the area shrinks by (1 - k
+// dt)^2: rho k^2 dt^2 too much.
 TEST(Density, ContinuityUnderUniformCompression) {
   const double k = 2;
   for (int dim : {1, 2}) {
@@ -167,8 +177,8 @@ TEST(Density, ContinuityUnderUniformCompression) {
       const GridSpec grid = dim == 1 ? scenes::line(8, 0.25) : scenes::plane(8, 8, 0.25);
       const auto places = scenes::lattice(grid, 2, {1, 1}, {7, 7});
       const auto closing = [&](const scenes::Place& x) { return scenes::GasState{3, 0, {-k * x[0], -k * x[1]}}; };
-      Scene scene = scenes::scene_of(grid, {scenes::gas_body({}, dim, places, scenes::lattice_volume(grid, 2), closing)},
-                                     "quadratic", "apic");
+      Scene scene = scenes::scene_of(
+          grid, {scenes::gas_body({}, dim, places, scenes::lattice_volume(grid, 2), closing)}, "quadratic", "apic");
       scene.density = DensityMethod::continuity;
       Columns& points = scene.bodies[0].points;
       points.add(column::affine, dim * dim);
@@ -176,7 +186,8 @@ TEST(Density, ContinuityUnderUniformCompression) {
       Simulation run(std::move(scene), "usl", {0.3, dt});
       run.step(1);
       const double exact = 3 / std::pow(1 - k * dt, dim), error = dim == 1 ? 0 : 3 / (1 - 2 * k * dt) - exact;
-      for (double rho : scenes::by_id(run.scene().bodies[0], column::density)) EXPECT_NEAR(rho, exact + error, 3 * rounding);
+      for (double rho : scenes::by_id(run.scene().bodies[0], column::density))
+        EXPECT_NEAR(rho, exact + error, 3 * rounding);
       // error = rho k^2 dt^2 / ((1 - 2 k dt)(1 - k dt)^2)
       EXPECT_NEAR(error, dim == 1 ? 0 : exact * k * k * dt * dt / (1 - 2 * k * dt), rounding);
     }

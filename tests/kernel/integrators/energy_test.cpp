@@ -7,8 +7,8 @@ namespace {
 TEST(EnergyConserving, Order) {
   EXPECT_EQ(calls_of("energy"),
             (std::vector<std::string>{"locate_points", "map_mass_and_momentum", "evaluate_stress start", "map_forces",
-                                      "advance_momentum dt", "reverse_cooling", "move_points dt", "strain_points dt midpoint",
-                                      "return_transfer_loss"}));
+                                      "advance_momentum dt", "reverse_cooling", "move_points dt",
+                                      "strain_points dt midpoint", "return_transfer_loss"}));
 }
 
 // [EC-APIC viscous heat] one more pass over forces and momentum where viscosity would have cooled.
@@ -30,8 +30,9 @@ TEST(EnergyConserving, RefusesWhatCannotWork) {
   EXPECT_TRUE(integrator->returns_transfer_loss());
 }
 
-// Total energy itself, not only the residual, stays: 200 steps of a violent gas between walls, to 1e-13 of the total, which
-// is the square root of 200 x 3000 roundings of the largest terms with a factor of ten to spare. [EC-APIC 6]
+// Total energy itself, not only the residual, stays: 200 steps of a violent gas between walls, to 1e-13 of the
+// total, which is the square root of 200 x 3000 roundings of the largest terms with a factor of ten to spare.
+// [EC-APIC 6]
 TEST(EnergyConserving, ConservesEnergyBetweenWalls) {
   for (const char* shape : {"quadratic", "cubic"}) {
     for (const char* transfer : {"pic", "apic"}) {
@@ -71,9 +72,13 @@ TEST(EnergyConserving, MembranesLoseWhatTheMapsTake) {
   const GridSpec grid = scenes::line(8, 0.1);
   std::vector<scenes::Place> places;
   for (int k = 0; k < 12; ++k) places.push_back({0.21 + 0.03 * k, 0});
-  Simulation run(scenes::scene_of(grid, {scenes::membrane_body(law, 1, places, 0.03, [](const scenes::Place& x) {
-                                    return scenes::Place{std::sin(40 * x[0]), 0};
-                                  })}, "quadratic", "apic"), "energy", {0.3, {}});
+  Simulation run(scenes::scene_of(grid,
+                                  {scenes::membrane_body(law, 1, places, 0.03,
+                                                         [](const scenes::Place& x) {
+                                                           return scenes::Place{std::sin(40 * x[0]), 0};
+                                                         })},
+                                  "quadratic", "apic"),
+                 "energy", {0.3, {}});
   for (int k = 0; k < 5; ++k) run.step(1);
   EXPECT_LT(run.ledger().energy.flow(Flow::transfer), -1e-3 * run.ledger().energy.scale());
   scenes::expect_ledger_closes(run.ledger(), 1e-13);
@@ -87,15 +92,18 @@ IdealGas viscous(double mu, double linear, double quadratic) {
   return gas;
 }
 
-// A gas that closes slowly while its pressure is about to throw it apart: over the step it expands everywhere, so the
-// viscosity that the start's velocity called for would take heat out.
+// A gas that closes slowly while its pressure is about to throw it apart: over the step it expands everywhere,
+// so the viscosity that the start's velocity called for would take heat out.
 Scene about_to_turn(const IdealGas& gas) {
   const GridSpec grid = scenes::line(10, 0.1);
   const auto places = scenes::lattice(grid, 3, {3, 0}, {7, 1});
-  return scenes::scene_of(grid, {scenes::gas_body(gas, 1, places, 0.1 / 3, [](const scenes::Place& x) {
-                            const double s = (x[0] - 0.5) / 0.25;
-                            return scenes::GasState{1, 2 - s * s, {-0.1 * (x[0] - 0.5), 0}};
-                          })}, "quadratic", "apic");
+  return scenes::scene_of(grid,
+                          {scenes::gas_body(gas, 1, places, 0.1 / 3,
+                                            [](const scenes::Place& x) {
+                                              const double s = (x[0] - 0.5) / 0.25;
+                                              return scenes::GasState{1, 2 - s * s, {-0.1 * (x[0] - 0.5), 0}};
+                                            })},
+                          "quadratic", "apic");
 }
 
 double heat_of_one_step(Scene scene, bool reverse, bool& reversed) {

@@ -10,7 +10,8 @@ TEST(ModifiedUpdateStressLast, Order) {
                                                         "strain_points dt current", "evaluate_stress current"}));
 }
 
-// The strain takes the velocity mapped again from the updated point with the frozen weights: that is its own. [York 3.24]
+// The strain takes the velocity mapped again from the updated point with the frozen weights: that is its own.
+// [York 3.24]
 TEST(ModifiedUpdateStressLast, OnePointOscillator) {
   expect_steps_as_by_hand("musl", [](OnePointOscillator& o, double dt) {
     o.move(o.acceleration(), dt);

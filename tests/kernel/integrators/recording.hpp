@@ -1,5 +1,5 @@
-// Stages that only write down in which order an integrator calls them, and with what; and the smallest oscillator that
-// tells all orders apart: one membrane point between a fixed node and a moving one.
+// Stages that only write down in which order an integrator calls them, and with what; and the smallest
+// oscillator that tells all orders apart: one membrane point between a fixed node and a moving one.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -59,13 +59,15 @@ struct OnePointOscillator {
     law.density = m / volume;
     Body body = scenes::membrane_body(law, 1, {{x, 0}}, volume, [this](auto&) { return scenes::Place{v, 0}; });
     body.points(column::strain)[0] = strain;
-    return scenes::scene_of(scenes::line(2, h, scenes::walls(Wall::no_slip, Wall::free)), {std::move(body)}, "linear", "flip");
+    return scenes::scene_of(scenes::line(2, h, scenes::walls(Wall::no_slip, Wall::free)), {std::move(body)}, "linear",
+                            "flip");
   }
 
   // The acceleration of the free node: f = -V sigma / h over M = m N with N = x / h. [York 3.15, 3.17, 3.19]
   double acceleration() const { return -volume * stress / h / (m * weight()); }
   double weight() const { return x / h; }
-  // [York 3.21, 3.22] with the free node's velocity before, which is the point's own: P / M = m v N / (m N). [York 3.16]
+  // [York 3.21, 3.22] with the free node's velocity before, which is the point's own: P / M = m v N / (m N).
+  // [York 3.16]
   void move(double a, double dt) {
     const double n = weight();
     x += dt * n * (v + dt * a);

@@ -4,9 +4,9 @@ namespace plumbline {
 namespace {
 
 TEST(UpdateStressFirst, Order) {
-  EXPECT_EQ(calls_of("usf"), (std::vector<std::string>{"locate_points", "map_mass_and_momentum", "strain_points dt current",
-                                                       "evaluate_stress current", "map_forces", "advance_momentum dt",
-                                                       "move_points dt"}));
+  EXPECT_EQ(calls_of("usf"), (std::vector<std::string>{"locate_points", "map_mass_and_momentum",
+                                                       "strain_points dt current", "evaluate_stress current",
+                                                       "map_forces", "advance_momentum dt", "move_points dt"}));
 }
 
 // The strain takes the velocity of the start, the force the new stress. [York 3.23] before [York 3.17]

@@ -4,9 +4,9 @@ namespace plumbline {
 namespace {
 
 TEST(UpdateStressLast, Order) {
-  EXPECT_EQ(calls_of("usl"), (std::vector<std::string>{"locate_points", "map_mass_and_momentum", "map_forces",
-                                                       "advance_momentum dt", "move_points dt", "strain_points dt current",
-                                                       "evaluate_stress current"}));
+  EXPECT_EQ(calls_of("usl"),
+            (std::vector<std::string>{"locate_points", "map_mass_and_momentum", "map_forces", "advance_momentum dt",
+                                      "move_points dt", "strain_points dt current", "evaluate_stress current"}));
 }
 
 // The strain takes v~ = v + dt a as the grid has it. [York 3.20, 3.23]

@@ -59,7 +59,8 @@ TEST(IdealGas, NewtonianStressOnALine) {
   EXPECT_NEAR(points(column::stress)[0], -0.4, rounding);
 }
 
-// [York 4.11] c = sqrt(1.68), h |div v| = 0.4: q = 2 x 0.4 x (0.2 sqrt(1.68) + 0.5 x 0.4) in compression, 0 in expansion.
+// [York 4.11] c = sqrt(1.68), h |div v| = 0.4: q = 2 x 0.4 x (0.2 sqrt(1.68) + 0.5 x 0.4) in compression, 0 in
+// expansion.
 TEST(IdealGas, ArtificialViscosity) {
   const double q = 0.8 * (0.2 * std::sqrt(1.68) + 0.2);
   EXPECT_NEAR(q, 0.367383702349, 1e-12);
@@ -86,7 +87,8 @@ TEST(IdealGas, ArtificialViscosityLinearAndQuadratic) {
   EXPECT_NEAR(points(column::stress)[0], -2.4 - 0.32, rounding);
 }
 
-// [York 4.8] de = dt V sigma : e / m: the stress of NewtonianStressInThePlane on (1, 3, 4) does 23/75 x 10 = 3.0667.
+// [York 4.8] de = dt V sigma : e / m: the stress of NewtonianStressInThePlane on (1, 3, 4) does 23/75 x 10 =
+// 3.0667.
 TEST(IdealGas, EnergyFollowsTheStressPower) {
   Columns points = one_point(2, {1, 3, 4});
   const IdealGas gas = viscous(0.5);
@@ -118,7 +120,8 @@ TEST(IdealGas, ViscousHeat) {
   EXPECT_NEAR(gas.viscous_heat(points, in_plane, 0.01), 0.005 * (46.0 / 15 + 9.6), rounding);
 }
 
-// Viscosity from a compression, power over an expansion: cools; [EC-APIC viscous heat] takes the stress from the latter.
+// Viscosity from a compression, power over an expansion: cools; [EC-APIC viscous heat] takes the stress from
+// the latter.
 TEST(IdealGas, CoolingIsReversed) {
   for (const IdealGas& gas : {viscous(0.5), viscous(0, 1, 1)}) {
     Columns points = one_point(1, {-4});

@@ -42,8 +42,8 @@ TEST(UniaxialMembrane, CarriesTotalStrainOnALine) {
   EXPECT_EQ(membrane.rates(points, on_line)[0], 2);
 }
 
-// The one-way law: no stress while the strain is negative, but it goes on accumulating, and all of it must be undone
-// before the membrane pulls again. [York 5.2, 5.3, 5.5]
+// The one-way law: no stress while the strain is negative, but it goes on accumulating, and all of it must be
+// undone before the membrane pulls again. [York 5.2, 5.3, 5.5]
 TEST(UniaxialMembrane, NegativeStrainAccumulatesWithoutStress) {
   const UniaxialMembrane membrane = law();
   Columns points = chain(membrane, {{0, 0}}, 1);
@@ -120,8 +120,8 @@ TEST(UniaxialMembrane, TangentsOfAnOpenChain) {
   EXPECT_NEAR(angle(points, 3), pi * 0.75, rounding);
 }
 
-// [York 7.1] on a closed chain every point has two neighbours; a regular polygon's tangents are those of its circle,
-// also across the branch cut of the angle.
+// [York 7.1] on a closed chain every point has two neighbours; a regular polygon's tangents are those of its
+// circle, also across the branch cut of the angle.
 TEST(UniaxialMembrane, TangentsOfAClosedChain) {
   const UniaxialMembrane membrane = law(true, true);
   std::vector<scenes::Place> ring;
@@ -152,17 +152,19 @@ TEST(UniaxialMembrane, StressRotatesWithTheChain) {
   EXPECT_NEAR(points(column::stress, 2)[1], -5 * std::sin(0.4) * std::cos(0.4), rounding);
 }
 
-// A spinning ring's velocity is v0 + omega x r at every node, so no point strains, to rounding: 1e-13 of omega. [York 5.2]
+// A spinning ring's velocity is v0 + omega x r at every node, so no point strains, to rounding: 1e-13 of omega.
+// [York 5.2]
 TEST(UniaxialMembrane, RigidRotationStrainsNothing) {
   const double omega = 3;
   std::vector<scenes::Place> ring;
   for (int k = 0; k < 24; ++k) ring.push_back({0.5 + 0.2 * std::cos(pi * k / 12), 0.5 + 0.2 * std::sin(pi * k / 12)});
   for (const Choice& shape : shapes()) {
-    Scene scene = scenes::scene_of(
-        scenes::plane(10, 10, 0.1),
-        {scenes::membrane_body(law(true, true), 2, ring, 1e-3,
-                               [&](const scenes::Place& x) { return scenes::Place{1 - omega * x[1], 2 + omega * x[0]}; })},
-        shape.name, "apic");
+    Scene scene = scenes::scene_of(scenes::plane(10, 10, 0.1),
+                                   {scenes::membrane_body(law(true, true), 2, ring, 1e-3,
+                                                          [&](const scenes::Place& x) {
+                                                            return scenes::Place{1 - omega * x[1], 2 + omega * x[0]};
+                                                          })},
+                                   shape.name, "apic");
     Ledger ledger;
     const auto engine = make_engine(scene, ledger, false);
     Columns& points = scene.bodies[0].points;

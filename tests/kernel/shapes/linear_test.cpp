@@ -13,7 +13,8 @@ TEST(Linear, InertiaIsTheSecondMoment) { expect_inertia<Linear>(); }
 TEST(Linear, GradientsAreDerivatives) { expect_gradients_are_derivatives<Linear>(); }
 TEST(Linear, ReachesNoFurtherThanItsGhosts) { expect_reach<Linear>(); }
 
-// [York A.3.1] N1 = (1-r)(1-s), N2 = r (1-s), N3 = r s, N4 = (1-r) s: the printed N4 is wrong, its derivatives are right.
+// [York A.3.1] N1 = (1-r)(1-s), N2 = r (1-s), N3 = r s, N4 = (1-r) s: the printed N4 is wrong, its derivatives
+// are right.
 TEST(Linear, MakesYorksFourNodeFunctions) {
   const double r = 0.3, s = 0.8;
   double x[2], y[2];

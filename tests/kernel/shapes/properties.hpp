@@ -85,7 +85,8 @@ void expect_inertia() {
   }
 }
 
-// Central differences with step d are off by d^2/6 |N'''| <= d^2/6 and by rounding 1e-16/d: below 2e-10 for d = 1e-5.
+// Central differences with step d are off by d^2/6 |N'''| <= d^2/6 and by rounding 1e-16/d: below 2e-10 for d =
+// 1e-5.
 template <class Shape>
 void expect_gradients_are_derivatives() {
   const double d = 1e-5;

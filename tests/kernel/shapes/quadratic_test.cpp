@@ -13,8 +13,9 @@ TEST(Quadratic, InertiaIsTheSecondMoment) { expect_inertia<Quadratic>(); }
 TEST(Quadratic, GradientsAreDerivatives) { expect_gradients_are_derivatives<Quadratic>(); }
 TEST(Quadratic, ReachesNoFurtherThanItsGhosts) { expect_reach<Quadratic>(); }
 
-// [York A.3.2] S1 = (3/4 - r^2)(3/4 - s^2), S2 = 1/2 (1/2 + r)^2 (3/4 - s^2), S3 = 1/4 ((1/2 + r)(1/2 + s))^2: in the centre
-// 9/16, 3/32, 1/64; at the north-east corner 1/4 for the four nodes around it and 0 for the five others.
+// [York A.3.2] S1 = (3/4 - r^2)(3/4 - s^2), S2 = 1/2 (1/2 + r)^2 (3/4 - s^2), S3 = 1/4 ((1/2 + r)(1/2 + s))^2:
+// in the centre 9/16, 3/32, 1/64; at the north-east corner 1/4 for the four nodes around it and 0 for the five
+// others.
 TEST(Quadratic, MakesYorksNineNodeFunctions) {
   double c[3], e[3];
   Quadratic::weights(0, c);

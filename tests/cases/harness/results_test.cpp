@@ -1,0 +1,155 @@
+// The results folder: what a file is called, and that it holds what the run was.
+#include "cases/harness/results.hpp"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+
+#include "cases/harness/hdf5_file.hpp"
+#include "tests/cases/harness/temporary_folder.hpp"
+#include "tests/cases/harness/toy_case.hpp"
+
+namespace plumbline {
+namespace {
+
+const ToyCase toy;
+
+RunResult toy_run(const std::vector<Override>& overrides = {}) {
+  RunResult run = run_experiment(toy, "default", toy.settings("default", overrides));
+  run.measures = power_law_error(0.25, 1, 2);
+  run.profile.columns = {{"x", "m", "position", {0.1, 0.2}}, {"density", "kg/m^3", "density", {1, 2}}};
+  run.wall_s = 1;   // the one number that differs from run to run
+  run.file = ResultsFolder::run_name(run);
+  return run;
+}
+
+Json read(const std::string& file, const std::string& path) { return Json::parse(read_hdf5_text(file, path)); }
+
+TEST(ResultsFolder, IsMadeIfNeedBe) {
+  const TemporaryFolder folder;
+  const ResultsFolder results(folder / "a/b");
+  EXPECT_TRUE(std::filesystem::is_directory(folder / "a/b"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "a/b")) << "trying whether it can be written to leaves nothing";
+}
+
+TEST(ResultsFolder, AFileInItsPlaceIsAnError) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "file") << "x";
+  EXPECT_THROW(ResultsFolder(folder / "file"), FileError);
+  EXPECT_THROW(ResultsFolder(folder / "file/inside"), FileError);
+}
+
+TEST(RunName, IsCaseSchemeCellsAndHash) {
+  RunResult run("sod", "default", find_case("sod").settings("default", {}));
+  EXPECT_TRUE(std::regex_match(ResultsFolder::run_name(run), std::regex("sod-default-100-[0-9a-f]{12}\\.h5")));
+}
+
+// Another value of any key is another run.
+TEST(RunName, ChangesWithEverySettingCaseAndScheme) {
+  for (const Case* entry : cases()) {
+    const Settings before = entry->settings("default", {});
+    RunResult run(entry->name(), "default", before);
+    std::set<std::string> names{ResultsFolder::run_name(run)};
+    std::size_t changes = 1;
+    for (const Key& key : before.keys()) {
+      Value other = key.choices.empty() ? Value(key.integer ? 7.0 : 0.37) : Value(key.choices.back());
+      if (to_text(other) == to_text(key.value)) other = Value(key.choices.front());
+      if (key.name == "gamma") other = 1.37;
+      run.settings = before;
+      run.settings.set(key.name, other, entry->name());
+      names.insert(ResultsFolder::run_name(run));
+      ++changes;
+    }
+    run.settings = before;
+    run.scheme = "default+usl";
+    names.insert(ResultsFolder::run_name(run));
+    run.scheme = "default";
+    run.case_name = "other";
+    names.insert(ResultsFolder::run_name(run));
+    EXPECT_EQ(names.size(), changes + 2) << entry->name();
+  }
+}
+
+TEST(RunName, TheSameChoicesGiveTheSameName) {
+  EXPECT_EQ(toy_run().file, toy_run().file);
+  EXPECT_NE(toy_run().file, toy_run({{"weight", 2.0}}).file);
+}
+
+TEST(RunFile, HoldsWhatTheRunWas) {
+  const TemporaryFolder folder;
+  const ResultsFolder results(folder.path());
+  const RunResult run = toy_run();
+  Provenance provenance;
+  provenance.command = "plumbline run toy";
+  results.write_run(run, {}, provenance);
+  const std::string file = folder / run.file;
+  EXPECT_EQ(folder.names(), std::vector<std::string>{run.file});
+  EXPECT_EQ(read(file, "/run"), run_document(run, {}, provenance));
+  EXPECT_EQ(read(file, "/measures"), to_json(run.measures));
+  EXPECT_EQ(read(file, "/settings"), to_json(run.settings));
+  EXPECT_EQ(read(file, "/provenance")["command"], "plumbline run toy");
+  EXPECT_EQ(read(file, "/gates"), Json::array());
+}
+
+TEST(RunFile, TheSameRunGivesTheSameBytes) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a", "b"}) ResultsFolder(folder / name).write_run(toy_run(), {}, Provenance{});
+  const std::string file = toy_run().file;
+  EXPECT_TRUE(bytes(folder / ("a/" + file)) == bytes(folder / ("b/" + file)));
+}
+
+TEST(RunFile, WhatCannotBeWrittenLeavesNothing) {
+  const TemporaryFolder folder;
+  RunResult run = toy_run();
+  run.profile.columns.push_back(run.profile.columns.front());   // a column twice
+  EXPECT_THROW(ResultsFolder(folder.path()).write_run(run, {}, Provenance{}), FileError);
+  EXPECT_TRUE(folder.names().empty());
+}
+
+StudyResult toy_study(const std::string& id = "s") {
+  StudyResult study{&toy, {.id = id, .title = "t", .why = "w"}, "default", {}, {}, {}, nullptr};
+  study.levels.push_back({4, 0.25, toy_run(), {}});
+  return study;
+}
+
+TEST(StudyFile, HoldsLevelsGatesAndCatalog) {
+  const TemporaryFolder folder;
+  StudyResult study = toy_study();
+  const Gate gate = toy_gate("s/gate", {{}, 1});
+  Measured measured;
+  measured.value = 0.5;
+  const JudgedGate judged{gate, "toy", "default", "s", measured, judge(gate, measured), {}};
+  ResultsFolder(folder.path()).write_study(study, {judged}, Provenance{});
+  EXPECT_EQ(folder.names(), std::vector<std::string>{study.file});
+  const std::string file = folder / study.file;
+  EXPECT_EQ(read(file, "/study")["case"], "toy");
+  EXPECT_EQ(read(file, "/study")["levels"].size(), 1u);
+  EXPECT_EQ(read(file, "/gates")[0]["verdict"], "PASS");
+  EXPECT_EQ(read(file, "/catalog")["name"], "toy");
+  EXPECT_EQ(read(file, "/fit"), Json::object());
+}
+
+TEST(StudyName, TellsStudiesApart) {
+  StudyResult other = toy_study();
+  other.levels.push_back({8, 0.125, toy_run({{"cells", 8.0}}), {}});
+  const std::set<std::string> names{ResultsFolder::study_name(toy_study()), ResultsFolder::study_name(toy_study("other")),
+                                    ResultsFolder::study_name(other)};
+  EXPECT_EQ(names.size(), 3u);
+  EXPECT_TRUE(std::regex_match(*names.begin(), std::regex("study-toy-default-cells-[0-9a-f]{12}\\.h5")));
+}
+
+TEST(VerdictsFile, HoldsTheVerdictsAndTheCatalogOfItsCases) {
+  const TemporaryFolder folder;
+  const Json document{{"gates", Json::array()}, {"counts", counts_document({})}, {"executed", 0}, {"declared", 0}};
+  ResultsFolder(folder.path()).write_verdicts(document, {&toy, &find_case("sod")}, "quick", Provenance{});
+  ASSERT_EQ(folder.names().size(), 1u);
+  const std::string file = folder / folder.names().front();
+  EXPECT_TRUE(std::regex_match(folder.names().front(), std::regex("verdicts-quick-[0-9a-f]{12}\\.h5")));
+  EXPECT_EQ(read(file, "/verdicts"), document);
+  EXPECT_TRUE(read(file, "/catalog").contains("toy"));
+  EXPECT_TRUE(read(file, "/catalog").contains("sod"));
+}
+
+}  // namespace
+}  // namespace plumbline

@@ -1,0 +1,126 @@
+// A case in a few lines for the tests of the harness: three points of membrane that drift and swing, and measures,
+// profile, studies and gates as each test wants them.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cases/harness/case.hpp"
+#include "cases/harness/gates.hpp"
+#include "kernel/materials/uniaxial_membrane.hpp"
+
+namespace plumbline {
+
+struct Toy {
+  std::string name = "toy";
+  Kind kind = Kind::membrane;
+  int dim = 1;
+  double dt = 1e-3, end = 1e-2;                  // s
+  std::vector<Override> choices = {};            // beside the step
+  std::function<void(Settings&)> derive = {};
+  std::function<void(Scene&)> change = {};
+  std::function<void(const Simulation&)> observe = {};
+  std::function<std::vector<Measure>(const Settings&, const Simulation&)> measures = {};
+  std::function<Profile(const Settings&, const Simulation&)> profile = {};
+  std::vector<StudyPlan> studies = {};
+  std::vector<CaseGate> gates = {};
+  GateCount count = {};
+  bool any_integrator = false;
+  std::vector<double> levels = {4, 8};
+};
+
+class ToyProblem final : public Problem {
+ public:
+  ToyProblem(const Toy& toy, const Settings& settings) : toy_(toy), settings_(settings) {}
+
+  Scene scene() const override {
+    Scene scene;
+    scene.grid.dim = toy_.dim;
+    scene.grid.h = 1 / settings_.number("cells");
+    scene.grid.cells = {settings_.integer("cells"), toy_.dim == 2 ? settings_.integer("cells") : 1};
+    scene.shape = settings_.text("shape");
+    scene.transfer = settings_.text("transfer");
+    auto law = std::make_shared<UniaxialMembrane>();
+    law->youngs_modulus = 1;
+    law->density = 1;
+    law->one_way = false;
+    Body body = make_body("toy", law, 3, toy_.dim);
+    for (int p = 0; p < 3; ++p) {
+      body.points(column::position)[p] = 0.4 + 0.1 * p;
+      if (toy_.dim == 2) body.points(column::position, 1)[p] = 0.5;
+      body.points(column::velocity)[p] = 0.01 * (p + 1);
+      body.points(column::volume)[p] = body.points(column::mass)[p] = 0.1;
+    }
+    scene.bodies.push_back(std::move(body));
+    if (toy_.change) toy_.change(scene);
+    return scene;
+  }
+  double end_time() const override { return toy_.end; }
+  void observe(const Simulation& simulation) override {
+    if (toy_.observe) toy_.observe(simulation);
+  }
+  std::vector<Measure> measures(const Simulation& simulation) const override {
+    return toy_.measures ? toy_.measures(settings_, simulation) : std::vector<Measure>{};
+  }
+  Profile profile(const Simulation& simulation) const override {
+    return toy_.profile ? toy_.profile(settings_, simulation) : Profile{};
+  }
+
+ private:
+  const Toy& toy_;
+  Settings settings_;
+};
+
+class ToyCase final : public Case {
+ public:
+  explicit ToyCase(Toy toy = {}) : toy_(std::move(toy)) {}
+
+  Statement statement() const override {
+    Statement statement;
+    statement.name = toy_.name;
+    return statement;
+  }
+  Kind kind() const override { return toy_.kind; }
+  std::vector<Key> keys() const override {
+    return {{.name = "weight", .value = 1.0, .unit = "kg", .low = 0, .low_open = true, .description = "of nothing"}};
+  }
+  std::vector<Override> points_and_end(const std::string&) const override {
+    std::vector<Override> all{{"dt", toy_.dt}};
+    all.insert(all.end(), toy_.choices.begin(), toy_.choices.end());
+    return all;
+  }
+  void derive(Settings& settings, const std::string&) const override {
+    if (toy_.derive) toy_.derive(settings);
+  }
+  std::unique_ptr<Problem> problem(const Settings& settings) const override {
+    return std::make_unique<ToyProblem>(toy_, settings);
+  }
+  std::vector<StudyPlan> studies() const override { return toy_.studies; }
+  std::vector<CaseGate> gates() const override { return toy_.gates; }
+  GateCount gate_count() const override { return toy_.count; }
+  bool any_integrator() const override { return toy_.any_integrator; }
+  std::vector<double> default_levels() const override { return toy_.levels; }
+
+ private:
+  Toy toy_;
+};
+
+inline Gate toy_gate(std::string id, Range expected) {
+  Gate gate;
+  gate.id = std::move(id);
+  gate.quantity = "a number";
+  gate.expected = expected;
+  gate.reason = "the test wants it";
+  return gate;
+}
+
+// A measure "error" of exactly constant h^order, whatever the simulation did.
+inline std::vector<Measure> power_law_error(double h, double constant, double order) {
+  return {{"error", constant * std::pow(h, order), 1.0, {}, {}, 0.0, "m"}};
+}
+
+}  // namespace plumbline

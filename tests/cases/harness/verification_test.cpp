@@ -1,0 +1,218 @@
+// A whole verification: what is run, what is judged, and that nothing is skipped in silence.
+#include "cases/harness/verification.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "tests/cases/harness/temporary_folder.hpp"
+#include "tests/cases/harness/toy_case.hpp"
+
+namespace plumbline {
+namespace {
+
+// Two studies of one scheme each and a gate on each; generic gates are four a study.
+Toy described() {
+  Toy toy;
+  toy.measures = [](const Settings& s, const Simulation&) { return power_law_error(1 / s.number("cells"), 1, 1); };
+  toy.studies = {{.id = "default", .title = {}, .why = {}, .values = {4, 8}},
+                 {.id = "york", .title = {}, .why = {}, .scheme = "york1997", .values = {4}},
+                 {.id = "late", .title = {}, .why = {}, .values = {4}, .tier = Tier::full}};
+  toy.gates = {error_gate("default", "error", 8, toy_gate("default/error", {{}, 0.2})),
+               error_gate("york", "error", 4, toy_gate("york/error", {{}, 0.2})),
+               error_gate("default", "error", 4, toy_gate("default/late", {{}, 1}), Tier::full)};
+  toy.count = {10, 15};
+  return toy;
+}
+
+Verification verified(const ToyCase& entry, Tier tier = Tier::quick, const Selection& selection = {}, int threads = 1) {
+  const TemporaryFolder folder;
+  Verification verification;
+  verify_case(entry, tier, selection, threads, ResultsFolder(folder.path()), Provenance{}, {}, verification);
+  return verification;
+}
+
+std::set<std::string> ids(const Verification& verification) {
+  std::set<std::string> all;
+  for (const JudgedGate& gate : verification.gates) EXPECT_TRUE(all.insert(gate.gate.id).second) << gate.gate.id;
+  return all;
+}
+
+std::size_t executed(const Verification& verification) { return verification.gates.size(); }
+
+TEST(VerifyCase, JudgesEveryDeclaredGateAndTheGenericOnes) {
+  const Verification v = verified(ToyCase(described()));
+  EXPECT_EQ(v.declared, 10);
+  EXPECT_EQ(executed(v), 10u);
+  EXPECT_EQ(ids(v), (std::set<std::string>{"default/error", "default/finite", "default/mass", "default/momentum", "default/ledger",
+                                           "york/error", "york/finite", "york/mass", "york/momentum", "york/ledger"}));
+  for (const JudgedGate& gate : v.gates) {
+    EXPECT_EQ(gate.judgement.verdict, gate.gate.id == "york/error" ? Verdict::fail : Verdict::pass) << gate.gate.id;
+    EXPECT_EQ(gate.scheme, gate.study == "york" ? "york1997" : "default");
+    EXPECT_FALSE(gate.run_ids.empty());
+  }
+}
+
+TEST(VerifyCase, TheFullTierAddsItsStudiesAndGates) {
+  const Verification v = verified(ToyCase(described()), Tier::full);
+  EXPECT_EQ(v.declared, 15);
+  EXPECT_EQ(executed(v), 15u);
+  EXPECT_TRUE(ids(v).count("default/late"));
+  EXPECT_TRUE(ids(v).count("late/ledger"));
+}
+
+// Whatever keeps a gate from being judged, the count tells: a wrong number, a misspelt study, a level that is not run.
+TEST(VerifyCase, AWrongCountIsNoticed) {
+  Toy wrong = described();
+  wrong.count.quick = 11;
+  const Verification counted = verified(ToyCase(wrong));
+  EXPECT_NE(static_cast<int>(executed(counted)), counted.declared);
+
+  Toy misspelt = described();
+  misspelt.gates[0].study = "defualt";
+  const Verification lost = verified(ToyCase(misspelt));
+  EXPECT_NE(static_cast<int>(executed(lost)), lost.declared);
+
+  Toy unreached = described();
+  unreached.gates[0].levels = {16};
+  const Verification unjudged = verified(ToyCase(unreached));
+  EXPECT_NE(static_cast<int>(executed(unjudged)), unjudged.declared);
+}
+
+TEST(VerifyCase, WritesEveryRunAndStudy) {
+  const TemporaryFolder folder;
+  Verification verification;
+  verify_case(ToyCase(described()), Tier::quick, {}, 1, ResultsFolder(folder.path()), Provenance{}, {}, verification);
+  const auto names = folder.names();
+  EXPECT_EQ(std::count_if(names.begin(), names.end(), [](const std::string& n) { return n.rfind("study-toy", 0) == 0; }), 2);
+  EXPECT_EQ(std::count_if(names.begin(), names.end(), [](const std::string& n) { return n.rfind("toy-", 0) == 0; }), 3);
+  for (const JudgedGate& gate : verification.gates) {
+    for (const std::string& id : gate.run_ids) EXPECT_NE(std::find(names.begin(), names.end(), id), names.end()) << id;
+  }
+}
+
+TEST(VerifyCase, DoesNotDependOnTheNumberOfThreads) {
+  const Verification one = verified(ToyCase(described())), three = verified(ToyCase(described()), Tier::quick, {}, 3);
+  ASSERT_EQ(executed(one), executed(three));
+  for (std::size_t k = 0; k < one.gates.size(); ++k) {
+    EXPECT_EQ(one.gates[k].gate.id, three.gates[k].gate.id);
+    EXPECT_EQ(one.gates[k].measured.value, three.gates[k].measured.value);
+  }
+}
+
+// A generic gate that the case declares itself, as expected to fail, stands once.
+TEST(VerifyCase, ADeclaredGenericGateReplacesTheOther) {
+  Toy toy = described();
+  toy.gates.push_back(study_gate("york", toy_gate("york/finite", {{}, 5}), [](const StudyResult&) {
+    Measured measured;
+    measured.value = 4;
+    return measured;
+  }));
+  const Verification v = verified(ToyCase(toy));
+  EXPECT_EQ(executed(v), 10u);
+  const auto own = std::find_if(v.gates.begin(), v.gates.end(), [](const JudgedGate& g) { return g.gate.id == "york/finite"; });
+  ASSERT_NE(own, v.gates.end());
+  EXPECT_EQ(own->measured.value, 4);
+}
+
+TEST(VerifyCase, AStoppedRunIsRed) {
+  Toy toy = described();
+  toy.change = [](Scene& scene) { scene.bodies[0].points(column::position)[1] = -0.5; };
+  for (const JudgedGate& gate : verified(ToyCase(toy)).gates) {
+    if (gate.gate.id == "default/finite" || gate.gate.id == "default/error") {
+      EXPECT_EQ(gate.judgement.verdict, Verdict::fail) << gate.gate.id;
+    }
+  }
+}
+
+// --- integrators ------------------------------------------------------------------------------------------------------
+
+// One that no case knows, as a plug-in would bring it.
+class Coasting final : public TimeIntegrator {
+  void step(Stages& mpm, double dt) override {
+    mpm.locate_points();
+    mpm.map_mass_and_momentum();
+    mpm.map_forces();
+    mpm.advance_momentum(dt);
+    mpm.move_points(dt);
+  }
+};
+
+void register_coasting() {
+  if (find_integrator("coasting")) return;
+  RegisterIntegrator({"coasting", "moves points and leaves stresses as they are", "this test", [] { return std::make_unique<Coasting>(); }});
+}
+
+TEST(VerifyCase, EveryRegisteredIntegratorAppearsWithGenericGates) {
+  register_coasting();
+  Toy toy = described();
+  toy.any_integrator = true;
+  const Verification v = verified(ToyCase(toy));
+  for (const IntegratorEntry& integrator : integrators()) {
+    for (const char* gate : {"finite", "mass", "momentum", "ledger"}) {
+      EXPECT_TRUE(ids(v).count("integrator/" + integrator.name + "/" + gate)) << integrator.name << "/" << gate;
+    }
+  }
+  EXPECT_EQ(executed(v), 10 + 4 * integrators().size());
+  EXPECT_EQ(static_cast<int>(executed(v)), v.declared);
+  for (const JudgedGate& gate : v.gates) {
+    if (gate.study == "integrator/coasting") EXPECT_EQ(gate.scheme, "default+coasting");
+    if (gate.study == "integrator/musl") EXPECT_EQ(gate.scheme, "default");
+  }
+}
+
+TEST(VerifyCase, WithoutAnyIntegratorNoneAppears) {
+  register_coasting();
+  for (const std::string& id : ids(verified(ToyCase(described())))) EXPECT_EQ(id.find("integrator/"), std::string::npos);
+}
+
+TEST(IntegratorPlan, IsTheDefaultSchemeAtTheCoarsestLevel) {
+  const ToyCase entry(described());
+  const StudyPlan plan = integrator_plan(entry, "usl");
+  EXPECT_EQ(plan.id, "integrator/usl");
+  EXPECT_EQ(plan.scheme, "default");
+  EXPECT_EQ(plan.values, std::vector<double>{4});
+  EXPECT_EQ(planned_runs(entry, plan, Tier::quick).front().settings.text("integrator"), "usl");
+  EXPECT_EQ(integrator_scheme(entry, "musl"), "default");
+  EXPECT_EQ(integrator_scheme(entry, "usl"), "default+usl");
+}
+
+// --- selections -------------------------------------------------------------------------------------------------------
+
+TEST(Selection, OfASchemeJudgesItsStudies) {
+  Toy toy = described();
+  toy.any_integrator = true;
+  const Verification v = verified(ToyCase(toy), Tier::quick, {.schemes = {"york1997"}, .integrators = {}, .settings = {}});
+  EXPECT_EQ(ids(v), (std::set<std::string>{"york/error", "york/finite", "york/mass", "york/momentum", "york/ledger"}));
+  EXPECT_EQ(v.declared, 5);
+}
+
+TEST(Selection, OfAnIntegratorJudgesItByGenericGates) {
+  const Verification v = verified(ToyCase(described()), Tier::quick, {.schemes = {}, .integrators = {"usl"}, .settings = {}});
+  EXPECT_EQ(ids(v), (std::set<std::string>{"integrator/usl/finite", "integrator/usl/mass", "integrator/usl/momentum",
+                                           "integrator/usl/ledger"}));
+  EXPECT_EQ(v.declared, 4);
+}
+
+// The declared numbers hold for the declared choices.
+TEST(Selection, OfKeysLeavesTheGenericGates) {
+  const Verification v = verified(ToyCase(described()), Tier::quick, {.schemes = {}, .integrators = {}, .settings = {"weight=2"}});
+  EXPECT_EQ(executed(v), 8u);
+  EXPECT_EQ(v.declared, 8);
+  for (const std::string& id : ids(v)) EXPECT_EQ(id.find("error"), std::string::npos) << id;
+}
+
+TEST(Selection, UnknownNamesAreRefusedBeforeAnythingRuns) {
+  Toy toy = described();
+  int runs = 0;
+  toy.change = [&](Scene&) { ++runs; };
+  const ToyCase entry(toy);
+  EXPECT_THROW(verified(entry, Tier::quick, {.schemes = {"york1998"}, .integrators = {}, .settings = {}}), UsageError);
+  EXPECT_THROW(verified(entry, Tier::quick, {.schemes = {"default"}, .integrators = {"uls"}, .settings = {}}), UsageError);
+  EXPECT_THROW(verified(entry, Tier::quick, {.schemes = {}, .integrators = {}, .settings = {"wieght=2"}}), UsageError);
+  EXPECT_EQ(runs, 0);
+}
+
+}  // namespace
+}  // namespace plumbline
