@@ -107,7 +107,8 @@ TEST_P(EveryCase, SaysWhatItIs) {
 
 TEST_P(EveryCase, HasNoKeyTwice) {
   std::set<std::string> names;
-  for (const Key& key : GetParam()->settings("default", {}).keys()) {
+  const Settings settings = GetParam()->settings("default", {});
+  for (const Key& key : settings.keys()) {
     EXPECT_TRUE(names.insert(key.name).second) << key.name;
     EXPECT_FALSE(key.description.empty()) << key.name;
   }

@@ -193,7 +193,7 @@ TEST(Documents, DriftsAreThoseOfTheGates) {
 TEST(Documents, OfAStudy) {
   StudyResult study{&toy, {.id = "s", .title = "t", .why = "w"}, "default", {}, {}, {}, nullptr};
   study.levels.push_back({4, 0.25, finished_run(), {}});
-  study.fits.emplace_back("period", fit_order(std::vector<Level>{{.h = 0.25, .error = 0.5}}, Weighting::equal));
+  study.fits.emplace_back("period", fit_order(std::vector<Level>(1, Level{0.25, 0.5, 0, 0, {}, {}}), Weighting::equal));
   const Json d = study_document(study, {}, Provenance{});
   EXPECT_EQ(d["scheme"], "default");
   EXPECT_EQ(d["vary"], "cells");

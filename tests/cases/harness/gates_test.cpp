@@ -217,7 +217,7 @@ TEST(FittedOrderGate, JudgesTheEstimate) {
 
 TEST(OrderGates, NeedEnoughLevels) {
   StudyResult few = power_law(1);
-  few.fits[0].second = fit_order(std::vector<Level>{{.h = 0.1, .error = 0.1}, {.h = 0.05, .error = 0.05}}, Weighting::equal);
+  few.fits[0].second = fit_order(std::vector<Level>{{0.1, 0.1, 0, 0, {}, {}}, {0.05, 0.05, 0, 0, {}, {}}}, Weighting::equal);
   EXPECT_EQ(verdict(order_gate("s", "error", at_least(0.9)), few), Verdict::inconclusive);
   EXPECT_EQ(verdict(fitted_order_gate("s", "error", at_least(0.9)), few), Verdict::inconclusive);
 }
