@@ -51,6 +51,27 @@ Gate named(Gate gate, const std::string& quantity) {
 
 }  // namespace
 
+Gate declare(std::string id, Range expected, Origin origin, std::string reason) {
+  Gate gate;
+  gate.id = std::move(id);
+  gate.expected = expected;
+  gate.origin = origin;
+  gate.reason = std::move(reason);
+  return gate;
+}
+
+Gate expected_failure(Gate gate, std::string cause, Range band, std::string frozen_on) {
+  gate.expected_failure = ExpectedFailure{std::move(cause), band, {}, std::move(frozen_on)};
+  return gate;
+}
+
+Gate frozen(std::string id, double value, double share, const std::string& stamp, std::string reason) {
+  const double room = share * std::abs(value);
+  Gate gate = declare(std::move(id), {value - room, value + room}, Origin::frozen, std::move(reason));
+  gate.frozen_on = stamp;
+  return gate;
+}
+
 CaseGate error_gate(std::string study, const std::string& measure, double level, Gate gate, Tier tier) {
   return {std::move(study), named(std::move(gate), fmt::format("{} at {}", measure, level)), {level}, [=](const StudyResult& s) {
             return at_level(s, measure, level, [](const RunResult&, const Measure& m) {

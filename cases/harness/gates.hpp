@@ -18,6 +18,13 @@ struct JudgedGate {
   std::vector<std::string> run_ids;   // files of the runs it read
 };
 
+// A gate's declaration, its quantity to be named by the functions below.
+Gate declare(std::string id, Range expected, Origin origin, std::string reason);
+// The same as one that is expected to fail: why, the band of the wrong value, and date and commit if the band is our own.
+Gate expected_failure(Gate gate, std::string cause, Range band, std::string frozen_on = {});
+// A value as it was, within a share of it: a bug that makes an error smaller is a bug, too. stamp: date and commit.
+Gate frozen(std::string id, double value, double share, const std::string& stamp, std::string reason);
+
 // The error of a measure at one level; its value; its ratio between two levels; its fitted order. A run that stopped or
 // lacks the measure says so.
 CaseGate error_gate(std::string study, const std::string& measure, double level, Gate gate, Tier tier = Tier::quick);
