@@ -82,7 +82,7 @@ void print(const Output& out, const StudyResult& study, const std::vector<Judged
              fit->constant, fit->asymptotic ? "asymptotic" : "not asymptotic", fit->reason.empty() ? "" : ": " + fit->reason);
   }
   double drift = 0;
-  for (const StudyLevel& at : study.levels) drift = std::max(drift, at.run.ledger.energy.relative_drift(false));
+  for (const StudyLevel& at : study.levels) drift = larger(drift, at.run.ledger.energy.relative_drift(false));
   out.line("Largest relative drift of energy {:.1e}; expectation: {}", drift, declared ? "declared" : "none");
   out.gates(gates);
 }

@@ -234,7 +234,7 @@ class Sod final : public Case {
                             [](const StudyResult& s) {
                               Measured measured;
                               const StudyResult *quadratic = s.sibling("york1997"), *continuity = s.sibling("york-continuity");
-                              measured.value = density_error(s) / std::max(density_error(*quadratic), density_error(*continuity));
+                              measured.value = density_error(s) / larger(density_error(*quadratic), density_error(*continuity));
                               return measured;
                             });
     g.gate.quantity = "density.L1 over the larger of quadratic and continuity";
@@ -276,8 +276,8 @@ class Sod final : public Case {
     for (const StudyLevel& at : s.levels) {
       const Measure* m = at.run.find("density.L1");
       const double error = m ? m->error : std::nan("");
-      if (!(error >= least)) least = error;
-      if (!(error <= largest)) largest = error;
+      least = smaller(least, error);
+      largest = larger(largest, error);
     }
     measured.value = largest / least;
     return measured;

@@ -143,8 +143,7 @@ CaseGate drift_gate(std::string study, Gate gate, Tier tier) {
     Measured measured;
     double largest = 0;
     for (const StudyLevel& at : s.levels) {
-      const double drift = at.run.ledger.energy.relative_drift(false);
-      if (!(drift <= largest)) largest = drift;
+      largest = larger(largest, at.run.ledger.energy.relative_drift(false));
     }
     measured.value = largest;
     return measured;
@@ -165,10 +164,7 @@ std::function<Measured(const StudyResult&)> largest_over_runs(Read read) {
     if (s.levels.empty()) return failed("the study has no runs");
     Measured measured;
     double largest = 0;
-    const auto take = [&](const RunResult& run) {
-      const double value = read(run);
-      if (!(value <= largest)) largest = value;
-    };
+    const auto take = [&](const RunResult& run) { largest = larger(largest, read(run)); };
     for (const StudyLevel& at : s.levels) {
       take(at.run);
       for (const RunResult& other : at.offsets) take(other);
@@ -222,8 +218,7 @@ std::vector<CaseGate> generic_gates(const std::string& study, int dim) {
                            largest_over_runs([](const RunResult& r) {
                              double drift = 0;
                              for (int d = 0; d < r.dim; ++d) {
-                               const double one = r.ledger.momentum[static_cast<std::size_t>(d)].relative_drift(true);
-                               if (!(one <= drift)) drift = one;
+                               drift = larger(drift, r.ledger.momentum[static_cast<std::size_t>(d)].relative_drift(true));
                              }
                              return drift;
                            })));

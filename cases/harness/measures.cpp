@@ -15,13 +15,13 @@ std::vector<Measure> field_norms(const std::string& name, const std::string& uni
     volume += s.volume;
     l1 += s.volume * e;
     l2 += s.volume * e * e;
-    if (!(e <= linf)) linf = e;
+    linf = larger(linf, e);
     s1 += s.volume * r;
     s2 += s.volume * r * r;
-    if (!(r <= sinf)) sinf = r;
+    sinf = larger(sinf, r);
     b1 += s.volume * s.bound;
     b2 += s.volume * s.bound * s.bound;
-    if (!(s.bound <= binf)) binf = s.bound;
+    binf = larger(binf, s.bound);
   }
   const auto norm = [&](const char* which, double error, double scale, double bound) {
     return Measure{name + "." + which, error, scale, {}, {}, bound, unit};

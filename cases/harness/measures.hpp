@@ -1,12 +1,18 @@
 // What a run is judged by: errors against a reference, and the columns a report draws.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace plumbline {
+
+// The larger and the smaller of two numbers; a NaN wins, whichever of the two it is. std::max and a comparison with the
+// largest so far both lose it.
+inline double larger(double a, double b) { return a > b || std::isnan(a) ? a : b; }
+inline double smaller(double a, double b) { return a < b || std::isnan(a) ? a : b; }
 
 // One measured quantity. A field norm has error and scale (the same norm of the reference); a scalar also value and
 // reference. All in `unit`.

@@ -188,7 +188,7 @@ StepBounds IdealGas::step_bounds(const Columns& points, int dim) const {
   for (int p = 0; p < points.points(); ++p) {
     const double speed = dim == 1 ? std::abs(u[p]) : std::sqrt(u[p] * u[p] + v[p] * v[p]);
     const double signal = std::sqrt(gamma * (gamma - 1) * energy[p]) + speed;
-    if (!(signal <= bounds.fastest)) bounds.fastest = signal;
+    if (!std::isnan(bounds.fastest) && !(signal <= bounds.fastest)) bounds.fastest = signal;
     if (density[p] < least_density) least_density = density[p];
   }
   bounds.diffusivity = 4.0 / 3.0 * viscosity / least_density;

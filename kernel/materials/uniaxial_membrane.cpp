@@ -104,7 +104,7 @@ StepBounds UniaxialMembrane::step_bounds(const Columns& points, int dim) const {
   const double c = std::sqrt(youngs_modulus / density);
   for (int p = 0; p < points.points(); ++p) {
     const double signal = c + (dim == 1 ? std::abs(u[p]) : std::sqrt(u[p] * u[p] + v[p] * v[p]));
-    if (!(signal <= bounds.fastest)) bounds.fastest = signal;
+    if (!std::isnan(bounds.fastest) && !(signal <= bounds.fastest)) bounds.fastest = signal;
   }
   return bounds;
 }

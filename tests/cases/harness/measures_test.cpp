@@ -74,6 +74,18 @@ TEST(Norms, OfNothingAreNotANumber) {
   EXPECT_TRUE(std::isnan(norms[1].error));
 }
 
+TEST(LargerAndSmaller, KeepANanWhicheverItIs) {
+  EXPECT_EQ(larger(1, 2), 2);
+  EXPECT_EQ(larger(2, 1), 2);
+  EXPECT_EQ(smaller(1, 2), 1);
+  EXPECT_EQ(smaller(2, 1), 1);
+  for (const double number : {-1.0, 0.0, 1e300}) {
+    for (const double result : {larger(number, nan), larger(nan, number), smaller(number, nan), smaller(nan, number)}) {
+      EXPECT_TRUE(std::isnan(result)) << number;
+    }
+  }
+}
+
 TEST(ScalarMeasure, KeepsValueReferenceAndBound) {
   const Measure m = scalar_measure("period", 1.9, -2.0, 1e-12, "s");
   EXPECT_DOUBLE_EQ(m.error, 3.9);
