@@ -467,9 +467,11 @@ auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Fiel
       kept = a.squaredNorm();
     }
     const Vec step = dt * v;
-    if (!(step.cwiseAbs().maxCoeff() <= h)) {
-      throw InadmissibleState("a point moved more than one cell in a step", body.name,
-                              body.id[static_cast<std::size_t>(p)], column::velocity.name(), v.cwiseAbs().maxCoeff());
+    for (int d = 0; d < dim; ++d) {
+      if (!(std::abs(step[d]) <= h)) {
+        throw InadmissibleState("a point moved more than one cell in a step", body.name,
+                                body.id[static_cast<std::size_t>(p)], column::velocity.name(), v[d]);
+      }
     }
     velocity.set(p, v_new);
     position.set(p, position[p] + step);  // [York 3.21]

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "cases/commands/command.hpp"
 
 namespace plumbline {

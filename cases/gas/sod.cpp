@@ -1,5 +1,4 @@
 // Sod's shock tube. [York section 4.1]
-#include <algorithm>
 #include <cmath>
 
 #include "cases/gas/shock_tube.hpp"

@@ -51,7 +51,7 @@ void add_quadratic(CellGrid<dim>& cells, const double (&x)[dim], double m) {
   for (int j = dim == 1 ? 1 : 0; j < (dim == 1 ? 2 : 3); ++j) {
     for (int i = 0; i < 3; ++i) {
       const int column = centre[0] + i - 1, row = dim == 1 ? 0 : centre[1] + j - 1;
-      // A point on a free side gives half its mass to a cell two beyond the edge of the layer: no cell of the scene.
+      // For a point on a side the third cell lies beyond the layer; its weight is zero.
       if (column < 0 || column >= cells.count[0] || row < 0 || row >= cells.rows()) continue;
       cells.at(column, row) += m * w[0][i] * w[1][j];
     }

@@ -39,6 +39,8 @@ TEST(Ledger, ANonFiniteStoreShows) {
   account.open(1, 1);
   account.close(std::numeric_limits<double>::quiet_NaN(), 1);
   EXPECT_TRUE(std::isnan(account.relative_drift(false)));
+  account.close(1, 1);
+  EXPECT_TRUE(std::isnan(account.relative_drift(false)));  // and goes on showing
 }
 
 TEST(Ledger, NothingHappenedIsNoDrift) {
