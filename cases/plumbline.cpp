@@ -33,7 +33,8 @@ void refuse_extras(CLI::App& app, const std::vector<Command>& commands) {
   for (CLI::App* sub : chosen) {
     auto extras = sub->remaining();
     if (extras.empty()) extras = app.remaining();
-    if (!extras.empty()) throw unknown_name("option or argument of " + sub->get_name(), extras.front(), option_names(*sub));
+    if (!extras.empty())
+      throw unknown_name("option or argument of " + sub->get_name(), extras.front(), option_names(*sub));
   }
 }
 
@@ -56,7 +57,9 @@ int execute(const std::vector<Command>& commands, const CommonOptions& options) 
     report_error(options, error_document(error), error.what());
     return exit_usage;
   } catch (const reference::ParameterError& error) {
-    report_error(options, error_document(UsageError(error.key, fmt::format("{}", error.value), error.allowed, {}, error.what())), error.what());
+    report_error(options,
+                 error_document(UsageError(error.key, fmt::format("{}", error.value), error.allowed, {}, error.what())),
+                 error.what());
     return exit_usage;
   } catch (const FileError& error) {
     report_error(options, error_document(error.path, error.what()), error.what());
@@ -70,12 +73,15 @@ int execute(const std::vector<Command>& commands, const CommonOptions& options) 
 int run(int argc, char** argv) {
   CLI::App app{"Plumbline: verification and validation of the Material Point Method"};
   app.set_version_flag("--version", version_text);
-  app.footer("Example: plumbline converge sod --cells 100,200,400,800,1600\nExit status: 0 all verdicts green, 1 red, 2 wrong call, 3 a run stopped, 4 files.");
+  app.footer(
+      "Example: plumbline converge sod --cells 100,200,400,800,1600\nExit status: 0 all verdicts green, 1 red, 2 wrong "
+      "call, 3 a run stopped, 4 files.");
   app.allow_extras();
   Invocation invocation;
   invocation.command = stored_command(argc, argv);
-  const std::vector<Command> commands{add_list(app, invocation),   add_explain(app, invocation), add_run(app, invocation),
-                                      add_converge(app, invocation), add_verify(app, invocation), add_reference(app, invocation),
+  const std::vector<Command> commands{add_list(app, invocation),   add_explain(app, invocation),
+                                      add_run(app, invocation),    add_converge(app, invocation),
+                                      add_verify(app, invocation), add_reference(app, invocation),
                                       add_bench(app, invocation)};
   for (const Command& command : commands) command.app->allow_extras();
   try {

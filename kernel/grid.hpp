@@ -17,11 +17,12 @@ enum class Wall { free, symmetry, no_slip };
 
 // A grid as a scene states it. Lengths in m. cells: >= 1 a direction, at least 2 where a wall mirrors ghosts.
 struct GridSpec {
-  int dim = 1;                              // 1 or 2
+  int dim = 1;  // 1 or 2
   std::array<int, 2> cells{1, 1};
-  double h = 1.0;                           // > 0
-  std::array<double, 2> origin{0.0, 0.0};   // lowest node line of each direction
-  std::array<std::array<Wall, 2>, 2> walls{{{Wall::free, Wall::free}, {Wall::free, Wall::free}}};  // [direction][low, high]
+  double h = 1.0;                          // > 0
+  std::array<double, 2> origin{0.0, 0.0};  // lowest node line of each direction
+  std::array<std::array<Wall, 2>, 2> walls{
+      {{Wall::free, Wall::free}, {Wall::free, Wall::free}}};  // [direction][low, high]
 };
 
 // The same with indices: node (i, j) of the flat arrays, ghosts included.
@@ -37,9 +38,7 @@ class Grid {
 
   double h() const { return spec_.h; }
   int cells(int d) const { return spec_.cells[static_cast<std::size_t>(d)]; }
-  Wall wall(int d, int side) const {
-    return spec_.walls[static_cast<std::size_t>(d)][static_cast<std::size_t>(side)];
-  }
+  Wall wall(int d, int side) const { return spec_.walls[static_cast<std::size_t>(d)][static_cast<std::size_t>(side)]; }
   int nodes(int d) const { return nodes_[d]; }
   int row_length() const { return nodes_[0]; }
   int rows() const { return dim == 1 ? 1 : nodes_[dim - 1]; }

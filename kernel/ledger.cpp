@@ -17,7 +17,8 @@ void Account::close(double store, double scale) {
   for (const RunningSum& f : flows_) flows += f.value();
   residual_ = (store - initial_) - flows;
   // A value that is not a number stays: no later step may hide it.
-  if (!std::isnan(largest_residual_) && !(std::abs(residual_) <= std::abs(largest_residual_))) largest_residual_ = residual_;
+  if (!std::isnan(largest_residual_) && !(std::abs(residual_) <= std::abs(largest_residual_)))
+    largest_residual_ = residual_;
   scale_ = std::max(scale_, scale);
 }
 

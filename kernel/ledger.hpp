@@ -38,9 +38,9 @@ class Account {
   double store() const { return store_; }
   double flow(Flow flow) const { return flows_[static_cast<std::size_t>(flow)].value(); }
   double residual() const { return residual_; }
-  double largest_residual() const { return largest_residual_; }   // in magnitude, over all closed steps
-  double scale() const { return scale_; }                         // largest so far
-  double booked() const { return booked_; }                       // sum of |amounts|
+  double largest_residual() const { return largest_residual_; }  // in magnitude, over all closed steps
+  double scale() const { return scale_; }                        // largest so far
+  double booked() const { return booked_; }                      // sum of |amounts|
   // largest |residual| / scale, with |booked amounts| added to the scale if `with_booked`.
   double relative_drift(bool with_booked) const;
 
@@ -50,7 +50,7 @@ class Account {
 };
 
 struct EnergyStores {
-  double kinetic = 0;    // affine part included
+  double kinetic = 0;  // affine part included
   double internal = 0;
   double elastic = 0;
   double total() const { return kinetic + internal + elastic; }
@@ -59,11 +59,11 @@ struct EnergyStores {
 // Everything summed over the points at one instant.
 struct Totals {
   double mass = 0;
-  double grid_mass = 0;                       // sum_i M_i of the last map
+  double grid_mass = 0;  // sum_i M_i of the last map
   std::array<double, 2> momentum{0, 0};
-  std::array<double, 2> momentum_scale{0, 0};   // sum m |v_d|... at least sum m |v|
+  std::array<double, 2> momentum_scale{0, 0};  // sum m |v_d|... at least sum m |v|
   double angular_momentum = 0;
-  double angular_scale = 0;                   // sum m |x| |v|
+  double angular_scale = 0;  // sum m |x| |v|
   EnergyStores energy;
 };
 
@@ -73,7 +73,7 @@ struct Ledger {
   Account angular_momentum;
   Account energy;
   EnergyStores initial_stores, stores;
-  double viscous = 0;          // memo: heat by physical and artificial viscosity, part of the internal energy, J
+  double viscous = 0;  // memo: heat by physical and artificial viscosity, part of the internal energy, J
 
   void open(const Totals& totals);
   void close_step(const Totals& totals);

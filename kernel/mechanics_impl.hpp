@@ -55,7 +55,7 @@ class Mechanics final : public Engine {
   // What the engine knows of a body beside its columns.
   struct Located {
     std::size_t field;
-    std::vector<int> lowest;        // flat index of the lowest node reached, per point
+    std::vector<int> lowest;         // flat index of the lowest node reached, per point
     std::vector<double> local[dim];  // coordinate of the point in its cell, per point
   };
   struct MotionSums {
@@ -126,24 +126,27 @@ class Mechanics final : public Engine {
   Vec gravity_;
   std::vector<Field> fields_;
   std::vector<Located> located_;
-  std::vector<bool> alone_;               // per field: whether a single body moves with it
-  std::vector<double> inverse_volume_;    // 1 / |cell_i|, m^-dim
+  std::vector<bool> alone_;             // per field: whether a single body moves with it
+  std::vector<double> inverse_volume_;  // 1 / |cell_i|, m^-dim
   struct OwnMass {
     Field field;
     Located at;
   };
-  std::optional<OwnMass> own_mass_;       // a body's mass alone, where its points stand now
+  std::optional<OwnMass> own_mass_;  // a body's mass alone, where its points stand now
   Pending pending_;
   NodalVelocity current_ = NodalVelocity::start;
   bool moved_ = true, forces_mapped_ = false, sorting_ = true;
   double grid_mass_ = 0;
-  NodalVelocity rate_of_ = NodalVelocity::current;  // velocity the strain_rate columns hold; current: none
+  NodalVelocity rate_of_ = NodalVelocity::current;     // velocity the strain_rate columns hold; current: none
   double pending_strain_dt_ = 0, pending_stored_ = 0;  // strained before the forces were known
 };
 
 template <class G, class S, class T>
 Mechanics<G, S, T>::Mechanics(Scene& scene, Ledger& ledger, bool keep_loss)
-    : scene_(scene), ledger_(ledger), grid_(scene.grid), walls_(grid_) {
+    : scene_(scene),
+      ledger_(ledger),
+      grid_(scene.grid),
+      walls_(grid_) {
   for (int d = 0; d < dim; ++d) gravity_[d] = scene.gravity[static_cast<std::size_t>(d)];
   std::vector<std::string> names;
   for (Body& body : scene.bodies) {
@@ -199,7 +202,8 @@ void Mechanics<G, S, T>::place(Body& body, Located& at) {
         throw InadmissibleState("a point left the grid", body.name, body.id[static_cast<std::size_t>(p)],
                                 column::position.name(), body.points(column::position, d)[p]);
       }
-      const int anchor = S::anchor(std::clamp(x, 0.0, 1.0 * grid_.cells(d)), grid_.cells(d), at.local[d][static_cast<std::size_t>(p)]);
+      const int anchor = S::anchor(std::clamp(x, 0.0, 1.0 * grid_.cells(d)), grid_.cells(d),
+                                   at.local[d][static_cast<std::size_t>(p)]);
       node = node * grid_.row_length() + anchor + S::first + Grid<dim>::ghosts;
     }
     at.lowest[static_cast<std::size_t>(p)] = node;
@@ -410,9 +414,8 @@ void Mechanics<G, S, T>::advance_momentum(double dt) {
     walls_.extend(field, field.end);
     walls_.extend(field, field.midpoint);
     if (gravity_.isZero(0)) continue;
-    field.for_touched(grid_, [&](std::size_t i) {
-      pending_.body_work += dt * field.own_mass[i] * gravity_.dot(field.midpoint[i]);
-    });
+    field.for_touched(
+        grid_, [&](std::size_t i) { pending_.body_work += dt * field.own_mass[i] * gravity_.dot(field.midpoint[i]); });
   }
   current_ = NodalVelocity::end;
   rate_of_ = NodalVelocity::current;
@@ -628,9 +631,8 @@ void Mechanics<G, S, T>::grid_density(Body& body, const Located& at) {
   double* density = body.points(column::density);
   for (int p = 0; p < body.points.points(); ++p) {
     double rho = 0;
-    stencil(here, p).for_nodes([&](std::size_t i, double n, const Vec&, const Vec&, const Vec&) {
-      rho += n * field.density[i];
-    });
+    stencil(here, p).for_nodes(
+        [&](std::size_t i, double n, const Vec&, const Vec&, const Vec&) { rho += n * field.density[i]; });
     density[p] = rho;
   }
 }
@@ -648,9 +650,8 @@ void Mechanics<G, S, T>::map_own_mass(Body& body) {
   field.for_touched(grid_, [&](std::size_t i) { field.mass[i] = 0; });
   const double* mass = body.points(column::mass);
   for (int p = 0; p < body.points.points(); ++p) {
-    stencil(at, p).for_nodes([&](std::size_t i, double n, const Vec&, const Vec&, const Vec&) {
-      field.mass[i] += n * mass[p];
-    });
+    stencil(at, p).for_nodes(
+        [&](std::size_t i, double n, const Vec&, const Vec&, const Vec&) { field.mass[i] += n * mass[p]; });
   }
   walls_.fold_mass(field);
 }
@@ -759,7 +760,8 @@ void Mechanics<G, S, T>::check() const {
       for (int p = 0; p < body.points.points(); ++p) {
         if (!std::isfinite(v[p])) stop(p, column::velocity.name(), v[p], "the velocity must be finite");
         if (x[p] >= low && x[p] <= high) continue;
-        stop(p, column::position.name(), x[p], std::isfinite(x[p]) ? "a point left the grid" : "the position must be finite");
+        stop(p, column::position.name(), x[p],
+             std::isfinite(x[p]) ? "a point left the grid" : "the position must be finite");
       }
     }
     const Material::Fault fault = body.material->first_fault(body.points);
@@ -844,10 +846,11 @@ State Mechanics<G, S, T>::rate() {
     rate.values.resize(first + 2 * dim * n);
     for (std::size_t p = 0; p < n; ++p) {
       Vec v = Vec::Zero(), a = Vec::Zero();
-      stencil(located_[b], static_cast<int>(p)).for_nodes([&](std::size_t i, double w, const Vec&, const Vec&, const Vec&) {
-        v += w * field.start[i];
-        a += w * field.end[i];
-      });
+      stencil(located_[b], static_cast<int>(p))
+          .for_nodes([&](std::size_t i, double w, const Vec&, const Vec&, const Vec&) {
+            v += w * field.start[i];
+            a += w * field.end[i];
+          });
       for (std::size_t d = 0; d < dim; ++d) {
         rate.values[first + d * n + p] = v[static_cast<int>(d)];
         rate.values[first + (dim + d) * n + p] = a[static_cast<int>(d)];

@@ -15,17 +15,17 @@ const std::vector<Choice>& shapes() {
 const std::vector<Choice>& transfers() {
   static const std::vector<Choice> all{
       {"pic", "points take the grid's velocity", "Harlow 1964"},
-      {"flip", "points take the grid's velocity change", "York 1997, (3.22); Brackbill, Ruppel 1986, doi 10.1016/0021-9991(86)90211-1"},
+      {"flip", "points take the grid's velocity change",
+       "York 1997, (3.22); Brackbill, Ruppel 1986, doi 10.1016/0021-9991(86)90211-1"},
       {"apic", "points take the grid's velocity and its affine part", "Jiang et al. 2015, doi 10.1145/2766996"}};
   return all;
 }
 
 const std::vector<Choice>& densities() {
-  static const std::vector<Choice> all{
-      {"cell", "mass of the cell over its volume", "York 1997, (4.5)"},
-      {"quadratic", "quadratic weights about the cell centre", "York 1997, (4.6)"},
-      {"continuity", "continuity equation at the point", "York 1997, (4.7)"},
-      {"grid", "nodal mass over nodal volume, interpolated", "kernel/README.md"}};
+  static const std::vector<Choice> all{{"cell", "mass of the cell over its volume", "York 1997, (4.5)"},
+                                       {"quadratic", "quadratic weights about the cell centre", "York 1997, (4.6)"},
+                                       {"continuity", "continuity equation at the point", "York 1997, (4.7)"},
+                                       {"grid", "nodal mass over nodal volume, interpolated", "kernel/README.md"}};
   return all;
 }
 

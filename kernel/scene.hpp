@@ -19,10 +19,10 @@ enum class DensityMethod { cell, quadratic, continuity, grid };
 
 struct Scene {
   GridSpec grid;
-  std::array<double, 2> gravity{0, 0};   // b, m/s^2
+  std::array<double, 2> gravity{0, 0};  // b, m/s^2
   std::vector<Body> bodies;
-  std::string shape = "quadratic";       // linear, quadratic, cubic
-  std::string transfer = "apic";         // pic, flip, apic
+  std::string shape = "quadratic";  // linear, quadratic, cubic
+  std::string transfer = "apic";    // pic, flip, apic
   DensityMethod density = DensityMethod::grid;
 };
 
@@ -33,6 +33,6 @@ struct Choice {
 const std::vector<Choice>& shapes();
 const std::vector<Choice>& transfers();
 const std::vector<Choice>& densities();
-DensityMethod density_method(const std::string& name);   // throws std::out_of_range
+DensityMethod density_method(const std::string& name);  // throws std::out_of_range
 
 }  // namespace plumbline

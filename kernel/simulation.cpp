@@ -7,7 +7,8 @@
 namespace plumbline {
 
 Simulation::Simulation(Scene scene, const std::string& integrator, StepControl control)
-    : scene_(std::move(scene)), control_(control) {
+    : scene_(std::move(scene)),
+      control_(control) {
   const IntegratorEntry* entry = find_integrator(integrator);
   if (!entry) throw std::invalid_argument("no integrator " + integrator);
   integrator_ = entry->make();

@@ -15,15 +15,15 @@ namespace plumbline {
 
 // The step: dt = cfl times the engine's step limit, or fixed.
 struct StepControl {
-  double cfl = 0.3;            // > 0
-  std::optional<double> dt;    // s, > 0; overrides cfl
+  double cfl = 0.3;          // > 0
+  std::optional<double> dt;  // s, > 0; overrides cfl
 };
 
 // Everything a run is at one instant. Copy it to save a run; restoring it continues bitwise as if never interrupted.
 struct Checkpoint {
   double time = 0;
   long step = 0;
-  std::vector<Columns> points;          // of each body
+  std::vector<Columns> points;  // of each body
   std::vector<std::vector<int>> ids;
   Ledger ledger;
 };

@@ -43,6 +43,9 @@ struct RegisterIntegrator {
 }  // namespace plumbline
 
 // Registers integrator class Type under a name, with a one-line title and its source.
-#define PLUMBLINE_INTEGRATOR(Type, name, title, source)                 \
-  static const ::plumbline::RegisterIntegrator register_##Type{         \
-      {name, title, source, [] { return std::make_unique<Type>(); }}}
+#define PLUMBLINE_INTEGRATOR(Type, name, title, source)            \
+  static const ::plumbline::RegisterIntegrator register_##Type {   \
+    {                                                              \
+      name, title, source, [] { return std::make_unique<Type>(); } \
+    }                                                              \
+  }

@@ -81,9 +81,7 @@ void Walls<dim>::fold_mass(VelocityField<dim>& field) const {
   for (int d = 0; d < dim; ++d) {
     for_walls(
         field, d,
-        [&](int g, int m, bool) {
-          field.mass[static_cast<std::size_t>(m)] += field.mass[static_cast<std::size_t>(g)];
-        },
+        [&](int g, int m, bool) { field.mass[static_cast<std::size_t>(m)] += field.mass[static_cast<std::size_t>(g)]; },
         [](int, bool) {});
   }
 }

@@ -30,9 +30,9 @@ double copy_rate() {
 struct Entry {
   std::string name, case_name, scheme;
   int cells;
-  double target;             // point-steps per second, or seconds where target_is_time
+  double target;  // point-steps per second, or seconds where target_is_time
   bool target_is_time;
-  int passes;                // sweeps over the points in one step, for the traffic
+  int passes;  // sweeps over the points in one step, for the traffic
   std::vector<Override> overrides = {};
 };
 
@@ -52,14 +52,29 @@ Json bench_entry(const Entry& at, const std::vector<std::string>& typed, double 
   const double bytes = 8.0 * run.doubles_per_point;
   const double traffic = rate * bytes * at.passes / bytes_per_s;
   const bool met = at.target_is_time ? time <= at.target : rate >= at.target;
-  out.line("{:28} {:8} points {:6} steps  median {:.4g} s  {:.3g} point-steps/s  {:.2g} of copy bandwidth  target {} {:.3g}{}: {}", at.name,
-           run.points, run.steps, time, rate, traffic, at.target_is_time ? "at most" : "at least", at.target,
-           at.target_is_time ? " s" : "", met ? "met" : "MISSED");
-  return {{"name", at.name}, {"dimension", run.dim}, {"material", name(entry.kind())}, {"shape", settings.text("shape")},
-          {"transfer", settings.text("transfer")}, {"integrator", settings.text("integrator")}, {"points", run.points},
-          {"ppc", settings.number("ppc")}, {"threads", 1}, {"steps", run.steps}, {"wall_s", time}, {"point_steps_per_s", rate},
-          {"bytes_per_point", bytes}, {"flops_per_point", nullptr}, {"fraction_of_limit", traffic},
-          {"energy_drift", run.ledger.energy.relative_drift(false)}, {"target", at.target}, {"met", met}};
+  out.line(
+      "{:28} {:8} points {:6} steps  median {:.4g} s  {:.3g} point-steps/s  {:.2g} of copy bandwidth  target {} "
+      "{:.3g}{}: {}",
+      at.name, run.points, run.steps, time, rate, traffic, at.target_is_time ? "at most" : "at least", at.target,
+      at.target_is_time ? " s" : "", met ? "met" : "MISSED");
+  return {{"name", at.name},
+          {"dimension", run.dim},
+          {"material", name(entry.kind())},
+          {"shape", settings.text("shape")},
+          {"transfer", settings.text("transfer")},
+          {"integrator", settings.text("integrator")},
+          {"points", run.points},
+          {"ppc", settings.number("ppc")},
+          {"threads", 1},
+          {"steps", run.steps},
+          {"wall_s", time},
+          {"point_steps_per_s", rate},
+          {"bytes_per_point", bytes},
+          {"flops_per_point", nullptr},
+          {"fraction_of_limit", traffic},
+          {"energy_drift", run.ledger.energy.relative_drift(false)},
+          {"target", at.target},
+          {"met", met}};
 }
 
 // A scene of one point: what a step costs beside its points.
@@ -90,21 +105,28 @@ int execute(const Invocation& invocation) {
   const double bytes_per_s = copy_rate();
   const Provenance p = build_provenance();
   out.line("{}, {}, copy {:.3g} GB/s", p.cpu, p.instruction_set, bytes_per_s / 1e9);
-  Json document{{"machine", {{"cpu", p.cpu}, {"instruction_set", p.instruction_set}, {"compiler", p.compiler}, {"flags", p.flags},
-                             {"copy_bytes_per_s", bytes_per_s}}},
+  Json document{{"machine",
+                 {{"cpu", p.cpu},
+                  {"instruction_set", p.instruction_set},
+                  {"compiler", p.compiler},
+                  {"flags", p.flags},
+                  {"copy_bytes_per_s", bytes_per_s}}},
                 {"kernels", Json::array()}};
   std::vector<Entry> entries{{"gas, 1-D, 1600 cells", "sod", "default", 1600, 1e7, false, 11},
-                                   {"York's gas, 1-D, 800 cells", "sod", "york1997", 800, 1e7, false, 10},
-                                   {"York's spring, ten points", "spring-mass", "york1997", 10, 0.1, true, 9}};
+                             {"York's gas, 1-D, 800 cells", "sod", "york1997", 800, 1e7, false, 10},
+                             {"York's spring, ten points", "spring-mass", "york1997", 10, 0.1, true, 9}};
   const CommonOptions& common = invocation.options;
   if (!common.schemes.empty() || !common.integrators.empty()) {
     entries.clear();
     for (const SchemeChoice& choice : chosen_schemes(common)) {
-      const std::string integrator = choice.overrides.empty() ? "" : " with " + to_text(choice.overrides.front().second);
-      entries.push_back({"gas, 1-D, " + choice.scheme + integrator, "sod", choice.scheme, 800, 1e7, false, 10, choice.overrides});
+      const std::string integrator = choice.overrides.empty() ? ""
+                                                              : " with " + to_text(choice.overrides.front().second);
+      entries.push_back(
+          {"gas, 1-D, " + choice.scheme + integrator, "sod", choice.scheme, 800, 1e7, false, 10, choice.overrides});
     }
   }
-  for (const Entry& entry : entries) document["kernels"].push_back(bench_entry(entry, common.settings, bytes_per_s, out));
+  for (const Entry& entry : entries)
+    document["kernels"].push_back(bench_entry(entry, common.settings, bytes_per_s, out));
   document["empty_step"] = empty_step(out);
   write_json(invocation.options, document);
   return 0;

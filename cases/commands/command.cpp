@@ -19,14 +19,17 @@ Provenance Invocation::provenance() const {
 
 void add_json(CLI::App& app, CommonOptions& options) {
   app.add_option("--json", options.json, "write JSON to a file, or - for standard output");
-  app.add_option("--plugin", options.plugins, "shared library that registers integrators (repeatable)")->allow_extra_args(false);
+  app.add_option("--plugin", options.plugins, "shared library that registers integrators (repeatable)")
+      ->allow_extra_args(false);
 }
 
 void add_run_options(CLI::App& app, CommonOptions& options) {
   add_json(app, options);
   app.add_option("--scheme", options.schemes, "scheme (repeatable)")->allow_extra_args(false);
-  app.add_option("--integrator", options.integrators, "the case's default scheme with this integrator (repeatable)")->allow_extra_args(false);
-  app.add_option("--set", options.settings, "key=value (repeatable); `plumbline explain CASE` lists the keys")->allow_extra_args(false);
+  app.add_option("--integrator", options.integrators, "the case's default scheme with this integrator (repeatable)")
+      ->allow_extra_args(false);
+  app.add_option("--set", options.settings, "key=value (repeatable); `plumbline explain CASE` lists the keys")
+      ->allow_extra_args(false);
   app.add_option("--threads", options.threads, "threads for independent runs")->check(CLI::Range(1, 1024));
   app.add_option("--results", options.results, "results folder");
   app.add_flag("--allow-inconclusive", options.allow_inconclusive, "INCONCLUSIVE does not make the exit status red");
@@ -73,11 +76,12 @@ std::string coloured(Verdict verdict) {
 void Output::gates(const std::vector<JudgedGate>& gates) const {
   for (const JudgedGate& g : gates) {
     const std::string measured = g.measured.value ? fmt::format("{:.6g}", *g.measured.value) : "-";
-    const std::string interval =
-        g.measured.interval ? fmt::format(" [{:.4g}, {:.4g}]", g.measured.interval->first, g.measured.interval->second) : "";
+    const std::string interval = g.measured.interval ? fmt::format(" [{:.4g}, {:.4g}]", g.measured.interval->first,
+                                                                   g.measured.interval->second)
+                                                     : "";
     const std::string note = g.judgement.note.empty() ? g.measured.note : g.judgement.note;
-    line("{} {:11} {:36} {}{}, expected {}{}", coloured(g.judgement.verdict), g.case_name, g.gate.id, measured, interval,
-         range_text(g.gate.expected), note.empty() ? "" : " (" + note + ")");
+    line("{} {:11} {:36} {}{}, expected {}{}", coloured(g.judgement.verdict), g.case_name, g.gate.id, measured,
+         interval, range_text(g.gate.expected), note.empty() ? "" : " (" + note + ")");
   }
 }
 
@@ -96,8 +100,8 @@ void write_json(const CommonOptions& options, const Json& document) {
 Progress terminal_progress(const std::string& what) {
   if (!::isatty(STDERR_FILENO)) return {};
   return [what](std::size_t done, std::size_t of, const RunResult& last) {
-    fmt::print(stderr, "\r\033[K{}: {} of {} runs, last {} cells in {:.2f} s", what, done, of, last.settings.integer("cells"),
-               last.wall_s);
+    fmt::print(stderr, "\r\033[K{}: {} of {} runs, last {} cells in {:.2f} s", what, done, of,
+               last.settings.integer("cells"), last.wall_s);
     std::fflush(stderr);
   };
 }
@@ -110,7 +114,8 @@ void load_plugins(const std::vector<std::string>& files) {
   for (const std::string& file : files) {
     // dlopen searches system folders for a bare name; a plug-in is a file.
     const std::string path = file.find('/') == std::string::npos ? "./" + file : file;
-    if (!::dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL)) throw FileError(file, fmt::format("plug-in {}: {}", file, ::dlerror()));
+    if (!::dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL))
+      throw FileError(file, fmt::format("plug-in {}: {}", file, ::dlerror()));
   }
 }
 

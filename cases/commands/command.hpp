@@ -1,8 +1,8 @@
 // What all commands share: options, output, plug-ins.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <functional>
 #include <string>
@@ -28,7 +28,7 @@ struct Command {
 
 struct Invocation {
   CommonOptions options;
-  std::string command;                      // for provenance
+  std::string command;  // for provenance
   Provenance provenance() const;
 };
 

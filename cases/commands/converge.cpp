@@ -29,12 +29,19 @@ struct ChosenPlan {
 
 ChosenPlan plan_for(const Case& entry, const SchemeChoice& choice, Vary vary, const ConvergeOptions& options,
                     const std::vector<std::string>& typed) {
-  StudyPlan plan{.id = "study", .title = "refinement in " + name(vary), .why = "No order is claimed for these choices.",
-                 .scheme = choice.scheme, .overrides = choice.overrides, .vary = vary, .values = levels(entry, vary, options.cells)};
+  StudyPlan plan{.id = "study",
+                 .title = "refinement in " + name(vary),
+                 .why = "No order is claimed for these choices.",
+                 .scheme = choice.scheme,
+                 .overrides = choice.overrides,
+                 .vary = vary,
+                 .values = levels(entry, vary, options.cells)};
   if (vary != Vary::cells && options.cells.size() > 1) {
-    throw UsageError("--cells", fmt::format("{} meshes", options.cells.size()), "one mesh", {}, "--vary " + name(vary) + " refines on one mesh: give --cells one number");
+    throw UsageError("--cells", fmt::format("{} meshes", options.cells.size()), "one mesh", {},
+                     "--vary " + name(vary) + " refines on one mesh: give --cells one number");
   }
-  if (vary != Vary::cells && !options.cells.empty()) plan.overrides.emplace_back("cells", static_cast<double>(options.cells.front()));
+  if (vary != Vary::cells && !options.cells.empty())
+    plan.overrides.emplace_back("cells", static_cast<double>(options.cells.front()));
   const Settings wanted = planned_runs(entry, plan, Tier::quick, typed).front().settings;
   for (StudyPlan declared : entry.studies()) {
     if (declared.vary != vary || declared.scheme != choice.scheme) continue;
@@ -69,15 +76,17 @@ void print_levels(const Output& out, const StudyResult& study, const std::vector
 }
 
 void print(const Output& out, const StudyResult& study, const std::vector<JudgedGate>& gates, bool declared) {
-  out.line("{} under {}: {}. {}\nErrors against the reference:", study.entry->name(), study.scheme, study.plan.title, study.plan.why);
+  out.line("{} under {}: {}. {}\nErrors against the reference:", study.entry->name(), study.scheme, study.plan.title,
+           study.plan.why);
   const std::vector<std::string> measures = leading_measures(study);
   print_levels(out, study, measures);
   out.line("{:>24} {:>8} {:>20} {:>10}", "order of", "fit", "95 % interval", "constant");
   for (const std::string& measure : measures) {
     const OrderFit* fit = study.fit(measure);
     if (!fit) continue;
-    out.line("{:>24} {:>8.3f} {:>20} {:>10.3g}  {}{}", measure, fit->order, fmt::format("{:.3f} ... {:.3f}", fit->low, fit->high),
-             fit->constant, fit->asymptotic ? "asymptotic" : "not asymptotic", fit->reason.empty() ? "" : ": " + fit->reason);
+    out.line("{:>24} {:>8.3f} {:>20} {:>10.3g}  {}{}", measure, fit->order,
+             fmt::format("{:.3f} ... {:.3f}", fit->low, fit->high), fit->constant,
+             fit->asymptotic ? "asymptotic" : "not asymptotic", fit->reason.empty() ? "" : ": " + fit->reason);
   }
   double drift = 0;
   for (const StudyLevel& at : study.levels) drift = larger(drift, at.run.ledger.energy.relative_drift(false));
@@ -90,7 +99,8 @@ int execute(const Invocation& invocation, const ConvergeOptions& options) {
   const Vary vary = vary_from(options.vary);
   const CommonOptions& common = invocation.options;
   std::vector<ChosenPlan> plans;
-  for (const SchemeChoice& choice : chosen_schemes(common)) plans.push_back(plan_for(entry, choice, vary, options, common.settings));
+  for (const SchemeChoice& choice : chosen_schemes(common))
+    plans.push_back(plan_for(entry, choice, vary, options, common.settings));
   const ResultsFolder folder(common.results);
   const Output out(common);
   const Provenance provenance = invocation.provenance();
@@ -98,8 +108,10 @@ int execute(const Invocation& invocation, const ConvergeOptions& options) {
   std::vector<JudgedGate> all;
   bool stopped = false;
   for (const auto& [plan, declared] : plans) {
-    const auto planned = planned_runs(entry, plan, Tier::quick, declared ? std::vector<std::string>{} : common.settings);
-    StudyResult study = run_study(entry, plan, planned, common.threads, terminal_progress(entry.name() + " " + plan.id));
+    const auto planned = planned_runs(entry, plan, Tier::quick,
+                                      declared ? std::vector<std::string>{} : common.settings);
+    StudyResult study = run_study(entry, plan, planned, common.threads,
+                                  terminal_progress(entry.name() + " " + plan.id));
     end_progress();
     for (StudyLevel& at : study.levels) {
       folder.write_run(at.run, {}, provenance);

@@ -16,7 +16,8 @@ Json scheme_entries() {
   for (const std::string& scheme : scheme_names()) {
     Json resolved = Json::object();
     for (const Case* entry : cases()) resolved[entry->name()] = to_json(entry->settings(scheme, {}));
-    list.push_back({{"name", scheme}, {"title", scheme_title(scheme)}, {"source", scheme_source(scheme)}, {"settings", resolved}});
+    list.push_back(
+        {{"name", scheme}, {"title", scheme_title(scheme)}, {"source", scheme_source(scheme)}, {"settings", resolved}});
   }
   return list;
 }
@@ -27,7 +28,11 @@ Json case_entries() {
     const Statement s = entry->statement();
     Json keys = Json::array();
     for (const Key& key : entry->keys()) keys.push_back(key.name);
-    list.push_back({{"name", s.name}, {"title", s.title}, {"source", s.source}, {"cells_along", s.cells_along}, {"keys", keys},
+    list.push_back({{"name", s.name},
+                    {"title", s.title},
+                    {"source", s.source},
+                    {"cells_along", s.cells_along},
+                    {"keys", keys},
                     {"kind", name(entry->kind())}});
   }
   return list;
@@ -43,7 +48,8 @@ Json document() {
   all["transfers"] = choices(transfers());
   all["densities"] = choices(densities());
   all["materials"] = Json::array();
-  for (const MaterialEntry& m : materials()) all["materials"].push_back({{"name", m.name}, {"title", m.title}, {"source", m.source}});
+  for (const MaterialEntry& m : materials())
+    all["materials"].push_back({{"name", m.name}, {"title", m.title}, {"source", m.source}});
   all["references"] = Json::array();
   for (const reference::Reference* r : reference::references()) {
     all["references"].push_back({{"name", r->name()}, {"title", r->title()}, {"source", r->source()}});
@@ -57,7 +63,8 @@ void print(const Output& out, const Json& all) {
     if (entries.empty()) continue;
     out.line("{}", group);
     for (const auto& e : entries) {
-      out.line("  {:18} {}  [{}]", e.at("name").get<std::string>(), e.at("title").get<std::string>(), e.at("source").get<std::string>());
+      out.line("  {:18} {}  [{}]", e.at("name").get<std::string>(), e.at("title").get<std::string>(),
+               e.at("source").get<std::string>());
       if (e.contains("cells_along")) {
         std::string keys;
         for (const auto& key : e.at("keys")) keys += " " + key.get<std::string>();
@@ -66,8 +73,12 @@ void print(const Output& out, const Json& all) {
       if (group == "schemes") {
         for (const auto& [case_name, settings] : e.at("settings").items()) {
           std::string text;
-          for (const char* key : {"shape", "transfer", "integrator", "density", "points", "ppc", "cfl", "dt", "viscosity.linear", "viscosity.quadratic"}) {
-            if (settings.contains(key)) text += fmt::format(" {}={}", key, settings.at(key).is_string() ? settings.at(key).template get<std::string>() : settings.at(key).dump());
+          for (const char* key : {"shape", "transfer", "integrator", "density", "points", "ppc", "cfl", "dt",
+                                  "viscosity.linear", "viscosity.quadratic"}) {
+            if (settings.contains(key))
+              text += fmt::format(" {}={}", key,
+                                  settings.at(key).is_string() ? settings.at(key).template get<std::string>()
+                                                               : settings.at(key).dump());
           }
           out.line("  {:18} {}:{}", "", case_name, text);
         }

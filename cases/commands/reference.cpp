@@ -14,11 +14,18 @@ const reference::Reference& find(const std::string& name) {
   throw unknown_name("reference", name, names);
 }
 
-std::map<std::string, double> parsed(const reference::Reference& reference, const std::vector<std::string>& assignments) {
+std::map<std::string, double> parsed(const reference::Reference& reference,
+                                     const std::vector<std::string>& assignments) {
   std::vector<Key> keys;
   for (const reference::Parameter& p : reference.parameters()) {
-    keys.push_back({.name = p.key, .value = p.value, .unit = p.unit, .low = p.low, .high = p.high, .low_open = p.low_open,
-                    .high_open = p.high_open, .description = p.description});
+    keys.push_back({.name = p.key,
+                    .value = p.value,
+                    .unit = p.unit,
+                    .low = p.low,
+                    .high = p.high,
+                    .low_open = p.low_open,
+                    .high_open = p.high_open,
+                    .description = p.description});
   }
   Settings settings(keys);
   for (const std::string& assignment : assignments) settings.set_text(assignment, reference.name());
@@ -42,8 +49,8 @@ int execute(const Invocation& invocation, const std::string& name, const std::ve
   for (std::size_t k = 0; k < answer.values.size(); ++k) {
     out.line("  {:26} {:.15g}  bound {:.1e}", answer.values[k].first, answer.values[k].second, answer.bounds[k].second);
   }
-  Json document{{"name", reference.name()}, {"settings", Json::object()}, {"values", record(answer.values)},
-                {"bounds", record(answer.bounds)}, {"at", Json::array()}, {"at_bounds", Json::array()}};
+  Json document{{"name", reference.name()},        {"settings", Json::object()}, {"values", record(answer.values)},
+                {"bounds", record(answer.bounds)}, {"at", Json::array()},        {"at_bounds", Json::array()}};
   for (const reference::Parameter& p : reference.parameters()) document["settings"][p.key] = chosen.at(p.key);
   for (const reference::Record& row : answer.at) {
     std::string text;

@@ -35,30 +35,35 @@ std::vector<JudgedGate> judge_run(const Case& entry, const RunResult& run, const
   study.levels.push_back({declared ? declared->value : run.settings.number("cells"), run.h, run, {}});
   std::vector<CaseGate> gates;
   for (CaseGate& gate : entry.gates()) {
-    if (declared && gate.study == plan.id && gate.levels.size() == 1 && gate.also.empty()) gates.push_back(std::move(gate));
+    if (declared && gate.study == plan.id && gate.levels.size() == 1 && gate.also.empty())
+      gates.push_back(std::move(gate));
   }
   for (CaseGate& gate : generic_gates(plan.id, run.dim)) gates.push_back(std::move(gate));
   return judge_gates(gates, study);
 }
 
 void print(const Output& out, const RunResult& run, const std::vector<JudgedGate>& gates, bool expected) {
-  out.line("{} under {}: {} points, {} steps to t = {:.6g} s in {:.4g} s, {:.3g} point-steps/s", run.case_name, run.scheme,
-           run.points, run.steps, run.end_time, run.wall_s, run.point_steps_per_s());
+  out.line("{} under {}: {} points, {} steps to t = {:.6g} s in {:.4g} s, {:.3g} point-steps/s", run.case_name,
+           run.scheme, run.points, run.steps, run.end_time, run.wall_s, run.point_steps_per_s());
   if (run.stop) {
     out.line("STOPPED at step {} (t = {:.6g} s): {}; point {}, field {}, value {:.6g}", run.stop->step, run.stop->time,
              run.stop->reason, run.stop->point, run.stop->field, run.stop->value);
   }
   for (const Measure& m : run.measures) {
     if (m.value) {
-      out.line("  {:18} {:.8g} {} (reference {:.8g}, error {:.3g})", m.name, *m.value, m.unit, m.reference.value_or(0), m.error);
+      out.line("  {:18} {:.8g} {} (reference {:.8g}, error {:.3g})", m.name, *m.value, m.unit, m.reference.value_or(0),
+               m.error);
     } else {
-      out.line("  {:18} error {:.4g} {}, relative {:.3g}, reference bound {:.1e}", m.name, m.error, m.unit, m.error / m.scale,
-               m.reference_bound);
+      out.line("  {:18} error {:.4g} {}, relative {:.3g}, reference bound {:.1e}", m.name, m.error, m.unit,
+               m.error / m.scale, m.reference_bound);
     }
   }
   const Ledger& l = run.ledger;
-  out.line("  ledger             energy {:.8g} -> {:.8g} J (kinetic {:.4g}, internal {:.4g}, elastic {:.4g}), relative drift {:.1e}",
-           l.energy.initial(), l.energy.store(), l.stores.kinetic, l.stores.internal, l.stores.elastic, l.energy.relative_drift(false));
+  out.line(
+      "  ledger             energy {:.8g} -> {:.8g} J (kinetic {:.4g}, internal {:.4g}, elastic {:.4g}), relative "
+      "drift {:.1e}",
+      l.energy.initial(), l.energy.store(), l.stores.kinetic, l.stores.internal, l.stores.elastic,
+      l.energy.relative_drift(false));
   for (int f = 0; f < flow_count; ++f) {
     const double amount = l.energy.flow(static_cast<Flow>(f));
     if (amount != 0) out.line("    {:16} {:+.6e} J", flow_names[static_cast<std::size_t>(f)], amount);
@@ -68,7 +73,8 @@ void print(const Output& out, const RunResult& run, const std::vector<JudgedGate
   out.gates(gates);
 }
 
-int dry_run(const Output& out, const Invocation& invocation, const Case& entry, const std::string& scheme, const Settings& settings) {
+int dry_run(const Output& out, const Invocation& invocation, const Case& entry, const std::string& scheme,
+            const Settings& settings) {
   const auto problem = entry.problem(settings);
   Simulation simulation(problem->scene(), settings.text("integrator"), step_control(settings));
   simulation.step(HUGE_VAL);
@@ -76,12 +82,19 @@ int dry_run(const Output& out, const Invocation& invocation, const Case& entry, 
   const double points = static_cast<double>(simulation.points());
   const GridSpec& grid = simulation.scene().grid;
   const double cells = static_cast<double>(grid.cells[0]) * (grid.dim > 1 ? grid.cells[1] : 1);
-  const double bytes = points * 8 * simulation.scene().bodies.front().points.doubles_per_point() + cells * 8 * (2 + 6 * grid.dim);
+  const double bytes = points * 8 * simulation.scene().bodies.front().points.doubles_per_point() +
+                       cells * 8 * (2 + 6 * grid.dim);
   constexpr double rate = 1e7;  // point-steps per second of one slow core
-  out.line("{} under {}: {} points, {} cells, about {} steps, {:.3g} MB, about {:.2g} s", entry.name(), scheme, points, cells, steps,
-           bytes / 1e6, points * steps / rate);
-  write_json(invocation.options, {{"case", entry.name()}, {"scheme", scheme}, {"settings", to_json(settings)}, {"dry_run", true},
-                                  {"points", simulation.points()}, {"cells", static_cast<long>(cells)}, {"steps", static_cast<long>(steps)}, {"bytes", bytes},
+  out.line("{} under {}: {} points, {} cells, about {} steps, {:.3g} MB, about {:.2g} s", entry.name(), scheme, points,
+           cells, steps, bytes / 1e6, points * steps / rate);
+  write_json(invocation.options, {{"case", entry.name()},
+                                  {"scheme", scheme},
+                                  {"settings", to_json(settings)},
+                                  {"dry_run", true},
+                                  {"points", simulation.points()},
+                                  {"cells", static_cast<long>(cells)},
+                                  {"steps", static_cast<long>(steps)},
+                                  {"bytes", bytes},
                                   {"estimated_s", points * steps / rate}});
   return 0;
 }
@@ -89,7 +102,9 @@ int dry_run(const Output& out, const Invocation& invocation, const Case& entry, 
 int execute(const Invocation& invocation, const RunOptions& options) {
   const Case& entry = find_case(options.case_name);
   const auto chosen = chosen_schemes(invocation.options);
-  if (chosen.size() > 1) throw UsageError("--scheme", chosen[1].scheme, "one scheme or integrator", {}, "run takes one scheme or integrator; converge takes several");
+  if (chosen.size() > 1)
+    throw UsageError("--scheme", chosen[1].scheme, "one scheme or integrator", {},
+                     "run takes one scheme or integrator; converge takes several");
   std::vector<Override> overrides = chosen[0].overrides;
   if (options.cells) overrides.emplace_back("cells", static_cast<double>(*options.cells));
   const Settings settings = entry.settings(chosen[0].scheme, overrides, invocation.options.settings);

@@ -44,7 +44,8 @@ void write_junit(const std::string& path, const std::vector<JudgedGate>& gates, 
     const std::vector<Verdict> one{g.judgement.verdict};
     if (exit_status(one, allow_inconclusive) != 0) {
       ++failures;
-      test.put("failure.<xmlattr>.message", fmt::format("{}: measured {}; {}", name(g.judgement.verdict), g.measured.value.value_or(0), g.gate.reason));
+      test.put("failure.<xmlattr>.message", fmt::format("{}: measured {}; {}", name(g.judgement.verdict),
+                                                        g.measured.value.value_or(0), g.gate.reason));
     }
     suite.add_child("testcase", test);
   }
@@ -70,12 +71,15 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
   const Output out(common);
   Verification verification;
   for (const Case* entry : entries) {
-    verify_case(*entry, options.tier == "full" ? Tier::full : Tier::quick, selection, common.threads, folder, provenance,
-                terminal_progress(entry->name()), verification);
+    verify_case(*entry, options.tier == "full" ? Tier::full : Tier::quick, selection, common.threads, folder,
+                provenance, terminal_progress(entry->name()), verification);
     end_progress();
   }
-  const Json document{{"gates", to_json(verification.gates)}, {"counts", counts_document(verification.gates)},
-                      {"executed", verification.gates.size()}, {"declared", verification.declared}, {"tier", options.tier}};
+  const Json document{{"gates", to_json(verification.gates)},
+                      {"counts", counts_document(verification.gates)},
+                      {"executed", verification.gates.size()},
+                      {"declared", verification.declared},
+                      {"tier", options.tier}};
   folder.write_verdicts(document, verification.entries, options.tier, provenance);
   out.gates(verification.gates);
   std::string counts;

@@ -11,7 +11,11 @@ namespace plumbline {
 namespace {
 
 Key positive(std::string name, double value, std::string unit, std::string description) {
-  return {.name = std::move(name), .value = value, .unit = std::move(unit), .low = 0, .low_open = true,
+  return {.name = std::move(name),
+          .value = value,
+          .unit = std::move(unit),
+          .low = 0,
+          .low_open = true,
           .description = std::move(description)};
 }
 
@@ -24,7 +28,10 @@ struct Layer {
 
 class ShockTubeProblem final : public Problem {
  public:
-  ShockTubeProblem(const ShockTube& tube, const Settings& settings) : tube_(tube), settings_(settings), exact_(tube.states) {}
+  ShockTubeProblem(const ShockTube& tube, const Settings& settings)
+      : tube_(tube),
+        settings_(settings),
+        exact_(tube.states) {}
 
   double end_time() const override { return tube_.end_time; }
 
@@ -81,7 +88,8 @@ class ShockTubeProblem final : public Problem {
       return values;
     };
     Profile profile;
-    profile.columns = {column_of(column::position, "x", "position"), column_of(column::mass, "mass", "point mass"),
+    profile.columns = {column_of(column::position, "x", "position"),
+                       column_of(column::mass, "mass", "point mass"),
                        column_of(column::density, "density", "density"),
                        column_of(column::velocity, "velocity", "velocity"),
                        column_of(column::pressure, "pressure", "pressure"),
@@ -155,15 +163,27 @@ std::vector<Key> shock_tube_keys(const ShockTube& tube) {
           positive("right.density", right.density, "kg/m^3", "density right of the diaphragm"),
           velocity("right.velocity", right.velocity, "velocity right of the diaphragm"),
           positive("right.pressure", right.pressure, "Pa", "pressure right of the diaphragm"),
-          {.name = "gamma", .value = gamma, .low = 1, .high = 10, .low_open = true, .description = "ratio of specific heats"},
-          {.name = "diaphragm", .value = tube.diaphragm, .unit = "m", .low = tube.low, .high = tube.high, .low_open = true,
-           .high_open = true, .description = "position of the diaphragm"},
+          {.name = "gamma",
+           .value = gamma,
+           .low = 1,
+           .high = 10,
+           .low_open = true,
+           .description = "ratio of specific heats"},
+          {.name = "diaphragm",
+           .value = tube.diaphragm,
+           .unit = "m",
+           .low = tube.low,
+           .high = tube.high,
+           .low_open = true,
+           .high_open = true,
+           .description = "position of the diaphragm"},
           positive("t_end", tube.end_time, "s", "end time")};
 }
 
 ShockTube shock_tube_from(const Settings& settings, const ShockTube& defaults) {
   ShockTube tube = defaults;
-  tube.states.left = {settings.number("left.density"), settings.number("left.velocity"), settings.number("left.pressure")};
+  tube.states.left = {settings.number("left.density"), settings.number("left.velocity"),
+                      settings.number("left.pressure")};
   tube.states.right = {settings.number("right.density"), settings.number("right.velocity"),
                        settings.number("right.pressure")};
   tube.states.gamma = settings.number("gamma");

@@ -12,8 +12,8 @@ namespace plumbline {
 struct ShockTube {
   reference::RiemannProblem states;
   double low = 0, high = 1;
-  double diaphragm = 0.5;       // low < diaphragm < high
-  double end_time = 0.143;      // > 0
+  double diaphragm = 0.5;   // low < diaphragm < high
+  double end_time = 0.143;  // > 0
 };
 
 // Keys of the states (left.density, ..., gamma), the diaphragm and t_end, with the tube's values as defaults.

@@ -9,7 +9,8 @@ namespace {
 
 const ShockTube sod_tube{{{1.0, 0.0, 1.0}, {0.125, 0.0, 0.1}, 1.4}, 0.0, 1.0, 0.5, 0.143};  // [York 4.1]
 
-constexpr const char* sketch = R"svg(<svg viewBox="0 0 360 110" role="img" aria-label="A closed tube, dense gas left and thin gas right of a diaphragm">
+constexpr const char* sketch =
+    R"svg(<svg viewBox="0 0 360 110" role="img" aria-label="A closed tube, dense gas left and thin gas right of a diaphragm">
 <g fill="none" stroke="currentColor" stroke-width="1.5"><rect x="20" y="25" width="320" height="40"/><path d="M180 19v52" stroke-dasharray="4 3"/></g>
 <rect x="20" y="25" width="160" height="40" fill="currentColor" opacity=".28"/><rect x="180" y="25" width="160" height="40" fill="currentColor" opacity=".06"/>
 <g fill="currentColor" font-size="12" text-anchor="middle"><text x="100" y="49">ρ = 1, p = 1</text><text x="260" y="49">ρ = 0.125, p = 0.1</text>
@@ -18,7 +19,8 @@ constexpr const char* sketch = R"svg(<svg viewBox="0 0 360 110" role="img" aria-
 // 2 % is a fifth of what shifting the grid below a cell may do, so only a change of scheme shows.
 Gate as_it_was(std::string id, double value, const std::string& commit) {
   return frozen(std::move(id), value, 0.02, "2026-11-21 " + commit,
-                "own measurement; 2 % is a fifth of what shifting the grid below a cell may do, so only a change of scheme shows");
+                "own measurement; 2 % is a fifth of what shifting the grid below a cell may do, so only a change of "
+                "scheme shows");
 }
 
 class Sod final : public Case {
@@ -28,27 +30,39 @@ class Sod final : public Case {
     s.name = "sod";
     s.title = "Sod's shock tube";
     s.source = "York 1997, SAND97-1893, section 4.1, Figs. 13 and 14; Sod 1978, doi 10.1016/0021-9991(78)90023-2";
-    s.claim = "Density, velocity, pressure and energy converge at first order to the exact Riemann solution, with every joule booked.";
-    s.physics = "A diaphragm parts dense gas at high pressure from thin gas at low pressure, both at rest. At t = 0 it vanishes: "
-                "a shock runs right, a contact follows it, a rarefaction runs left. The tube's ends are not reached by t = 0.143 s.\n\n"
-                "Errors are volume-weighted means over the points, each judged where it stands; shock and contact are included.\n\n"
-                "For an ideal gas with an energy equation V_p p_p = (γ − 1) m_p e_p: the nodal forces do not contain the density. The "
-                "four densities of York change what is read off, not how the gas moves.";
-    s.equations = {"∂ρ/∂t + ∂(ρu)/∂x = 0", "ρ Du/Dt = −∂(p + q)/∂x", "ρ De/Dt = −(p + q) ∂u/∂x",
-                   "p = (γ − 1) ρ e", "q = ρ (c_L c h |∂u/∂x| + c_Q h² (∂u/∂x)²) where ∂u/∂x < 0"};
+    s.claim =
+        "Density, velocity, pressure and energy converge at first order to the exact Riemann solution, with every "
+        "joule booked.";
+    s.physics =
+        "A diaphragm parts dense gas at high pressure from thin gas at low pressure, both at rest. At t = 0 it "
+        "vanishes: "
+        "a shock runs right, a contact follows it, a rarefaction runs left. The tube's ends are not reached by t = "
+        "0.143 s.\n\n"
+        "Errors are volume-weighted means over the points, each judged where it stands; shock and contact are "
+        "included.\n\n"
+        "For an ideal gas with an energy equation V_p p_p = (γ − 1) m_p e_p: the nodal forces do not contain the "
+        "density. The "
+        "four densities of York change what is read off, not how the gas moves.";
+    s.equations = {"∂ρ/∂t + ∂(ρu)/∂x = 0", "ρ Du/Dt = −∂(p + q)/∂x", "ρ De/Dt = −(p + q) ∂u/∂x", "p = (γ − 1) ρ e",
+                   "q = ρ (c_L c h |∂u/∂x| + c_Q h² (∂u/∂x)²) where ∂u/∂x < 0"};
     s.sketch = sketch;
     s.cells_along = "the tube's length of 1 m";
     s.reference_name = "riemann";
-    s.reference_text = "Exact solution of the Riemann problem: the pressure between the waves is the root of the two wave curves, "
-                       "found by bracketing; every point is sampled at (x − diaphragm)/t.";
+    s.reference_text =
+        "Exact solution of the Riemann problem: the pressure between the waves is the root of the two wave curves, "
+        "found by bracketing; every point is sampled at (x − diaphragm)/t.";
     s.reference_bound = "Computed with each value: residual of the root over the slope, and rounding carried through.";
     for (const char* measure : {"density.L1", "velocity.L1", "pressure.L1", "energy.L1"}) {
-      s.theory_orders.push_back({measure, 1, "shock and contact are jumps; a scheme of any order spreads them over a number of cells"});
+      s.theory_orders.push_back(
+          {measure, 1, "shock and contact are jumps; a scheme of any order spreads them over a number of cells"});
     }
     s.known_limits = {
-        "With points of equal volume the mass of a point jumps across the contact by the density ratio; the density there stays wrong by a fixed amount over a fixed number of points, and the order sinks to about 0.7.",
-        "york1997 does not converge: points clump where they cross cells of linear shapes, and the clumping grows with the number of crossings.",
-        "With eight points per cell in the dense gas the thin gas has one: away from node lines of the diaphragm the order sinks to about 0.92; with sixteen it stays at 1 wherever the diaphragm stands (full tier).",
+        "With points of equal volume the mass of a point jumps across the contact by the density ratio; the density "
+        "there stays wrong by a fixed amount over a fixed number of points, and the order sinks to about 0.7.",
+        "york1997 does not converge: points clump where they cross cells of linear shapes, and the clumping grows with "
+        "the number of crossings.",
+        "With eight points per cell in the dense gas the thin gas has one: away from node lines of the diaphragm the "
+        "order sinks to about 0.92; with sixteen it stays at 1 wherever the diaphragm stands (full tier).",
         "The rarefaction's velocity at 100 cells has about twice the error of a second-order finite-volume scheme."};
     return s;
   }
@@ -75,43 +89,77 @@ class Sod final : public Case {
   std::vector<double> default_levels() const override { return {100, 200, 400, 800, 1600}; }
 
   std::vector<StudyPlan> studies() const override {
-    const std::string first = "Shock and contact are jumps: a scheme of any order spreads them over a number of cells, so L1 errors fall at most with h.";
+    const std::string first =
+        "Shock and contact are jumps: a scheme of any order spreads them over a number of cells, so L1 errors fall at "
+        "most with h.";
     const std::vector<double> doubling{100, 200, 400, 800, 1600}, finer{100, 200, 400, 800, 1600, 3200};
     std::vector<StudyPlan> plans;
-    plans.push_back({.id = "default", .title = "default: points of equal mass", .why = first, .values = doubling,
+    plans.push_back({.id = "default",
+                     .title = "default: points of equal mass",
+                     .why = first,
+                     .values = doubling,
                      .full_values = finer});
     for (const double ppc : {8.0, 16.0}) {
-      plans.push_back({.id = "offsets-" + to_text(ppc), .title = "default, " + to_text(ppc) + " points per cell, four offsets of the grid",
+      plans.push_back({.id = "offsets-" + to_text(ppc),
+                       .title = "default, " + to_text(ppc) + " points per cell, four offsets of the grid",
                        .why = first + " Each level is the mean over four places of the diaphragm in its cell.",
-                       .overrides = {{"ppc", ppc}}, .values = finer, .tier = Tier::full, .offsets_in_full = true});
+                       .overrides = {{"ppc", ppc}},
+                       .values = finer,
+                       .tier = Tier::full,
+                       .offsets_in_full = true});
     }
-    plans.push_back({.id = "equal-volume", .title = "default with points of equal volume",
+    plans.push_back({.id = "equal-volume",
+                     .title = "default with points of equal volume",
                      .why = first + " Here the jump in point mass at the contact limits it to less.",
-                     .overrides = {{"points", "equal-volume"}, {"ppc", 3.0}}, .values = doubling});
-    plans.push_back({.id = "york1997", .title = "York 1997", .why = "First order was claimed; cell crossing prevents it.",
-                     .scheme = "york1997", .values = {100, 200, 400, 800}, .full_values = doubling});
+                     .overrides = {{"points", "equal-volume"}, {"ppc", 3.0}},
+                     .values = doubling});
+    plans.push_back({.id = "york1997",
+                     .title = "York 1997",
+                     .why = "First order was claimed; cell crossing prevents it.",
+                     .scheme = "york1997",
+                     .values = {100, 200, 400, 800},
+                     .full_values = doubling});
     for (const char* density : {"cell", "continuity", "grid"}) {
-      plans.push_back({.id = std::string("york-") + density, .title = std::string("York 1997, density by ") + density,
-                       .why = "One of the densities of Fig. 13.", .scheme = "york1997",
+      plans.push_back({.id = std::string("york-") + density,
+                       .title = std::string("York 1997, density by ") + density,
+                       .why = "One of the densities of Fig. 13.",
+                       .scheme = "york1997",
                        .overrides = {{"density", density}},
-                       .values = density == std::string("continuity") ? std::vector<double>{100, 200, 400, 800} : std::vector<double>{100}});
+                       .values = density == std::string("continuity") ? std::vector<double>{100, 200, 400, 800}
+                                                                      : std::vector<double>{100}});
     }
     for (const char* density : {"cell", "quadratic", "continuity"}) {
       plans.push_back({.id = std::string("york-inviscid-") + density,
                        .title = std::string("York 1997 without artificial viscosity, density by ") + density,
-                       .why = "One of the densities of Fig. 13, without artificial viscosity as there.", .scheme = "york1997",
+                       .why = "One of the densities of Fig. 13, without artificial viscosity as there.",
+                       .scheme = "york1997",
                        .overrides = {{"density", density}, {"viscosity.linear", 0.0}, {"viscosity.quadratic", 0.0}},
                        .values = {100}});
     }
-    plans.push_back({.id = "step", .title = "default, step refined alone",
+    plans.push_back({.id = "step",
+                     .title = "default, step refined alone",
                      .why = "Stress and density are taken at the start of the step: first order in dt.",
-                     .overrides = {{"cells", 200.0}}, .vary = Vary::dt, .values = {1, 0.5, 0.25, 0.125, 0.0625}});
-    plans.push_back({.id = "york-step", .title = "York 1997, step refined alone", .why = "Explicit in time: first order in dt on a fixed mesh.",
-                     .scheme = "york1997", .overrides = {{"cells", 100.0}}, .vary = Vary::dt, .values = {1, 0.5, 0.25, 0.125, 0.0625}});
-    plans.push_back({.id = "points", .title = "default, points per cell", .why = "Not an order of the mesh: more points sample the same kernels.",
-                     .overrides = {{"cells", 100.0}}, .vary = Vary::ppc, .values = {8, 16, 32, 64, 128}});
-    plans.push_back({.id = "offset", .title = "default, grid shifted below a cell", .why = "The grid's place must not matter.",
-                     .overrides = {{"cells", 100.0}}, .vary = Vary::offset,
+                     .overrides = {{"cells", 200.0}},
+                     .vary = Vary::dt,
+                     .values = {1, 0.5, 0.25, 0.125, 0.0625}});
+    plans.push_back({.id = "york-step",
+                     .title = "York 1997, step refined alone",
+                     .why = "Explicit in time: first order in dt on a fixed mesh.",
+                     .scheme = "york1997",
+                     .overrides = {{"cells", 100.0}},
+                     .vary = Vary::dt,
+                     .values = {1, 0.5, 0.25, 0.125, 0.0625}});
+    plans.push_back({.id = "points",
+                     .title = "default, points per cell",
+                     .why = "Not an order of the mesh: more points sample the same kernels.",
+                     .overrides = {{"cells", 100.0}},
+                     .vary = Vary::ppc,
+                     .values = {8, 16, 32, 64, 128}});
+    plans.push_back({.id = "offset",
+                     .title = "default, grid shifted below a cell",
+                     .why = "The grid's place must not matter.",
+                     .overrides = {{"cells", 100.0}},
+                     .vary = Vary::offset,
                      .values = {0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875}});
     return plans;
   }
@@ -131,89 +179,121 @@ class Sod final : public Case {
   static std::vector<CaseGate> default_gates() {
     const std::string plan_100 = "a prototype of this step reached 0.0066; 6 % of room";
     return {
-        error_gate("default", "density.L1", 100, declare("default/density-100", {{}, 0.0070}, Origin::target, plan_100)),
+        error_gate("default", "density.L1", 100,
+                   declare("default/density-100", {{}, 0.0070}, Origin::target, plan_100)),
         error_gate("default", "density.L1", 1600,
                    declare("default/density-1600", {{}, 0.0005}, Origin::target,
-                        "first order from 0.0070 at 100 cells gives 0.00044; rounded up")),
+                           "first order from 0.0070 at 100 cells gives 0.00044; rounded up")),
         fitted_order_gate("default", "density.L1",
-                          declare("default/order", {0.95, {}}, Origin::target, "shock and contact allow 1; 0.95 shows that nothing else limits")),
+                          declare("default/order", {0.95, {}}, Origin::target,
+                                  "shock and contact allow 1; 0.95 shows that nothing else limits")),
         order_gate("default", "density.L1",
-                   declare("default/order-interval", {0.90, {}}, Origin::target, "the interval's low end, 0.05 below the target for the estimate")),
+                   declare("default/order-interval", {0.90, {}}, Origin::target,
+                           "the interval's low end, 0.05 below the target for the estimate")),
         order_gate("default", "velocity.L1",
                    declare("default/velocity-order", {0.85, {}}, Origin::theory,
-                        "shock and head of the rarefaction allow 1; the corner at the head approaches it from below on coarse meshes")),
-        drift_gate("default", declare("default/drift", {{}, 1e-12}, Origin::target,
-                                   "the step closes the energy ledger to rounding; 1e-12 is 1e4 units in the last place")),
-        value_gate("default", "coverage", 100, declare("default/coverage-100", {0.99, 1.01}, Origin::theory, coverage_reason)),
-        value_gate("default", "coverage", 1600, declare("default/coverage-1600", {0.99, 1.01}, Origin::theory, coverage_reason)),
+                           "shock and head of the rarefaction allow 1; the corner at the head approaches it from below "
+                           "on coarse meshes")),
+        drift_gate("default",
+                   declare("default/drift", {{}, 1e-12}, Origin::target,
+                           "the step closes the energy ledger to rounding; 1e-12 is 1e4 units in the last place")),
+        value_gate("default", "coverage", 100,
+                   declare("default/coverage-100", {0.99, 1.01}, Origin::theory, coverage_reason)),
+        value_gate("default", "coverage", 1600,
+                   declare("default/coverage-1600", {0.99, 1.01}, Origin::theory, coverage_reason)),
         error_gate("default", "density.L1", 400, as_it_was("default/density-400", 0.0016299, "07c6daa")),
         error_gate("default", "velocity.L1", 400, as_it_was("default/velocity-400", 0.0038803, "07c6daa")),
         error_gate("default", "energy.L1", 400, as_it_was("default/energy-400", 0.0049699, "07c6daa")),
         viscous_gate("default", 400, as_it_was("default/viscous-heat-400", 0.00346002, "a97e456")),
-        fitted_order_gate("equal-volume", "density.L1",
-                   expected_failure(declare("equal-volume/order", {0.90, {}}, Origin::theory, "the same bound as for points of equal mass"),
-                                    "the jump in point mass at the contact: kernels over both sides see more points than mass",
-                                    {0.60, 0.80}, "2026-11-21 941ec0a"))};
+        fitted_order_gate(
+            "equal-volume", "density.L1",
+            expected_failure(
+                declare("equal-volume/order", {0.90, {}}, Origin::theory, "the same bound as for points of equal mass"),
+                "the jump in point mass at the contact: kernels over both sides see more points than mass",
+                {0.60, 0.80}, "2026-11-21 941ec0a"))};
   }
 
   // The quick study has the diaphragm on a node line; here it stands anywhere.
   static std::vector<CaseGate> offset_gates() {
     const auto order = [](const char* id) {
-      return declare(id, {0.95, {}}, Origin::target, "as with the diaphragm on a node line: where it stands in its cell must not matter");
+      return declare(id, {0.95, {}}, Origin::target,
+                     "as with the diaphragm on a node line: where it stands in its cell must not matter");
     };
-    return {fitted_order_gate("offsets-8", "density.L1",
-                              expected_failure(order("offsets-8/order"),
-                                               "eight points per cell in the dense gas are one in the thin: single points that cross cells are noise behind the shock unless the diaphragm is on a node line; two are enough (see offsets-16)",
-                                               {0.85, 0.95}, "2026-11-21 07c6daa"), Tier::full),
+    return {fitted_order_gate(
+                "offsets-8", "density.L1",
+                expected_failure(
+                    order("offsets-8/order"),
+                    "eight points per cell in the dense gas are one in the thin: single points that cross cells are "
+                    "noise behind the shock unless the diaphragm is on a node line; two are enough (see offsets-16)",
+                    {0.85, 0.95}, "2026-11-21 07c6daa"),
+                Tier::full),
             fitted_order_gate("offsets-16", "density.L1", order("offsets-16/order"), Tier::full),
-            order_gate("offsets-16", "density.L1", declare("offsets-16/order-interval", {0.90, {}}, Origin::target,
-                                                        "the interval's low end, 0.05 below the target for the estimate"), Tier::full)};
+            order_gate("offsets-16", "density.L1",
+                       declare("offsets-16/order-interval", {0.90, {}}, Origin::target,
+                               "the interval's low end, 0.05 below the target for the estimate"),
+                       Tier::full)};
   }
 
   static std::vector<CaseGate> york_gates() {
-    const std::string grows = "a prototype of York's step diverged under refinement: its error was to grow by at least this factor";
+    const std::string grows =
+        "a prototype of York's step diverged under refinement: its error was to grow by at least this factor";
     const std::string converging = "first order from his 0.010 at 100 cells";
-    const std::string crossing = "points that cross cells of linear shapes feel jumps of force, clump at the head of the rarefaction, and more cells mean more crossings";
+    const std::string crossing =
+        "points that cross cells of linear shapes feel jumps of force, clump at the head of the rarefaction, and more "
+        "cells mean more crossings";
     return {
         error_gate("york1997", "density.L1", 100,
-                   declare("york1997/density-100", {0.009, 0.011}, Origin::target, "reproduces Fig. 14: quadratic density with viscosity")),
-        value_gate("york1997", "coverage", 100, declare("york1997/coverage-100", {0.99, 1.01}, Origin::theory, coverage_reason)),
+                   declare("york1997/density-100", {0.009, 0.011}, Origin::target,
+                           "reproduces Fig. 14: quadratic density with viscosity")),
+        value_gate("york1997", "coverage", 100,
+                   declare("york1997/coverage-100", {0.99, 1.01}, Origin::theory, coverage_reason)),
         error_gate("york1997", "density.L1", 200,
-                   expected_failure(declare("york1997/density-200", {{}, 0.0050}, Origin::theory, converging), crossing, {0.0050, 0.0085},
-                                    "")),
+                   expected_failure(declare("york1997/density-200", {{}, 0.0050}, Origin::theory, converging), crossing,
+                                    {0.0050, 0.0085}, "")),
         error_gate("york1997", "density.L1", 400,
-                   expected_failure(declare("york1997/density-400", {{}, 0.0025}, Origin::theory, converging), crossing, {0.0050, 0.0085},
-                                    "")),
+                   expected_failure(declare("york1997/density-400", {{}, 0.0025}, Origin::theory, converging), crossing,
+                                    {0.0050, 0.0085}, "")),
         ratio_gate("york1997", "density.L1", 800, 400,
-                   expected_failure(declare("york1997/converges", {{}, 0.6}, Origin::theory, "first order gives 0.5"), crossing,
-                                    {1.02, 1.5}, "2026-11-21 941ec0a")),
-        ratio_gate("york1997", "density.L1", 800, 400,
-                   expected_failure(declare("york1997/grows", {1.3, {}}, Origin::target, grows),
-                                    "quadratic density sums the masses anew each step, so what crossings spoil does not accumulate in it; "
-                                    "with the continuity density it does, and the same ratio is above 1.3",
-                                    {1.0, 1.2}, "2026-11-21 cd031e8")),
-        ratio_gate("york-continuity", "density.L1", 800, 400, declare("york-continuity/grows", {1.3, {}}, Origin::target, grows)),
-        error_gate("york-cell", "density.L1", 100,
-                   declare("york-cell/density", {0.041, 0.051}, Origin::target, "cell density: about 0.046, within 10 %")),
+                   expected_failure(declare("york1997/converges", {{}, 0.6}, Origin::theory, "first order gives 0.5"),
+                                    crossing, {1.02, 1.5}, "2026-11-21 941ec0a")),
+        ratio_gate(
+            "york1997", "density.L1", 800, 400,
+            expected_failure(
+                declare("york1997/grows", {1.3, {}}, Origin::target, grows),
+                "quadratic density sums the masses anew each step, so what crossings spoil does not accumulate in it; "
+                "with the continuity density it does, and the same ratio is above 1.3",
+                {1.0, 1.2}, "2026-11-21 cd031e8")),
+        ratio_gate("york-continuity", "density.L1", 800, 400,
+                   declare("york-continuity/grows", {1.3, {}}, Origin::target, grows)),
+        error_gate(
+            "york-cell", "density.L1", 100,
+            declare("york-cell/density", {0.041, 0.051}, Origin::target, "cell density: about 0.046, within 10 %")),
         error_gate("york1997", "density.L1", 100, as_it_was("york1997/density-100-frozen", 0.00982444, "a97e456")),
-        error_gate("york-continuity", "density.L1", 100, as_it_was("york-continuity/density-100", 0.0113644, "a97e456")),
+        error_gate("york-continuity", "density.L1", 100,
+                   as_it_was("york-continuity/density-100", 0.0113644, "a97e456")),
         viscous_gate("york1997", 100, as_it_was("york1997/viscous-heat-100", 0.00691660, "a97e456")),
-        worst_density_gate(), inviscid_gate()};
+        worst_density_gate(),
+        inviscid_gate()};
   }
 
   static std::vector<CaseGate> refinement_gates() {
-    return {fitted_order_gate("step", "density.step",
-                              expected_failure(declare("step/order", {0.8, {}}, Origin::theory, "explicit in time, stress of the start of the step: order 1"),
-                                               "APIC filters what is not affine once a step, whatever the step: its diffusion grows as 1/dt and the solution has no limit as dt alone goes to 0",
-                                               {-0.6, -0.2}, "2026-11-21 cd031e8")),
+    return {fitted_order_gate(
+                "step", "density.step",
+                expected_failure(declare("step/order", {0.8, {}}, Origin::theory,
+                                         "explicit in time, stress of the start of the step: order 1"),
+                                 "APIC filters what is not affine once a step, whatever the step: its diffusion grows "
+                                 "as 1/dt and the solution has no limit as dt alone goes to 0",
+                                 {-0.6, -0.2}, "2026-11-21 cd031e8")),
             fitted_order_gate("york-step", "density.step",
                               declare("york-step/order", {0.75, 1.35}, Origin::theory,
-                                   "explicit in time: order 1; FLIP filters nothing, and a quarter is left to points that change cells at another step")),
+                                      "explicit in time: order 1; FLIP filters nothing, and a quarter is left to "
+                                      "points that change cells at another step")),
             spread_gate()};
   }
 
   static constexpr const char* coverage_reason =
-      "volumes of all points against the tube's; a kernel of three cells blurs each of three waves by less than 0.3 % of the tube at 100 cells";
+      "volumes of all points against the tube's; a kernel of three cells blurs each of three waves by less than 0.3 % "
+      "of the tube at 100 cells";
 
   // Heat by artificial viscosity, J: the ledger's memo. Errors hardly feel it, so it has a gate of its own.
   static CaseGate viscous_gate(const std::string& study, double cells, Gate g) {
@@ -228,36 +308,41 @@ class Sod final : public Case {
 
   // Fig. 13: cell density is the worst of the three.
   static CaseGate worst_density_gate() {
-    CaseGate g = study_gate("york-cell", declare("york-cell/worst", {2.0, {}}, Origin::literature,
-                                              "Fig. 13 shows cell density very noisy beside the other two: at least twice their error"),
-                            [](const StudyResult& s) {
-                              Measured measured;
-                              const StudyResult *quadratic = s.sibling("york1997"), *continuity = s.sibling("york-continuity");
-                              measured.value = density_error(s) / larger(density_error(*quadratic), density_error(*continuity));
-                              return measured;
-                            });
+    CaseGate g = study_gate(
+        "york-cell",
+        declare("york-cell/worst", {2.0, {}}, Origin::literature,
+                "Fig. 13 shows cell density very noisy beside the other two: at least twice their error"),
+        [](const StudyResult& s) {
+          Measured measured;
+          const StudyResult *quadratic = s.sibling("york1997"), *continuity = s.sibling("york-continuity");
+          measured.value = density_error(s) / larger(density_error(*quadratic), density_error(*continuity));
+          return measured;
+        });
     g.gate.quantity = "density.L1 over the larger of quadratic and continuity";
     g.also = {"york1997", "york-continuity"};
     return g;
   }
 
   static CaseGate inviscid_gate() {
-    CaseGate g = study_gate("york-inviscid-quadratic",
-                            declare("york-inviscid/agree", {{}, 0.005}, Origin::literature,
-                                 "York, below Fig. 13: continuity and quadratic differ by less than 0.005"),
-                            [](const StudyResult& s) {
-                              Measured measured;
-                              measured.value = std::abs(density_error(s) - density_error(*s.sibling("york-inviscid-continuity")));
-                              return measured;
-                            });
+    CaseGate g = study_gate(
+        "york-inviscid-quadratic",
+        declare("york-inviscid/agree", {{}, 0.005}, Origin::literature,
+                "York, below Fig. 13: continuity and quadratic differ by less than 0.005"),
+        [](const StudyResult& s) {
+          Measured measured;
+          measured.value = std::abs(density_error(s) - density_error(*s.sibling("york-inviscid-continuity")));
+          return measured;
+        });
     g.gate.quantity = "difference of density.L1 between continuity and quadratic";
     g.also = {"york-inviscid-continuity"};
     return g;
   }
 
   static CaseGate spread_gate() {
-    CaseGate g = study_gate("offset", declare("offset/spread", {{}, 1.10}, Origin::theory,
-                                           "the error is that of jumps spread over several cells; where they fall within a cell is a detail of less than a tenth"),
+    CaseGate g = study_gate("offset",
+                            declare("offset/spread", {{}, 1.10}, Origin::theory,
+                                    "the error is that of jumps spread over several cells; where they fall within a "
+                                    "cell is a detail of less than a tenth"),
                             spread);
     g.gate.quantity = "largest over smallest density.L1";
     return g;

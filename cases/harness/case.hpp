@@ -20,10 +20,10 @@ enum class Tier { quick, full };
 // What the report says of a case before any number.
 struct Statement {
   std::string name, title, source, claim;
-  std::string physics;                  // paragraphs separated by blank lines
-  std::vector<std::string> equations;   // Unicode text
-  std::string sketch;                   // inline SVG, currentColor
-  std::string cells_along;              // what `cells` counts
+  std::string physics;                 // paragraphs separated by blank lines
+  std::vector<std::string> equations;  // Unicode text
+  std::string sketch;                  // inline SVG, currentColor
+  std::string cells_along;             // what `cells` counts
   std::string reference_name, reference_text, reference_bound;
   struct TheoryOrder {
     std::string measure;
@@ -41,7 +41,7 @@ class Problem {
   virtual ~Problem() = default;
   virtual Scene scene() const = 0;
   virtual double end_time() const = 0;
-  virtual void observe(const Simulation&) {}            // after each step
+  virtual void observe(const Simulation&) {}  // after each step
   // After the run; densities are fresh.
   virtual std::vector<Measure> measures(const Simulation& simulation) const = 0;
   virtual Profile profile(const Simulation& simulation) const = 0;
@@ -50,31 +50,31 @@ class Problem {
 // What is refined.
 enum class Vary { cells, dt, ppc, offset };
 std::string name(Vary vary);
-Vary vary_from(const std::string& name);   // UsageError
+Vary vary_from(const std::string& name);  // UsageError
 
 struct StudyResult;
 
 // A refinement study that verify runs: a scheme with overrides, varied over values.
 struct StudyPlan {
   std::string id, title;
-  std::string why;                        // the order that theory allows, and why
+  std::string why;  // the order that theory allows, and why
   std::string scheme = "default";
   std::vector<Override> overrides = {};
   Vary vary = Vary::cells;
-  std::vector<double> values = {};        // cells; factors of the step for dt; points per cell; offsets
-  Tier tier = Tier::quick;                // the lowest tier that runs it
-  std::vector<double> full_values = {};   // replaces `values` in the full tier, if not empty
-  bool offsets_in_full = false;           // the full tier repeats each level at four sub-cell offsets
+  std::vector<double> values = {};       // cells; factors of the step for dt; points per cell; offsets
+  Tier tier = Tier::quick;               // the lowest tier that runs it
+  std::vector<double> full_values = {};  // replaces `values` in the full tier, if not empty
+  bool offsets_in_full = false;          // the full tier repeats each level at four sub-cell offsets
 };
 
 // A gate on a study: which number, and what it must be.
 struct CaseGate {
-  std::string study;                      // StudyPlan::id
+  std::string study;  // StudyPlan::id
   Gate gate;
-  std::vector<double> levels;             // the levels that the number needs; empty: the whole study
+  std::vector<double> levels;  // the levels that the number needs; empty: the whole study
   std::function<Measured(const StudyResult&)> measure;
   Tier tier = Tier::quick;
-  std::vector<std::string> also = {};     // further studies it compares with, by StudyResult::sibling
+  std::vector<std::string> also = {};  // further studies it compares with, by StudyResult::sibling
 };
 
 struct GateCount {
@@ -86,16 +86,16 @@ class Case {
   virtual ~Case() = default;
   virtual Statement statement() const = 0;
   virtual Kind kind() const = 0;
-  virtual std::vector<Key> keys() const = 0;                                     // the case's own
-  virtual std::vector<Override> points_and_end(const std::string& scheme) const = 0;   // what it sets beside the scheme
+  virtual std::vector<Key> keys() const = 0;                                          // the case's own
+  virtual std::vector<Override> points_and_end(const std::string& scheme) const = 0;  // what it sets beside the scheme
   // Choices that follow from others, after all have been set (York's step in proportion to h). Unset keys only.
   virtual void derive(Settings&, const std::string& /*scheme*/) const {}
   virtual std::unique_ptr<Problem> problem(const Settings& settings) const = 0;
   virtual std::vector<StudyPlan> studies() const = 0;
   virtual std::vector<CaseGate> gates() const = 0;
-  virtual GateCount gate_count() const = 0;      // own gates per tier, generic ones of its studies included
-  virtual bool any_integrator() const { return false; }   // generic gates for every registered integrator
-  virtual std::vector<double> default_levels() const = 0; // of `converge` without --cells
+  virtual GateCount gate_count() const = 0;                // own gates per tier, generic ones of its studies included
+  virtual bool any_integrator() const { return false; }    // generic gates for every registered integrator
+  virtual std::vector<double> default_levels() const = 0;  // of `converge` without --cells
 
   // The resolved choices of a run. `typed`: "key=value" as given by --set. Throws UsageError, also where neither cfl
   // nor dt is left set.
@@ -104,13 +104,13 @@ class Case {
   std::string name() const { return statement().name; }
 };
 
-const std::vector<const Case*>& cases();              // in the order of their names
-const Case& find_case(const std::string& name);       // UsageError with the nearest names
+const std::vector<const Case*>& cases();         // in the order of their names
+const Case& find_case(const std::string& name);  // UsageError with the nearest names
 
 struct RegisterCase {
   explicit RegisterCase(const Case* entry);
 };
-#define PLUMBLINE_CASE(Type)  \
+#define PLUMBLINE_CASE(Type)    \
   static const Type the_##Type; \
   static const ::plumbline::RegisterCase register_##Type { &the_##Type }
 

@@ -42,9 +42,14 @@ Json stores(const EnergyStores& s) {
 Json range(const Range& r) { return {{"low", optional_number(r.low)}, {"high", optional_number(r.high)}}; }
 
 Json declared_gate(const CaseGate& g, const std::string& scheme) {
-  Json gate{{"id", g.gate.id}, {"scheme", scheme}, {"study", g.study},
-            {"tier", g.tier == Tier::quick ? "quick" : "full"}, {"quantity", g.gate.quantity},
-            {"expected", range(g.gate.expected)}, {"origin", name(g.gate.origin)}, {"reason", g.gate.reason}};
+  Json gate{{"id", g.gate.id},
+            {"scheme", scheme},
+            {"study", g.study},
+            {"tier", g.tier == Tier::quick ? "quick" : "full"},
+            {"quantity", g.gate.quantity},
+            {"expected", range(g.gate.expected)},
+            {"origin", name(g.gate.origin)},
+            {"reason", g.gate.reason}};
   gate["cause"] = g.gate.expected_failure ? Json(g.gate.expected_failure->cause) : Json(nullptr);
   return gate;
 }
@@ -66,16 +71,31 @@ Json to_json(const Settings& settings) {
 }
 
 Json to_json(const Provenance& p) {
-  return {{"version", p.version}, {"git", p.git}, {"dirty", p.dirty}, {"compiler", p.compiler}, {"flags", p.flags},
-          {"cpu", p.cpu}, {"instruction_set", p.instruction_set}, {"threads", p.threads}, {"libraries", p.libraries},
-          {"command", p.command}, {"started", p.started}};
+  return {{"version", p.version},
+          {"git", p.git},
+          {"dirty", p.dirty},
+          {"compiler", p.compiler},
+          {"flags", p.flags},
+          {"cpu", p.cpu},
+          {"instruction_set", p.instruction_set},
+          {"threads", p.threads},
+          {"libraries", p.libraries},
+          {"command", p.command},
+          {"started", p.started}};
 }
 
 Json to_json(const JudgedGate& g) {
-  Json gate{{"id", g.gate.id}, {"case", g.case_name}, {"scheme", g.scheme}, {"study", g.study},
-            {"quantity", g.gate.quantity}, {"expected", range(g.gate.expected)}, {"origin", name(g.gate.origin)},
-            {"reason", g.gate.reason}, {"measured", optional_number(g.measured.value)}};
-  gate["interval"] = g.measured.interval && std::isfinite(g.measured.interval->first) && std::isfinite(g.measured.interval->second)
+  Json gate{{"id", g.gate.id},
+            {"case", g.case_name},
+            {"scheme", g.scheme},
+            {"study", g.study},
+            {"quantity", g.gate.quantity},
+            {"expected", range(g.gate.expected)},
+            {"origin", name(g.gate.origin)},
+            {"reason", g.gate.reason},
+            {"measured", optional_number(g.measured.value)}};
+  gate["interval"] = g.measured.interval && std::isfinite(g.measured.interval->first) &&
+                             std::isfinite(g.measured.interval->second)
                          ? Json{g.measured.interval->first, g.measured.interval->second}
                          : Json(nullptr);
   gate["margin"] = optional_number(g.judgement.margin);
@@ -114,28 +134,40 @@ Json to_json(const Ledger& ledger, int dim) {
 Json to_json(const std::vector<Measure>& measures) {
   Json all = Json::object();
   for (const Measure& m : measures) {
-    all[m.name] = {{"error", number(m.error)}, {"relative_error", number(m.error / m.scale)},
-                   {"value", optional_number(m.value)}, {"reference", optional_number(m.reference)},
-                   {"reference_bound", number(m.reference_bound)}, {"unit", m.unit}};
+    all[m.name] = {{"error", number(m.error)},
+                   {"relative_error", number(m.error / m.scale)},
+                   {"value", optional_number(m.value)},
+                   {"reference", optional_number(m.reference)},
+                   {"reference_bound", number(m.reference_bound)},
+                   {"unit", m.unit}};
   }
   return all;
 }
 
 Json to_json(const OrderFit& fit) {
-  return {{"order", number(fit.order)}, {"order_low", number(fit.low)}, {"order_high", number(fit.high)},
-          {"constant", number(fit.constant)}, {"asymptotic", fit.asymptotic}, {"pairwise", numbers(fit.pairwise)},
-          {"leave_one_out", numbers(fit.leave_one_out)}, {"plateau", numbers(fit.plateau)}, {"levels_used", fit.used},
+  return {{"order", number(fit.order)},
+          {"order_low", number(fit.low)},
+          {"order_high", number(fit.high)},
+          {"constant", number(fit.constant)},
+          {"asymptotic", fit.asymptotic},
+          {"pairwise", numbers(fit.pairwise)},
+          {"leave_one_out", numbers(fit.leave_one_out)},
+          {"plateau", numbers(fit.plateau)},
+          {"levels_used", fit.used},
           {"reason", fit.reason}};
 }
 
 Json run_document(const RunResult& run, const std::vector<JudgedGate>& gates, const Provenance& provenance) {
   const auto all = verdicts(gates);
-  Json document{{"case", run.case_name}, {"scheme", run.scheme}, {"settings", to_json(run.settings)},
-                {"verdict", name(overall(all))}, {"finished", run.finished}};
+  Json document{{"case", run.case_name},
+                {"scheme", run.scheme},
+                {"settings", to_json(run.settings)},
+                {"verdict", name(overall(all))},
+                {"finished", run.finished}};
   if (run.stop) {
     const Stop& s = *run.stop;
-    document["stop"] = {{"reason", s.reason}, {"step", s.step}, {"time", number(s.time)}, {"point", s.point},
-                        {"field", s.field}, {"value", number(s.value)}};
+    document["stop"] = {{"reason", s.reason}, {"step", s.step},   {"time", number(s.time)},
+                        {"point", s.point},   {"field", s.field}, {"value", number(s.value)}};
   } else {
     document["stop"] = nullptr;
   }
@@ -164,9 +196,9 @@ Json study_document(const StudyResult& study, const std::vector<JudgedGate>& gat
   for (const auto& [measure, fit] : study.fits) fits[measure] = to_json(fit);
   const Settings shared = study.levels.empty() ? study.entry->settings(study.plan.scheme, study.plan.overrides)
                                                : study.levels.front().run.settings;
-  return {{"scheme", study.scheme}, {"vary", name(study.plan.vary)}, {"settings", to_json(shared)}, {"id", study.plan.id},
-          {"title", study.plan.title}, {"why", study.plan.why}, {"levels", std::move(levels)}, {"measures", std::move(fits)},
-          {"gates", to_json(gates)}};
+  return {{"scheme", study.scheme},      {"vary", name(study.plan.vary)}, {"settings", to_json(shared)},
+          {"id", study.plan.id},         {"title", study.plan.title},     {"why", study.plan.why},
+          {"levels", std::move(levels)}, {"measures", std::move(fits)},   {"gates", to_json(gates)}};
 }
 
 Json counts_document(const std::vector<JudgedGate>& gates) {
@@ -181,33 +213,57 @@ Json catalog_entry(const Case& entry) {
   Json parameters = Json::array(), gates = Json::array(), studies = Json::array();
   const Settings settings = entry.settings("default", {});
   for (const Key& key : settings.keys()) {
-    parameters.push_back({{"key", key.name}, {"value", to_json(key.value)}, {"default", to_json(key.value)}, {"unit", key.unit},
-                          {"low", number(key.low)}, {"high", number(key.high)}, {"allowed", key.allowed()},
+    parameters.push_back({{"key", key.name},
+                          {"value", to_json(key.value)},
+                          {"default", to_json(key.value)},
+                          {"unit", key.unit},
+                          {"low", number(key.low)},
+                          {"high", number(key.high)},
+                          {"allowed", key.allowed()},
                           {"description", key.description}});
   }
   for (const StudyPlan& plan : entry.studies()) {
-    studies.push_back({{"id", plan.id}, {"title", plan.title}, {"why", plan.why}, {"scheme", plan.scheme},
-                       {"vary", name(plan.vary)}, {"values", numbers(plan.values)}});
+    studies.push_back({{"id", plan.id},
+                       {"title", plan.title},
+                       {"why", plan.why},
+                       {"scheme", plan.scheme},
+                       {"vary", name(plan.vary)},
+                       {"values", numbers(plan.values)}});
     for (const CaseGate& gate : entry.gates()) {
       if (gate.study == plan.id) gates.push_back(declared_gate(gate, plan.scheme));
     }
   }
   Json orders = Json::object();
   for (const auto& [measure, order, why] : s.theory_orders) orders[measure] = {{"order", order}, {"why", why}};
-  return {{"name", s.name}, {"title", s.title}, {"source", s.source}, {"claim", s.claim}, {"physics", s.physics},
-          {"equations", s.equations}, {"sketch", s.sketch}, {"cells_along", s.cells_along}, {"parameters", parameters},
+  return {{"name", s.name},
+          {"title", s.title},
+          {"source", s.source},
+          {"claim", s.claim},
+          {"physics", s.physics},
+          {"equations", s.equations},
+          {"sketch", s.sketch},
+          {"cells_along", s.cells_along},
+          {"parameters", parameters},
           {"reference", {{"name", s.reference_name}, {"text", s.reference_text}, {"bound", s.reference_bound}}},
-          {"theory_order", orders}, {"studies", studies}, {"known_limits", s.known_limits}, {"gates", gates},
+          {"theory_order", orders},
+          {"studies", studies},
+          {"known_limits", s.known_limits},
+          {"gates", gates},
           {"regenerate", "plumbline verify " + s.name + " --tier quick"}};
 }
 
 Json error_document(const UsageError& error) {
-  return {{"error", {{"key", error.key}, {"value", error.value}, {"allowed", error.allowed}, {"nearest", error.nearest},
-                     {"message", error.what()}}}};
+  return {{"error",
+           {{"key", error.key},
+            {"value", error.value},
+            {"allowed", error.allowed},
+            {"nearest", error.nearest},
+            {"message", error.what()}}}};
 }
 
 Json error_document(const std::string& key, const std::string& message) {
-  return {{"error", {{"key", key}, {"value", nullptr}, {"allowed", nullptr}, {"nearest", Json::array()}, {"message", message}}}};
+  return {{"error",
+           {{"key", key}, {"value", nullptr}, {"allowed", nullptr}, {"nearest", Json::array()}, {"message", message}}}};
 }
 
 std::vector<Verdict> verdicts(const std::vector<JudgedGate>& gates) {

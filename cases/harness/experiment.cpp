@@ -62,7 +62,8 @@ class LedgerRecorder {
   }
 
   std::vector<std::pair<std::string, const Account*>> accounts(const Ledger& ledger) const {
-    std::vector<std::pair<std::string, const Account*>> all{{"mass", &ledger.mass}, {"momentum_x", &ledger.momentum[0]}};
+    std::vector<std::pair<std::string, const Account*>> all{{"mass", &ledger.mass},
+                                                            {"momentum_x", &ledger.momentum[0]}};
     if (dim_ > 1) {
       all.push_back({"momentum_y", &ledger.momentum[1]});
       all.push_back({"angular_momentum", &ledger.angular_momentum});

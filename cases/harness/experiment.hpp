@@ -30,27 +30,31 @@ struct Stop {
 
 struct RunResult {
   RunResult(std::string of_case, std::string under_scheme, Settings with)
-      : case_name(std::move(of_case)), scheme(std::move(under_scheme)), settings(std::move(with)) {}
+      : case_name(std::move(of_case)),
+        scheme(std::move(under_scheme)),
+        settings(std::move(with)) {}
 
   std::string case_name, scheme;
   Settings settings;
   int dim = 1;
-  double h = 0;                 // cell size, m
-  double dt = 0;                // mean step, s
+  double h = 0;   // cell size, m
+  double dt = 0;  // mean step, s
   bool finished = false;
   std::optional<Stop> stop;
   long steps = 0, points = 0;
   int doubles_per_point = 0;
-  double end_time = 0;          // s
-  double wall_s = 0;            // stepping alone
+  double end_time = 0;  // s
+  double wall_s = 0;    // stepping alone
   Ledger ledger;
   LedgerHistory history;
-  std::vector<Measure> measures;   // empty if stopped
+  std::vector<Measure> measures;  // empty if stopped
   Profile profile;
-  std::string file;             // its name in a results folder
+  std::string file;  // its name in a results folder
 
   const Measure* find(const std::string& measure) const;
-  double point_steps_per_s() const { return wall_s > 0 ? static_cast<double>(points) * static_cast<double>(steps) / wall_s : 0; }
+  double point_steps_per_s() const {
+    return wall_s > 0 ? static_cast<double>(points) * static_cast<double>(steps) / wall_s : 0;
+  }
 };
 
 // The step control that the settings ask for; one of dt and cfl is set.

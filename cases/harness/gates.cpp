@@ -73,7 +73,10 @@ Gate frozen(std::string id, double value, double share, const std::string& stamp
 }
 
 CaseGate error_gate(std::string study, const std::string& measure, double level, Gate gate, Tier tier) {
-  return {std::move(study), named(std::move(gate), fmt::format("{} at {}", measure, level)), {level}, [=](const StudyResult& s) {
+  return {std::move(study),
+          named(std::move(gate), fmt::format("{} at {}", measure, level)),
+          {level},
+          [=](const StudyResult& s) {
             return at_level(s, measure, level, [](const RunResult&, const Measure& m) {
               Measured measured;
               measured.value = m.error;
@@ -81,11 +84,15 @@ CaseGate error_gate(std::string study, const std::string& measure, double level,
               measured.scale = m.scale;
               return measured;
             });
-          }, tier};
+          },
+          tier};
 }
 
 CaseGate value_gate(std::string study, const std::string& measure, double level, Gate gate, Tier tier) {
-  return {std::move(study), named(std::move(gate), fmt::format("value of {} at {}", measure, level)), {level}, [=](const StudyResult& s) {
+  return {std::move(study),
+          named(std::move(gate), fmt::format("value of {} at {}", measure, level)),
+          {level},
+          [=](const StudyResult& s) {
             return at_level(s, measure, level, [&](const RunResult&, const Measure& m) {
               if (!m.value) return failed(measure + " has no value");
               Measured measured;
@@ -93,18 +100,23 @@ CaseGate value_gate(std::string study, const std::string& measure, double level,
               measured.scale = m.scale;
               return measured;
             });
-          }, tier};
+          },
+          tier};
 }
 
 CaseGate measure_gate(std::string study, Gate gate, const std::string& measure, double level,
                       std::function<Measured(const RunResult&, const Measure&)> read, Tier tier) {
-  return study_gate(std::move(study), std::move(gate), [=](const StudyResult& s) { return at_level(s, measure, level, read); },
-                    {level}, tier);
+  return study_gate(
+      std::move(study), std::move(gate), [=](const StudyResult& s) { return at_level(s, measure, level, read); },
+      {level}, tier);
 }
 
 CaseGate ratio_gate(std::string study, const std::string& measure, double level, double over, Gate gate, Tier tier) {
   const std::string quantity = fmt::format("{} at {} over {}", measure, level, over);
-  return {std::move(study), named(std::move(gate), quantity), {level, over}, [=](const StudyResult& s) {
+  return {std::move(study),
+          named(std::move(gate), quantity),
+          {level, over},
+          [=](const StudyResult& s) {
             return at_level(s, measure, level, [&](const RunResult&, const Measure& a) {
               return at_level(s, measure, over, [&](const RunResult&, const Measure& b) {
                 Measured measured;
@@ -114,40 +126,50 @@ CaseGate ratio_gate(std::string study, const std::string& measure, double level,
                 return measured;
               });
             });
-          }, tier};
+          },
+          tier};
 }
 
 CaseGate order_gate(std::string study, const std::string& measure, Gate gate, Tier tier) {
   gate.order = true;
-  return study_gate(std::move(study), named(std::move(gate), "order of " + measure), [=](const StudyResult& s) {
-    if (const auto stopped = stopped_level(s)) return *stopped;
-    const OrderFit* fit = s.fit(measure);
-    return fit ? measured_order(*fit) : failed("no fit of " + measure);
-  }, {}, tier);
+  return study_gate(
+      std::move(study), named(std::move(gate), "order of " + measure),
+      [=](const StudyResult& s) {
+        if (const auto stopped = stopped_level(s)) return *stopped;
+        const OrderFit* fit = s.fit(measure);
+        return fit ? measured_order(*fit) : failed("no fit of " + measure);
+      },
+      {}, tier);
 }
 
 CaseGate fitted_order_gate(std::string study, const std::string& measure, Gate gate, Tier tier) {
-  return study_gate(std::move(study), named(std::move(gate), "fitted order of " + measure), [=](const StudyResult& s) {
-    if (const auto stopped = stopped_level(s)) return *stopped;
-    const OrderFit* fit = s.fit(measure);
-    if (!fit || fit->invalid) return failed("no fit of " + measure);
-    Measured measured = measured_order(*fit);
-    measured.inconclusive = !fit->usable;
-    return measured;
-  }, {}, tier);
+  return study_gate(
+      std::move(study), named(std::move(gate), "fitted order of " + measure),
+      [=](const StudyResult& s) {
+        if (const auto stopped = stopped_level(s)) return *stopped;
+        const OrderFit* fit = s.fit(measure);
+        if (!fit || fit->invalid) return failed("no fit of " + measure);
+        Measured measured = measured_order(*fit);
+        measured.inconclusive = !fit->usable;
+        return measured;
+      },
+      {}, tier);
 }
 
 CaseGate drift_gate(std::string study, Gate gate, Tier tier) {
-  return study_gate(std::move(study), named(std::move(gate), "relative drift of energy"), [](const StudyResult& s) {
-    if (s.levels.empty()) return failed("the study has no runs");
-    Measured measured;
-    double largest = 0;
-    for (const StudyLevel& at : s.levels) {
-      largest = larger(largest, at.run.ledger.energy.relative_drift(false));
-    }
-    measured.value = largest;
-    return measured;
-  }, {}, tier);
+  return study_gate(
+      std::move(study), named(std::move(gate), "relative drift of energy"),
+      [](const StudyResult& s) {
+        if (s.levels.empty()) return failed("the study has no runs");
+        Measured measured;
+        double largest = 0;
+        for (const StudyLevel& at : s.levels) {
+          largest = larger(largest, at.run.ledger.energy.relative_drift(false));
+        }
+        measured.value = largest;
+        return measured;
+      },
+      {}, tier);
 }
 
 CaseGate study_gate(std::string study, Gate gate, std::function<Measured(const StudyResult&)> measure,
@@ -174,8 +196,8 @@ std::function<Measured(const StudyResult&)> largest_over_runs(Read read) {
   };
 }
 
-CaseGate identity(const std::string& study, const std::string& id, const std::string& quantity, const std::string& reason,
-                  std::function<Measured(const StudyResult&)> measure) {
+CaseGate identity(const std::string& study, const std::string& id, const std::string& quantity,
+                  const std::string& reason, std::function<Measured(const StudyResult&)> measure) {
   Gate gate;
   gate.id = id;
   gate.quantity = quantity;
@@ -205,8 +227,9 @@ std::vector<CaseGate> generic_gates(const std::string& study, int dim) {
     for (const StudyLevel& at : s.levels) {
       stopped += at.run.finished ? 0 : 1;
       for (const RunResult& other : at.offsets) stopped += other.finished ? 0 : 1;
-      if (at.run.stop) measured.note = fmt::format("stopped at step {} in {}: {}", at.run.stop->step, at.run.stop->field,
-                                                   at.run.stop->reason);
+      if (at.run.stop)
+        measured.note = fmt::format("stopped at step {} in {}: {}", at.run.stop->step, at.run.stop->field,
+                                    at.run.stop->reason);
     }
     measured.value = stopped;
     return measured;
@@ -214,24 +237,25 @@ std::vector<CaseGate> generic_gates(const std::string& study, int dim) {
   gates.push_back(identity(study, study + "/mass", "relative difference of grid mass and point mass",
                            "shape functions sum to one, " + why,
                            largest_over_runs([](const RunResult& r) { return r.ledger.mass.relative_drift(false); })));
-  gates.push_back(identity(study, study + "/momentum", "relative drift of momentum", "shape gradients sum to zero, " + why,
-                           largest_over_runs([](const RunResult& r) {
+  gates.push_back(identity(study, study + "/momentum", "relative drift of momentum",
+                           "shape gradients sum to zero, " + why, largest_over_runs([](const RunResult& r) {
                              double drift = 0;
                              for (int d = 0; d < r.dim; ++d) {
-                               drift = larger(drift, r.ledger.momentum[static_cast<std::size_t>(d)].relative_drift(true));
+                               drift = larger(drift,
+                                              r.ledger.momentum[static_cast<std::size_t>(d)].relative_drift(true));
                              }
                              return drift;
                            })));
   if (dim > 1) {
-    gates.push_back(identity(study, study + "/angular-momentum", "relative drift of angular momentum",
-                             "stresses are symmetric and every transfer is booked, " + why,
-                             largest_over_runs([](const RunResult& r) {
-                               return r.ledger.angular_momentum.relative_drift(true);
-                             })));
+    gates.push_back(
+        identity(study, study + "/angular-momentum", "relative drift of angular momentum",
+                 "stresses are symmetric and every transfer is booked, " + why,
+                 largest_over_runs([](const RunResult& r) { return r.ledger.angular_momentum.relative_drift(true); })));
   }
-  gates.push_back(identity(study, study + "/ledger", "relative residual of the energy ledger",
-                           "every joule is booked by its own formula, " + why,
-                           largest_over_runs([](const RunResult& r) { return r.ledger.energy.relative_drift(false); })));
+  gates.push_back(
+      identity(study, study + "/ledger", "relative residual of the energy ledger",
+               "every joule is booked by its own formula, " + why,
+               largest_over_runs([](const RunResult& r) { return r.ledger.energy.relative_drift(false); })));
   return gates;
 }
 
@@ -254,7 +278,8 @@ std::vector<JudgedGate> judge_gates(const std::vector<CaseGate>& gates, const St
     }
     result.judgement = judge(declared.gate, result.measured);
     for (const StudyLevel& at : study.levels) {
-      const bool read = declared.levels.empty() || std::find(declared.levels.begin(), declared.levels.end(), at.value) != declared.levels.end();
+      const bool read = declared.levels.empty() ||
+                        std::find(declared.levels.begin(), declared.levels.end(), at.value) != declared.levels.end();
       if (read) result.run_ids.push_back(at.run.file);
     }
     judged.push_back(std::move(result));

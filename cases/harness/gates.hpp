@@ -15,7 +15,7 @@ struct JudgedGate {
   std::string case_name, scheme, study;
   Measured measured;
   Judgement judgement;
-  std::vector<std::string> run_ids;   // files of the runs it read
+  std::vector<std::string> run_ids;  // files of the runs it read
 };
 
 // A gate's declaration, its quantity to be named by the functions below.

@@ -59,15 +59,17 @@ void Hdf5Writer::attribute(const std::string& object, const std::string& name, c
   H5Tset_size(type, text.size() + 1);
   H5Tset_cset(type, H5T_CSET_UTF8);
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose, impl_->path, "make a space");
-  const Handle attribute(H5Acreate_by_name(impl_->file, object.c_str(), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT,
-                                           H5P_DEFAULT), H5Aclose, impl_->path, "write attribute " + name);
+  const Handle attribute(
+      H5Acreate_by_name(impl_->file, object.c_str(), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose, impl_->path, "write attribute " + name);
   impl_->require(H5Awrite(attribute, type, text.c_str()) >= 0, name);
 }
 
 void Hdf5Writer::attribute(const std::string& object, const std::string& name, std::int64_t number) {
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose, impl_->path, "make a space");
   const Handle attribute(H5Acreate_by_name(impl_->file, object.c_str(), name.c_str(), H5T_STD_I64LE, space, H5P_DEFAULT,
-                                           H5P_DEFAULT, H5P_DEFAULT), H5Aclose, impl_->path, "write attribute " + name);
+                                           H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose, impl_->path, "write attribute " + name);
   impl_->require(H5Awrite(attribute, H5T_NATIVE_INT64, &number) >= 0, name);
 }
 
@@ -97,8 +99,8 @@ void Hdf5Writer::numbers(const std::string& path, std::span<const double> values
   const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose, impl_->path, "make a space");
   const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, impl_->path, "make a property list");
   H5Pset_obj_track_times(creation, false);
-  const Handle data(H5Dcreate2(impl_->file, path.c_str(), H5T_IEEE_F64LE, space, links, creation, H5P_DEFAULT), H5Dclose,
-                    impl_->path, "write " + path);
+  const Handle data(H5Dcreate2(impl_->file, path.c_str(), H5T_IEEE_F64LE, space, links, creation, H5P_DEFAULT),
+                    H5Dclose, impl_->path, "write " + path);
   if (size > 0) {
     impl_->require(H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, path);
   }
@@ -120,7 +122,8 @@ std::string read_hdf5_text(const std::string& file, const std::string& path) {
   const Handle data(H5Dopen2(handle, path.c_str(), H5P_DEFAULT), H5Dclose, file, "find " + path);
   const Handle type(H5Dget_type(data), H5Tclose, file, "read the type of " + path);
   std::string text(H5Tget_size(type), '\0');
-  if (H5Dread(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0) throw FileError(file, file + ": cannot read " + path);
+  if (H5Dread(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
+    throw FileError(file, file + ": cannot read " + path);
   text.resize(text.find('\0') == std::string::npos ? text.size() : text.find('\0'));
   return text;
 }

@@ -21,8 +21,8 @@ class Hdf5Writer {
   void attribute(const std::string& object, const std::string& name, const std::string& text);
   void attribute(const std::string& object, const std::string& name, std::int64_t number);
   void group(const std::string& path);
-  void text(const std::string& path, const std::string& text);              // scalar UTF-8 string
-  void numbers(const std::string& path, std::span<const double> values);    // 1-D float64, groups made as needed
+  void text(const std::string& path, const std::string& text);            // scalar UTF-8 string
+  void numbers(const std::string& path, std::span<const double> values);  // 1-D float64, groups made as needed
   void commit();
 
  private:

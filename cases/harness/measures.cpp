@@ -8,7 +8,8 @@ Measure scalar_measure(std::string name, double value, double reference, double 
   return {std::move(name), std::abs(value - reference), std::abs(reference), value, reference, bound, std::move(unit)};
 }
 
-std::vector<Measure> field_norms(const std::string& name, const std::string& unit, std::span<const FieldSample> samples) {
+std::vector<Measure> field_norms(const std::string& name, const std::string& unit,
+                                 std::span<const FieldSample> samples) {
   double volume = 0, l1 = 0, l2 = 0, linf = 0, s1 = 0, s2 = 0, sinf = 0, b1 = 0, b2 = 0, binf = 0;
   for (const FieldSample& s : samples) {
     const double e = std::abs(s.computed - s.exact), r = std::abs(s.exact);

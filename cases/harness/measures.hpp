@@ -17,11 +17,11 @@ inline double smaller(double a, double b) { return a < b || std::isnan(a) ? a : 
 // One measured quantity. A field norm has error and scale (the same norm of the reference); a scalar also value and
 // reference. All in `unit`.
 struct Measure {
-  std::string name;                     // "density.L1", "period"
-  double error = 0;                     // >= 0
-  double scale = 0;                     // norm of the reference: relative_error = error / scale
+  std::string name;  // "density.L1", "period"
+  double error = 0;  // >= 0
+  double scale = 0;  // norm of the reference: relative_error = error / scale
   std::optional<double> value, reference;
-  double reference_bound = 0;           // bound of what the reference's own error adds to `error`
+  double reference_bound = 0;  // bound of what the reference's own error adds to `error`
   std::string unit = "1";
 };
 
@@ -30,13 +30,14 @@ Measure scalar_measure(std::string name, double value, double reference, double 
 
 // One point's share in field norms.
 struct FieldSample {
-  double volume;      // V_p, > 0
+  double volume;  // V_p, > 0
   double position;
-  double computed, exact, bound;   // bound: of `exact`
+  double computed, exact, bound;  // bound: of `exact`
 };
 
 // name.L1 = sum V |e| / sum V, name.L2 with squares under a root, name.Linf.
-std::vector<Measure> field_norms(const std::string& name, const std::string& unit, std::span<const FieldSample> samples);
+std::vector<Measure> field_norms(const std::string& name, const std::string& unit,
+                                 std::span<const FieldSample> samples);
 
 // A column of a profile or history.
 struct ProfileColumn {
@@ -45,8 +46,8 @@ struct ProfileColumn {
 };
 
 struct Profile {
-  std::string kind = "space";     // or "history"
-  std::string abscissa = "x";     // name of the column drawn against
+  std::string kind = "space";  // or "history"
+  std::string abscissa = "x";  // name of the column drawn against
   std::vector<ProfileColumn> columns;
   const ProfileColumn* find(const std::string& name) const;
 };

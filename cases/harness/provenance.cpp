@@ -1,11 +1,11 @@
 #include "cases/harness/provenance.hpp"
 
-#include <boost/version.hpp>
-#include <CLI/Version.hpp>
-#include <Eigen/Core>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <hdf5.h>
+#include <CLI/Version.hpp>
+#include <Eigen/Core>
+#include <boost/version.hpp>
 #include <nlohmann/json.hpp>
 
 #include <ctime>

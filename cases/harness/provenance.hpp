@@ -12,8 +12,8 @@ struct Provenance {
   std::string compiler, flags, cpu, instruction_set;
   int threads = 1;
   std::map<std::string, std::string> libraries;
-  std::string command;    // as typed, without what only says where results go
-  std::string started;    // UTC, ISO 8601
+  std::string command;  // as typed, without what only says where results go
+  std::string started;  // UTC, ISO 8601
 };
 
 // Fills everything but threads and command.

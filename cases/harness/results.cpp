@@ -22,7 +22,8 @@ ResultsFolder::ResultsFolder(std::string path) : path_(std::move(path)) {
   std::error_code error;
   std::filesystem::create_directories(path_, error);
   if (error || !std::filesystem::is_directory(path_)) {
-    throw FileError(path_, fmt::format("{}: cannot be made a results folder: {}", path_, error ? error.message() : "it is a file"));
+    throw FileError(
+        path_, fmt::format("{}: cannot be made a results folder: {}", path_, error ? error.message() : "it is a file"));
   }
   const std::string probe = fmt::format("{}/.probe", path_);
   if (!std::ofstream(probe)) throw FileError(path_, fmt::format("{}: cannot be written to", path_));
@@ -37,10 +38,12 @@ std::string ResultsFolder::run_name(const RunResult& run) {
 std::string ResultsFolder::study_name(const StudyResult& study) {
   std::string content = study.entry->name() + "\n" + study.scheme + "\n" + study.plan.id + "\n";
   for (const StudyLevel& at : study.levels) content += at.run.settings.canonical();
-  return fmt::format("study-{}-{}-{}-{}.h5", study.entry->name(), study.scheme, name(study.plan.vary), short_hash(content));
+  return fmt::format("study-{}-{}-{}-{}.h5", study.entry->name(), study.scheme, name(study.plan.vary),
+                     short_hash(content));
 }
 
-void ResultsFolder::write_run(const RunResult& run, const std::vector<JudgedGate>& gates, const Provenance& provenance) const {
+void ResultsFolder::write_run(const RunResult& run, const std::vector<JudgedGate>& gates,
+                              const Provenance& provenance) const {
   Hdf5Writer file(path_ + "/" + run.file);
   begin(file, "run", provenance);
   file.text("/run", run_document(run, gates, provenance).dump());
@@ -68,7 +71,8 @@ void ResultsFolder::write_run(const RunResult& run, const std::vector<JudgedGate
   file.commit();
 }
 
-void ResultsFolder::write_study(StudyResult& study, const std::vector<JudgedGate>& gates, const Provenance& provenance) const {
+void ResultsFolder::write_study(StudyResult& study, const std::vector<JudgedGate>& gates,
+                                const Provenance& provenance) const {
   study.file = study_name(study);
   Hdf5Writer file(path_ + "/" + study.file);
   begin(file, "study", provenance);
@@ -81,8 +85,8 @@ void ResultsFolder::write_study(StudyResult& study, const std::vector<JudgedGate
   file.commit();
 }
 
-void ResultsFolder::write_verdicts(const Json& document, const std::vector<const Case*>& entries, const std::string& tier,
-                                   const Provenance& provenance) const {
+void ResultsFolder::write_verdicts(const Json& document, const std::vector<const Case*>& entries,
+                                   const std::string& tier, const Provenance& provenance) const {
   Json catalog = Json::object();
   std::string names;
   for (const Case* entry : entries) {

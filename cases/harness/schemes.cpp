@@ -24,12 +24,19 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Key number(std::string name, double value, std::string unit, double low, double high, bool open,
            std::string description) {
-  return {.name = std::move(name), .value = value, .unit = std::move(unit), .low = low, .high = high, .low_open = open,
+  return {.name = std::move(name),
+          .value = value,
+          .unit = std::move(unit),
+          .low = low,
+          .high = high,
+          .low_open = open,
           .description = std::move(description)};
 }
 
 Key choice(std::string name, std::string value, std::vector<std::string> choices, std::string description) {
-  return {.name = std::move(name), .value = std::move(value), .choices = std::move(choices),
+  return {.name = std::move(name),
+          .value = std::move(value),
+          .choices = std::move(choices),
           .description = std::move(description)};
 }
 
@@ -40,8 +47,9 @@ std::string name(Kind kind) { return kind == Kind::gas ? "gas" : "membrane"; }
 std::vector<std::string> scheme_names() { return {"default", "york1997"}; }
 
 std::string scheme_title(const std::string& scheme) {
-  return scheme == "york1997" ? "York's own choices throughout: linear, FLIP, MUSL, his density, viscosity, step and points"
-                              : "the project's best, one definition per kind of scene";
+  return scheme == "york1997"
+             ? "York's own choices throughout: linear, FLIP, MUSL, his density, viscosity, step and points"
+             : "the project's best, one definition per kind of scene";
 }
 
 std::string scheme_source(const std::string& scheme) {
@@ -53,18 +61,42 @@ std::string scheme_source(const std::string& scheme) {
 std::vector<Key> kind_keys(Kind kind) {
   const bool gas = kind == Kind::gas;
   std::vector<Key> keys{
-      {.name = "cells", .value = 100.0, .low = 2, .high = 1e6, .integer = true, .description = "cells along the case's reference length"},
+      {.name = "cells",
+       .value = 100.0,
+       .low = 2,
+       .high = 1e6,
+       .integer = true,
+       .description = "cells along the case's reference length"},
       choice("shape", "quadratic", names(shapes()), "shape functions"),
       choice("transfer", "apic", names(transfers()), "what goes back and forth between points and grid"),
       choice("integrator", gas ? "energy" : "musl", integrator_names(), "time integrator"),
-      {.name = "cfl", .value = gas ? 0.3 : 0.5, .low = 0, .high = infinite, .low_open = true, .optional = true,
+      {.name = "cfl",
+       .value = gas ? 0.3 : 0.5,
+       .low = 0,
+       .high = infinite,
+       .low_open = true,
+       .optional = true,
        .description = "dt = cfl min_p h / (c_p + |v_p|), below the viscous limit too"},
-      {.name = "dt", .value = std::monostate{}, .unit = "s", .low = 0, .low_open = true, .optional = true,
+      {.name = "dt",
+       .value = std::monostate{},
+       .unit = "s",
+       .low = 0,
+       .low_open = true,
+       .optional = true,
        .description = "fixed step; overrides cfl"},
-      {.name = "ppc", .value = gas ? 8.0 : 4.0, .low = 1, .high = 1e4, .integer = true,
-       .description = gas ? "points per cell, in the densest gas where points have equal mass" : "points per cell along the membrane"}};
+      {.name = "ppc",
+       .value = gas ? 8.0 : 4.0,
+       .low = 1,
+       .high = 1e4,
+       .integer = true,
+       .description = gas ? "points per cell, in the densest gas where points have equal mass"
+                          : "points per cell along the membrane"}};
   if (gas) {
-    keys.push_back({.name = "offset", .value = 0.0, .low = 0, .high = 1, .high_open = true,
+    keys.push_back({.name = "offset",
+                    .value = 0.0,
+                    .low = 0,
+                    .high = 1,
+                    .high_open = true,
                     .description = "shift of the grid in cells"});
     keys.push_back(choice("density", "grid", names(densities()), "how points get their density"));
     keys.push_back(choice("points", "equal-mass", {"equal-mass", "equal-volume"}, "what all points have alike"));
@@ -76,10 +108,14 @@ std::vector<Key> kind_keys(Kind kind) {
 
 std::vector<Override> scheme_choices(const std::string& scheme, Kind kind) {
   if (scheme != "york1997") return {};
-  std::vector<Override> york{{"shape", "linear"}, {"transfer", "flip"}, {"integrator", "musl"},
+  std::vector<Override> york{{"shape", "linear"},
+                             {"transfer", "flip"},
+                             {"integrator", "musl"},
                              {"cfl", std::monostate{}}};  // the case derives his fixed step
   if (kind == Kind::gas) {
-    york.insert(york.end(), {{"density", "quadratic"}, {"points", "equal-volume"}, {"viscosity.linear", 1.0},
+    york.insert(york.end(), {{"density", "quadratic"},
+                             {"points", "equal-volume"},
+                             {"viscosity.linear", 1.0},
                              {"viscosity.quadratic", 1.0}});
   }
   return york;

@@ -12,7 +12,7 @@ namespace plumbline {
 enum class Kind { gas, membrane };
 
 std::string name(Kind kind);
-std::vector<std::string> scheme_names();   // default, york1997
+std::vector<std::string> scheme_names();  // default, york1997
 std::string scheme_title(const std::string& scheme);
 std::string scheme_source(const std::string& scheme);
 

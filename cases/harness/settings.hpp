@@ -17,15 +17,15 @@ using Value = std::variant<std::monostate, double, std::string>;
 // A key that --set may change.
 struct Key {
   std::string name;
-  Value value;                                                  // the default
+  Value value;  // the default
   std::string unit = "1";
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   bool low_open = false, high_open = false, integer = false;
-  bool optional = false;                                        // may be "none"
-  std::vector<std::string> choices = {};                        // of a name
+  bool optional = false;                  // may be "none"
+  std::vector<std::string> choices = {};  // of a name
   std::string description = {};
 
-  std::string allowed() const;   // for people: "(0, inf) s", "one of linear, quadratic, cubic"
+  std::string allowed() const;  // for people: "(0, inf) s", "one of linear, quadratic, cubic"
 };
 
 using Override = std::pair<std::string, Value>;

@@ -50,8 +50,13 @@ void add_step_measures(RunResult& run, const RunResult& finer) {
     const Measure measure = run.measures[k];
     const Measure* other = finer.find(measure.name);
     if (!measure.value || !other || !other->value) continue;
-    run.measures.push_back({measure.name + ".step", std::abs(*measure.value - *other->value), std::abs(*measure.value), {}, {},
-                            0, measure.unit});
+    run.measures.push_back({measure.name + ".step",
+                            std::abs(*measure.value - *other->value),
+                            std::abs(*measure.value),
+                            {},
+                            {},
+                            0,
+                            measure.unit});
   }
 }
 
@@ -123,8 +128,8 @@ std::vector<PlannedRun> planned_runs(const Case& entry, const StudyPlan& plan, T
   }
   if (plan.vary == Vary::dt && !values.empty()) {
     // One more run, with half the finest step: the one the finest level is measured against.
-    planned.push_back({values.back() / 2,
-                       with_step_factor(entry.settings(plan.scheme, plan.overrides, typed), values.back() / 2, entry.name())});
+    planned.push_back({values.back() / 2, with_step_factor(entry.settings(plan.scheme, plan.overrides, typed),
+                                                           values.back() / 2, entry.name())});
   }
   return planned;
 }

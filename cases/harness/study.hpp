@@ -11,10 +11,10 @@
 namespace plumbline {
 
 struct StudyLevel {
-  double value = 0;                    // of what is varied: cells, factor of the step, points per cell, offset
-  double h = 0;                        // what the order is fitted against: cell size, step, point spacing
+  double value = 0;  // of what is varied: cells, factor of the step, points per cell, offset
+  double h = 0;      // what the order is fitted against: cell size, step, point spacing
   RunResult run;
-  std::vector<RunResult> offsets;      // the same level at further sub-cell offsets
+  std::vector<RunResult> offsets;  // the same level at further sub-cell offsets
 };
 
 struct StudyResult;
@@ -25,9 +25,9 @@ struct StudyResult {
   StudyPlan plan;
   std::string scheme;
   std::vector<StudyLevel> levels;
-  std::vector<std::pair<std::string, OrderFit>> fits;   // by measure
+  std::vector<std::pair<std::string, OrderFit>> fits;  // by measure
   std::string file;
-  const StudySet* siblings = nullptr;                   // the studies of the same case, while gates are judged
+  const StudySet* siblings = nullptr;  // the studies of the same case, while gates are judged
 
   const StudyResult* sibling(const std::string& id) const;
   const StudyLevel* level(double value) const;
@@ -38,7 +38,7 @@ struct StudyResult {
 struct PlannedRun {
   double value;
   Settings settings;
-  bool is_offset = false;              // a further sub-cell offset of the level before
+  bool is_offset = false;  // a further sub-cell offset of the level before
 };
 std::vector<PlannedRun> planned_runs(const Case& entry, const StudyPlan& plan, Tier tier,
                                      const std::vector<std::string>& typed = {});

@@ -25,14 +25,16 @@ StudyResult run_study(const Case& entry, const StudyPlan& plan, const std::vecto
                       const Progress& progress) {
   std::vector<std::size_t> order(planned.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return cost(planned[a]) > cost(planned[b]); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return cost(planned[a]) > cost(planned[b]); });
   std::vector<std::optional<RunResult>> results(planned.size());
   std::size_t done = 0;
   std::mutex guard;
   for_all(planned.size(), threads, [&](std::size_t k) {
     const std::size_t at = order[k];
     results[at] = run_experiment(entry, plan.scheme, planned[at].settings);
-    results[at]->scheme = plan.scheme == "default" ? integrator_scheme(entry, planned[at].settings.text("integrator")) : plan.scheme;
+    results[at]->scheme = plan.scheme == "default" ? integrator_scheme(entry, planned[at].settings.text("integrator"))
+                                                   : plan.scheme;
     results[at]->file = ResultsFolder::run_name(*results[at]);
     const std::lock_guard lock(guard);
     if (progress) progress(++done, planned.size(), *results[at]);
@@ -50,8 +52,10 @@ std::string integrator_scheme(const Case& entry, const std::string& integrator) 
 }
 
 StudyPlan integrator_plan(const Case& entry, const std::string& integrator) {
-  return {.id = "integrator/" + integrator, .title = "default scheme with integrator " + integrator,
-          .why = "No expectation: identities only.", .overrides = {{"integrator", integrator}},
+  return {.id = "integrator/" + integrator,
+          .title = "default scheme with integrator " + integrator,
+          .why = "No expectation: identities only.",
+          .overrides = {{"integrator", integrator}},
           .values = {entry.default_levels().front()}};
 }
 
@@ -75,7 +79,8 @@ Plans selected_plans(const Case& entry, Tier tier, const Selection& selection) {
   }
   plans.own = plans.all.size();
   if (selection.integrators.empty() && selection.schemes.empty() && entry.any_integrator()) {
-    for (const IntegratorEntry& integrator : integrators()) plans.all.push_back(integrator_plan(entry, integrator.name));
+    for (const IntegratorEntry& integrator : integrators())
+      plans.all.push_back(integrator_plan(entry, integrator.name));
   }
   for (const std::string& integrator : selection.integrators) plans.all.push_back(integrator_plan(entry, integrator));
   return plans;
@@ -101,7 +106,7 @@ std::vector<CaseGate> gates_on(const StudyResult& study, const std::vector<CaseG
 void verify_case(const Case& entry, Tier tier, const Selection& selection, int threads, const ResultsFolder& folder,
                  const Provenance& provenance, const Progress& progress, Verification& verification) {
   const Plans plans = selected_plans(entry, tier, selection);
-  std::vector<std::vector<PlannedRun>> planned;   // all of them before the first run: a wrong call must not cost time
+  std::vector<std::vector<PlannedRun>> planned;  // all of them before the first run: a wrong call must not cost time
   for (const StudyPlan& plan : plans.all) planned.push_back(planned_runs(entry, plan, tier, selection.settings));
   StudySet studies;
   for (std::size_t k = 0; k < plans.all.size(); ++k) {

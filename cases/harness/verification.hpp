@@ -19,7 +19,7 @@ StudyResult run_study(const Case& entry, const StudyPlan& plan, const std::vecto
 
 struct Verification {
   std::vector<JudgedGate> gates;
-  int declared = 0;             // gates that the cases say they have in this tier
+  int declared = 0;  // gates that the cases say they have in this tier
   std::vector<const Case*> entries;
 };
 
@@ -31,8 +31,8 @@ struct Selection {
 };
 
 // All gates of one case in a tier; files go to `folder`. Adds to `verification`. Throws UsageError for unknown names.
-void verify_case(const Case& entry, Tier tier, const Selection& selection, int threads, const ResultsFolder& folder, const Provenance& provenance,
-                 const Progress& progress, Verification& verification);
+void verify_case(const Case& entry, Tier tier, const Selection& selection, int threads, const ResultsFolder& folder,
+                 const Provenance& provenance, const Progress& progress, Verification& verification);
 
 // The plan a generic study of an integrator follows: the case's default scheme with it, at the coarsest default level.
 StudyPlan integrator_plan(const Case& entry, const std::string& integrator);

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double support = 2.0;  // height of the fixed top of the grid, m [York 5.5]
 
-constexpr const char* sketch = R"svg(<svg viewBox="0 0 360 150" role="img" aria-label="A mass hanging from a row of membrane points below a fixed support">
+constexpr const char* sketch =
+    R"svg(<svg viewBox="0 0 360 150" role="img" aria-label="A mass hanging from a row of membrane points below a fixed support">
 <g stroke="currentColor" stroke-width="1.5" fill="none"><path d="M130 20h100"/><path d="M135 20l8-8m12 8l8-8m12 8l8-8m12 8l8-8m12 8l8-8"/><path d="M180 20v96"/></g>
 <g fill="currentColor"><circle cx="180" cy="28" r="3"/><circle cx="180" cy="40" r="3"/><circle cx="180" cy="52" r="3"/><circle cx="180" cy="64" r="3"/><circle cx="180" cy="76" r="3"/><circle cx="180" cy="88" r="3"/><circle cx="180" cy="100" r="3"/><circle cx="180" cy="118" r="9"/>
 <g font-size="12"><text x="240" y="24">y = 2, fixed</text><text x="200" y="70">E = 1e6, A = 0.1, L = 0.3</text><text x="200" y="122">m = 3.33</text><text x="60" y="75">g = 250 ↓</text></g></g></svg>)svg";
@@ -21,20 +22,24 @@ constexpr const char* sketch = R"svg(<svg viewBox="0 0 360 150" role="img" aria-
 struct Parameters {
   reference::SpringProblem spring;
   double end_time;
-  bool york_points;      // his layout: the first point a third of a spacing below the support, whole points throughout
-  bool with_mass;        // judged against the spring with distributed mass
+  bool york_points;  // his layout: the first point a third of a spacing below the support, whole points throughout
+  bool with_mass;    // judged against the spring with distributed mass
 };
 
 Parameters parameters_from(const Settings& s) {
-  return {{s.number("youngs_modulus"), s.number("area"), s.number("length"), s.number("mass"), s.number("spring_density"),
-           s.number("gravity")},
-          s.number("t_end"), s.text("layout") == "york", s.text("reference") == "distributed"};
+  return {{s.number("youngs_modulus"), s.number("area"), s.number("length"), s.number("mass"),
+           s.number("spring_density"), s.number("gravity")},
+          s.number("t_end"),
+          s.text("layout") == "york",
+          s.text("reference") == "distributed"};
 }
 
 class SpringMassProblem final : public Problem {
  public:
   explicit SpringMassProblem(const Settings& settings)
-      : settings_(settings), at_(parameters_from(settings)), massless_(at_.spring) {
+      : settings_(settings),
+        at_(parameters_from(settings)),
+        massless_(at_.spring) {
     if (at_.with_mass) heavy_.emplace(at_.spring);
   }
 
@@ -152,23 +157,35 @@ class SpringMass final : public Case {
     s.name = "spring-mass";
     s.title = "Mass on a spring of membrane points";
     s.source = "York 1997, SAND97-1893, section 5.5, Fig. 26";
-    s.claim = "The period of the hanging mass approaches the exact one at second order with the constant that theory gives, and York's ten points give his figure.";
-    s.physics = "A mass hangs from a light elastic spring, one layer of membrane points below a fixed support. Gravity acts from t = 0 on; "
-                "the mass falls, is caught and oscillates about its static position.\n\n"
-                "york1997 is judged against the massless spring, as York does; the refinement study of the default scheme against the "
-                "spring with distributed mass, x tan x = m_s/m with m_s = ρAL.";
-    s.equations = {"m ü = m g − k u,  k = EA/L,  ω = √(k/m)", "u(t) = (m g/k)(1 − cos ωt)", "x tan x = m_s/m,  ω = x c/L,  c = √(E/ρ)"};
+    s.claim =
+        "The period of the hanging mass approaches the exact one at second order with the constant that theory gives, "
+        "and York's ten points give his figure.";
+    s.physics =
+        "A mass hangs from a light elastic spring, one layer of membrane points below a fixed support. Gravity acts "
+        "from t = 0 on; "
+        "the mass falls, is caught and oscillates about its static position.\n\n"
+        "york1997 is judged against the massless spring, as York does; the refinement study of the default scheme "
+        "against the "
+        "spring with distributed mass, x tan x = m_s/m with m_s = ρAL.";
+    s.equations = {"m ü = m g − k u,  k = EA/L,  ω = √(k/m)", "u(t) = (m g/k)(1 − cos ωt)",
+                   "x tan x = m_s/m,  ω = x c/L,  c = √(E/ρ)"};
     s.sketch = sketch;
     s.cells_along = "a length of 1 m";
     s.reference_name = "spring-mass";
-    s.reference_text = "Closed form for the massless spring; modal series with the roots of x tan x = m_s/m for the spring with mass.";
+    s.reference_text =
+        "Closed form for the massless spring; modal series with the roots of x tan x = m_s/m for the spring with mass.";
     s.reference_bound = "Computed: residual of each root, truncation of the series, rounding.";
-    s.theory_orders = {{"period", 2, "the affine transfer gives the smeared mass the added inertia m D/L^2, D = h^2/4; without it the order is 1"},
-                       {"energy_drift", 1, "the step follows h, and the drift follows the step"}};
+    s.theory_orders = {
+        {"period", 2,
+         "the affine transfer gives the smeared mass the added inertia m D/L^2, D = h^2/4; without it the order is 1"},
+        {"energy_drift", 1, "the step follows h, and the drift follows the step"}};
     s.known_limits = {
-        "At York's gravity the spring stretches by 1.7 %; points that cross cells feel it, the linear references do not know it.",
-        "The energy-conserving step holds its stress over the step and amplifies elastic oscillations: not for membranes alone.",
-        "Energy is not conserved exactly: the stress is advanced once a step (flows `integration` and `constitutive` book it)."};
+        "At York's gravity the spring stretches by 1.7 %; points that cross cells feel it, the linear references do "
+        "not know it.",
+        "The energy-conserving step holds its stress over the step and amplifies elastic oscillations: not for "
+        "membranes alone.",
+        "Energy is not conserved exactly: the stress is advanced once a step (flows `integration` and `constitutive` "
+        "book it)."};
     return s;
   }
 
@@ -177,20 +194,33 @@ class SpringMass final : public Case {
   std::vector<Key> keys() const override {
     const reference::SpringProblem spring;
     const auto positive = [](std::string name, double value, std::string unit, std::string description) {
-      return Key{.name = std::move(name), .value = value, .unit = std::move(unit), .low = 0, .low_open = true,
+      return Key{.name = std::move(name),
+                 .value = value,
+                 .unit = std::move(unit),
+                 .low = 0,
+                 .low_open = true,
                  .description = std::move(description)};
     };
     return {positive("youngs_modulus", spring.youngs_modulus, "Pa", "E of the spring"),
             positive("area", spring.area, "m^2", "section of the spring"),
-            {.name = "length", .value = spring.length, .unit = "m", .low = 0, .high = 1.5, .low_open = true,
+            {.name = "length",
+             .value = spring.length,
+             .unit = "m",
+             .low = 0,
+             .high = 1.5,
+             .low_open = true,
              .description = "length of the spring"},
             positive("mass", spring.mass, "kg", "the hanging mass"),
             positive("spring_density", spring.density, "kg/m^3", "density of the spring"),
             positive("gravity", spring.gravity, "m/s^2", "gravity"),
             positive("t_end", 0.1, "s", "end time"),
-            {.name = "layout", .value = "ends", .choices = {"ends", "york"},
+            {.name = "layout",
+             .value = "ends",
+             .choices = {"ends", "york"},
              .description = "points at both ends with half a spacing's share, or York's ten whole points"},
-            {.name = "reference", .value = "distributed", .choices = {"distributed", "massless"},
+            {.name = "reference",
+             .value = "distributed",
+             .choices = {"distributed", "massless"},
              .description = "spring with or without mass"}};
   }
 
@@ -213,55 +243,84 @@ class SpringMass final : public Case {
   std::vector<double> default_levels() const override { return {10, 20, 40, 80, 160}; }
 
   std::vector<StudyPlan> studies() const override {
-    return {{.id = "york1997", .title = "York's ten points", .why = "One mesh, as in Fig. 26.", .scheme = "york1997", .values = {10}},
-            {.id = "default", .title = "default, small stretch",
-             .why = "The mass is smeared over its kernel. With the affine transfer the kernel moves as v (x - wall)/L and adds the inertia "
-                    "m D/L^2, D = h^2/4: the period is too long by the share h^2/(8 L^2), order 2. Without it the mass would shift the "
-                    "spring's end by a share of h, order 1. Gravity is 1e-5 of York's: at his the spring stretches by 1.7 %, which the "
+    return {{.id = "york1997",
+             .title = "York's ten points",
+             .why = "One mesh, as in Fig. 26.",
+             .scheme = "york1997",
+             .values = {10}},
+            {.id = "default",
+             .title = "default, small stretch",
+             .why = "The mass is smeared over its kernel. With the affine transfer the kernel moves as v (x - wall)/L "
+                    "and adds the inertia "
+                    "m D/L^2, D = h^2/4: the period is too long by the share h^2/(8 L^2), order 2. Without it the mass "
+                    "would shift the "
+                    "spring's end by a share of h, order 1. Gravity is 1e-5 of York's: at his the spring stretches by "
+                    "1.7 %, which the "
                     "linear reference does not know.",
-             .overrides = {{"gravity", 0.0025}}, .values = {10, 20, 40, 80, 160}, .full_values = {10, 20, 40, 80, 160, 320}},
-            {.id = "step", .title = "default, step refined alone", .why = "Symplectic in time for an oscillator: the period's error is of second order in dt.",
-             .overrides = {{"cells", 20.0}, {"gravity", 0.0025}}, .vary = Vary::dt, .values = {1, 0.5, 0.25, 0.125, 0.0625}}};
+             .overrides = {{"gravity", 0.0025}},
+             .values = {10, 20, 40, 80, 160},
+             .full_values = {10, 20, 40, 80, 160, 320}},
+            {.id = "step",
+             .title = "default, step refined alone",
+             .why = "Symplectic in time for an oscillator: the period's error is of second order in dt.",
+             .overrides = {{"cells", 20.0}, {"gravity", 0.0025}},
+             .vary = Vary::dt,
+             .values = {1, 0.5, 0.25, 0.125, 0.0625}}};
   }
 
   std::vector<CaseGate> gates() const override {
     return {error_gate("york1997", "period", 10,
-                       declare("york1997/period", {{}, 0.002 * 0.0198592}, Origin::target, "within 0.2 % of 0.0198592 s: York reads no difference off Fig. 26")),
+                       declare("york1997/period", {{}, 0.002 * 0.0198592}, Origin::target,
+                               "within 0.2 % of 0.0198592 s: York reads no difference off Fig. 26")),
             error_gate("york1997", "max_displacement", 10,
-                       declare("york1997/displacement", {{}, 0.01 * 0.004995}, Origin::target, "within 1 % of 0.004995 m: York reads no difference off Fig. 26")),
-            value_gate("york1997", "period", 10, frozen("york1997/period-frozen", 0.0198624785, 2e-5, "2026-11-21 a97e456", smooth)),
-            value_gate("york1997", "energy_drift", 10, frozen("york1997/drift-frozen", -0.0022352659, 0.02, "2026-11-21 a97e456", smooth)),
+                       declare("york1997/displacement", {{}, 0.01 * 0.004995}, Origin::target,
+                               "within 1 % of 0.004995 m: York reads no difference off Fig. 26")),
+            value_gate("york1997", "period", 10,
+                       frozen("york1997/period-frozen", 0.0198624785, 2e-5, "2026-11-21 a97e456", smooth)),
+            value_gate("york1997", "energy_drift", 10,
+                       frozen("york1997/drift-frozen", -0.0022352659, 0.02, "2026-11-21 a97e456", smooth)),
             order_gate("default", "period",
-                       declare("default/period-order", {1.8, {}}, Origin::theory, "added inertia h^2/(8 L^2): order 2, and 0.2 for the interval")),
+                       declare("default/period-order", {1.8, {}}, Origin::theory,
+                               "added inertia h^2/(8 L^2): order 2, and 0.2 for the interval")),
             constant_gate(),
-            error_gate("default", "max_displacement", 40,
-                       declare("default/displacement-40", {{}, 1e-3 * 2 * 3.33 * 0.0025 * 0.3 / (1e6 * 0.1)}, Origin::theory,
-                            "inertia does not change how deep the mass falls, 2 m g/k; 0.1 % is left for the string's own mass at the wall and the step")),
+            error_gate(
+                "default", "max_displacement", 40,
+                declare("default/displacement-40", {{}, 1e-3 * 2 * 3.33 * 0.0025 * 0.3 / (1e6 * 0.1)}, Origin::theory,
+                        "inertia does not change how deep the mass falls, 2 m g/k; 0.1 % is left for the string's own "
+                        "mass at the wall and the step")),
             order_gate("step", "energy_drift",
-                       declare("step/drift-order", {0.8, {}}, Origin::theory, "stress at one end of the step, strain over the step: order 1 in dt")),
+                       declare("step/drift-order", {0.8, {}}, Origin::theory,
+                               "stress at one end of the step, strain over the step: order 1 in dt")),
             unstable_energy_gate()};
   }
 
   // The theoretical constant: T h^2/(8 L^2).
   static CaseGate constant_gate() {
-    CaseGate g = measure_gate("default", declare("default/period-constant", {0.95, 1.05}, Origin::theory,
-                                              "the period is too long by T h^2/(8 L^2), to the share of a second order in h/L: 5 % at h = L/24"),
-                              "period", 80, [](const RunResult& run, const Measure& period) {
-                                Measured measured;
-                                const double length = run.settings.number("length");
-                                measured.value = period.error * 8 * length * length / (*period.reference * run.h * run.h);
-                                return measured;
-                              });
+    CaseGate g = measure_gate(
+        "default",
+        declare("default/period-constant", {0.95, 1.05}, Origin::theory,
+                "the period is too long by T h^2/(8 L^2), to the share of a second order in h/L: 5 % at h = L/24"),
+        "period", 80, [](const RunResult& run, const Measure& period) {
+          Measured measured;
+          const double length = run.settings.number("length");
+          measured.value = period.error * 8 * length * length / (*period.reference * run.h * run.h);
+          return measured;
+        });
     g.gate.quantity = "error of the period over T h^2/(8 L^2) at 80 cells";
     return g;
   }
 
   // The energy-conserving step holds its stress over the step: an elastic oscillation grows by 1 + (omega dt)^2/4 a step.
   static CaseGate unstable_energy_gate() {
-    Gate g = declare("integrator/energy/finite", {0.0, 0.0}, Origin::identity, "every run arrives at its end with admissible values");
+    Gate g = declare("integrator/energy/finite", {0.0, 0.0}, Origin::identity,
+                     "every run arrives at its end with admissible values");
     g.quantity = "runs that stopped";
-    g.expected_failure = ExpectedFailure{"the stress of the start of the step, strained with the midpoint velocity, amplifies elastic oscillations by 1 + (omega dt)^2/4 a step",
-                                         {}, StopBand{1000, 6000, "position"}, {}};
+    g.expected_failure = ExpectedFailure{
+        "the stress of the start of the step, strained with the midpoint velocity, amplifies elastic oscillations by 1 "
+        "+ (omega dt)^2/4 a step",
+        {},
+        StopBand{1000, 6000, "position"},
+        {}};
     return study_gate("integrator/energy", g, [](const StudyResult& s) {
       Measured measured;
       measured.value = s.levels.front().run.finished ? 0.0 : 1.0;

@@ -8,11 +8,11 @@ namespace {
 class EnergyConserving final : public TimeIntegrator {
   void step(Stages& mpm, double dt) override {
     mpm.locate_points();
-    mpm.map_mass_and_momentum();                     // [EC-APIC 1]
-    mpm.evaluate_stress(NodalVelocity::start);       // [EC-APIC 2, 3]
-    mpm.map_forces();                                // [EC-APIC 4]
+    mpm.map_mass_and_momentum();                // [EC-APIC 1]
+    mpm.evaluate_stress(NodalVelocity::start);  // [EC-APIC 2, 3]
+    mpm.map_forces();                           // [EC-APIC 4]
     mpm.advance_momentum(dt);
-    if (mpm.reverse_cooling()) {                     // [EC-APIC viscous heat]
+    if (mpm.reverse_cooling()) {  // [EC-APIC viscous heat]
       mpm.map_forces();
       mpm.advance_momentum(dt);
     }
@@ -22,15 +22,18 @@ class EnergyConserving final : public TimeIntegrator {
   }
 
   std::string refusal(const std::string& shape, const std::string& transfer) const override {
-    if (shape == "linear") return "the gradient of linear shapes jumps between cells and their affine inertia vanishes at nodes";
-    if (transfer == "flip") return "flip keeps the energy that its maps filter out, so there is no loss to return exactly";
+    if (shape == "linear")
+      return "the gradient of linear shapes jumps between cells and their affine inertia vanishes at nodes";
+    if (transfer == "flip")
+      return "flip keeps the energy that its maps filter out, so there is no loss to return exactly";
     return {};
   }
 
   bool returns_transfer_loss() const override { return true; }
 };
 
-PLUMBLINE_INTEGRATOR(EnergyConserving, "energy", "the energy-conserving step: work and transfer losses returned exactly",
+PLUMBLINE_INTEGRATOR(EnergyConserving, "energy",
+                     "the energy-conserving step: work and transfer losses returned exactly",
                      "kernel/README.md; APIC: Jiang et al. 2015, doi 10.1145/2766996");
 
 }  // namespace

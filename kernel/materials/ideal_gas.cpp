@@ -9,7 +9,8 @@
 namespace plumbline {
 namespace {
 
-const RegisterMaterial entry{{"ideal_gas", "ideal gas with energy equation, viscosity and artificial viscosity", "York 1997, chapter 4"}};
+const RegisterMaterial entry{
+    {"ideal_gas", "ideal gas with energy equation, viscosity and artificial viscosity", "York 1997, chapter 4"}};
 
 // The stress of one point, as written in the header. `rate`: strain rates of the point; p: its pressure.
 template <class Geometry>

@@ -11,10 +11,10 @@ namespace plumbline {
 // The printed (4.11, 4.12) have one velocity too many and the wrong sign; this is the von Neumann-Richtmyer-Landshoff
 // form after Wilkins (1980, doi 10.1016/0021-9991(80)90161-8).
 struct IdealGas final : Material {
-  double gamma = 1.4;                // > 1
-  double viscosity = 0;              // mu, Pa s, >= 0
-  double viscosity_linear = 0;       // c_L, >= 0
-  double viscosity_quadratic = 0;    // c_Q, >= 0
+  double gamma = 1.4;              // > 1
+  double viscosity = 0;            // mu, Pa s, >= 0
+  double viscosity_linear = 0;     // c_L, >= 0
+  double viscosity_quadratic = 0;  // c_Q, >= 0
 
   std::string name() const override { return "ideal_gas"; }
   void add_columns(Columns& points, int dim) const override;

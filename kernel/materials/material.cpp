@@ -17,7 +17,8 @@ const std::vector<MaterialEntry>& materials() { return registered(); }
 
 RegisterMaterial::RegisterMaterial(MaterialEntry entry) {
   auto& all = registered();
-  const auto place = std::upper_bound(all.begin(), all.end(), entry, [](const auto& a, const auto& b) { return a.name < b.name; });
+  const auto place = std::upper_bound(all.begin(), all.end(), entry,
+                                      [](const auto& a, const auto& b) { return a.name < b.name; });
   all.insert(place, std::move(entry));
 }
 

@@ -10,9 +10,9 @@ namespace plumbline {
 
 // What a scene fixes for all materials.
 struct MaterialContext {
-  int dim;                   // 1 or 2
-  double h;                  // cell size, m; the length of an artificial viscosity
-  bool continuity_density;   // rho follows div v point by point [York 4.7]
+  int dim;                  // 1 or 2
+  double h;                 // cell size, m; the length of an artificial viscosity
+  bool continuity_density;  // rho follows div v point by point [York 4.7]
 };
 
 // Where a material keeps the energy that its stress power becomes.
@@ -20,8 +20,8 @@ enum class Store { none, internal, elastic };
 
 // Sums over a body that bound the step: dt < cfl h / fastest and dt < cfl h^2 / (2 dim diffusivity).
 struct StepBounds {
-  double fastest = 0;       // max c_p + |v_p|, m/s
-  double diffusivity = 0;   // max 4/3 mu / rho_p, m^2/s
+  double fastest = 0;      // max c_p + |v_p|, m/s
+  double diffusivity = 0;  // max 4/3 mu / rho_p, m^2/s
 };
 
 class Material {
@@ -30,9 +30,9 @@ class Material {
   virtual std::string name() const = 0;
   virtual void add_columns(Columns& points, int dim) const = 0;
   virtual Store store() const = 0;
-  virtual bool chain() const { return false; }             // points are a chain, see Body::chain
-  virtual bool has_density() const { return false; }       // a density column that a density method may set
-  virtual bool takes_heat() const { return false; }        // transfer losses can become internal energy
+  virtual bool chain() const { return false; }        // points are a chain, see Body::chain
+  virtual bool has_density() const { return false; }  // a density column that a density method may set
+  virtual bool takes_heat() const { return false; }   // transfer losses can become internal energy
 
   // Advances the internal variables over dt with the strain_rate column. Returns the energy stored meanwhile,
   // sum_p of the change of each point by its own formula, J.
@@ -75,7 +75,7 @@ class Material {
 struct MaterialEntry {
   std::string name, title, source;
 };
-const std::vector<MaterialEntry>& materials();   // in the order of their names
+const std::vector<MaterialEntry>& materials();  // in the order of their names
 struct RegisterMaterial {
   explicit RegisterMaterial(MaterialEntry entry);
 };

@@ -7,7 +7,8 @@
 namespace plumbline {
 namespace {
 
-const RegisterMaterial entry{{"uniaxial_membrane", "one layer of points, tension along the tangent, one-way law", "York 1997, chapter 5"}};
+const RegisterMaterial entry{
+    {"uniaxial_membrane", "one layer of points, tension along the tangent, one-way law", "York 1997, chapter 5"}};
 
 struct Direction {
   double x, y;

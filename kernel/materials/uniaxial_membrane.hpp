@@ -12,10 +12,10 @@ namespace plumbline {
 // Tangents in the plane come from connectivity, the mean of the two adjoining segment angles. [York 7.1]
 // Volumes stay constant.
 struct UniaxialMembrane final : Material {
-  double youngs_modulus = 0;   // E, Pa, > 0
-  double density = 0;          // rho_0, kg/m^3, > 0: sets the wave speed of the step limit
+  double youngs_modulus = 0;  // E, Pa, > 0
+  double density = 0;         // rho_0, kg/m^3, > 0: sets the wave speed of the step limit
   bool one_way = true;
-  bool closed = false;         // the last point is joined to the first
+  bool closed = false;  // the last point is joined to the first
 
   std::string name() const override { return "uniaxial_membrane"; }
   void add_columns(Columns& points, int dim) const override;

@@ -12,11 +12,11 @@ namespace plumbline {
 
 struct Body {
   std::string name;
-  std::string field = "common";              // the velocity field it moves with; bodies in contact name their own
+  std::string field = "common";  // the velocity field it moves with; bodies in contact name their own
   std::shared_ptr<const Material> material;
   Columns points;
-  std::vector<int> id;                       // a point's number as the scene made it; stays when points are sorted
-  bool chain = false;                        // points stand in the order of their connectivity and are never sorted
+  std::vector<int> id;  // a point's number as the scene made it; stays when points are sorted
+  bool chain = false;   // points stand in the order of their connectivity and are never sorted
 };
 
 // A body of `points` points with the columns that every body has and those the material asks for. dim: 1 or 2.

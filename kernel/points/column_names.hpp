@@ -20,18 +20,18 @@ class ColumnId {
 
 namespace column {
 // Vectors have one component a dimension, component-major: all x, then all y.
-inline const ColumnId position{"position", "m"};             // x_p
-inline const ColumnId velocity{"velocity", "m/s"};           // v_p
-inline const ColumnId affine{"affine", "1/s"};               // C_p, row-major, APIC only
-inline const ColumnId mass{"mass", "kg"};                    // m_p, > 0
-inline const ColumnId volume{"volume", "m^3"};               // V_p, > 0
-inline const ColumnId strain_rate{"strain_rate", "1/s"};     // normal components, then engineering shears
-inline const ColumnId stress{"stress", "Pa"};                // sigma_p in the same order, tension positive
-inline const ColumnId density{"density", "kg/m^3"};          // rho_p, > 0
-inline const ColumnId energy{"energy", "J/kg"};              // e_p, specific internal energy, >= 0
-inline const ColumnId pressure{"pressure", "Pa"};            // thermodynamic p_p, without viscosity
-inline const ColumnId strain{"strain", "1"};                 // total tangential strain of a membrane point
-inline const ColumnId tangent{"tangent", "1"};               // unit tangent of a membrane point, from 2-D on
-inline const ColumnId transfer_loss{"transfer_loss", "J"};   // what the two maps of a step took from the point
+inline const ColumnId position{"position", "m"};            // x_p
+inline const ColumnId velocity{"velocity", "m/s"};          // v_p
+inline const ColumnId affine{"affine", "1/s"};              // C_p, row-major, APIC only
+inline const ColumnId mass{"mass", "kg"};                   // m_p, > 0
+inline const ColumnId volume{"volume", "m^3"};              // V_p, > 0
+inline const ColumnId strain_rate{"strain_rate", "1/s"};    // normal components, then engineering shears
+inline const ColumnId stress{"stress", "Pa"};               // sigma_p in the same order, tension positive
+inline const ColumnId density{"density", "kg/m^3"};         // rho_p, > 0
+inline const ColumnId energy{"energy", "J/kg"};             // e_p, specific internal energy, >= 0
+inline const ColumnId pressure{"pressure", "Pa"};           // thermodynamic p_p, without viscosity
+inline const ColumnId strain{"strain", "1"};                // total tangential strain of a membrane point
+inline const ColumnId tangent{"tangent", "1"};              // unit tangent of a membrane point, from 2-D on
+inline const ColumnId transfer_loss{"transfer_loss", "J"};  // what the two maps of a step took from the point
 }  // namespace column
 }  // namespace plumbline

@@ -6,9 +6,9 @@
 namespace plumbline {
 
 struct Linear {
-  static constexpr int support = 2;      // nodes per direction
-  static constexpr int first = 0;        // lowest node of the support, relative to the anchor node
-  static constexpr int ghosts = 0;       // node layers beyond a wall that a point inside can reach
+  static constexpr int support = 2;             // nodes per direction
+  static constexpr int first = 0;               // lowest node of the support, relative to the anchor node
+  static constexpr int ghosts = 0;              // node layers beyond a wall that a point inside can reach
   static constexpr bool fixed_inertia = false;  // D depends on where the point stands in its cell
 
   // The anchor node of a point at `x` (in cells from the first node line, 0 <= x <= cells), and its local coordinate.

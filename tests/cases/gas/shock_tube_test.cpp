@@ -14,7 +14,9 @@ namespace {
 // The case `sod` is the tube with its published states; `typed` changes it.
 struct Tube {
   explicit Tube(const std::vector<std::string>& typed, const std::string& scheme = "default")
-      : settings(find_case("sod").settings(scheme, {}, typed)), problem(find_case("sod").problem(settings)), scene(problem->scene()) {}
+      : settings(find_case("sod").settings(scheme, {}, typed)),
+        problem(find_case("sod").problem(settings)),
+        scene(problem->scene()) {}
 
   const Columns& points() const { return scene.bodies.front().points; }
   double sum(const ColumnId& id) const {
@@ -36,8 +38,9 @@ constexpr double rounding = 1e-13;
 
 TEST(ShockTube, PointsOfEqualMass) {
   const Tube tube({});
-  EXPECT_EQ(tube.points().points(), 50 * 8 + 50);   // an eighth of the density, an eighth of the points
-  for (int p = 0; p < tube.points().points(); ++p) EXPECT_NEAR(tube.at(column::mass, p), 0.5 / 400, rounding * 0.5 / 400);
+  EXPECT_EQ(tube.points().points(), 50 * 8 + 50);  // an eighth of the density, an eighth of the points
+  for (int p = 0; p < tube.points().points(); ++p)
+    EXPECT_NEAR(tube.at(column::mass, p), 0.5 / 400, rounding * 0.5 / 400);
   EXPECT_NEAR(tube.sum(column::mass), 0.5 * 1 + 0.5 * 0.125, rounding);
   EXPECT_NEAR(tube.sum(column::volume), 1, rounding);
 }
@@ -54,10 +57,14 @@ TEST(ShockTube, PointsOfEqualVolume) {
 
 // Mass and energy do not depend on how many points there are or where the grid and the diaphragm stand.
 TEST(ShockTube, NoMassOrEnergyIsLostInTheLayout) {
-  for (const std::vector<std::string>& typed :
-       {std::vector<std::string>{"cells=97"}, {"cells=31", "ppc=5", "diaphragm=0.3137"}, {"points=equal-volume", "ppc=1"},
-        {"right.density=0.7", "left.density=2.3"}, {"left.density=0.125", "right.density=1"}, {"offset=0.25"},
-        {"offset=0.875", "cells=50", "diaphragm=0.71"}, {"diaphragm=0.001"}}) {
+  for (const std::vector<std::string>& typed : {std::vector<std::string>{"cells=97"},
+                                                {"cells=31", "ppc=5", "diaphragm=0.3137"},
+                                                {"points=equal-volume", "ppc=1"},
+                                                {"right.density=0.7", "left.density=2.3"},
+                                                {"left.density=0.125", "right.density=1"},
+                                                {"offset=0.25"},
+                                                {"offset=0.875", "cells=50", "diaphragm=0.71"},
+                                                {"diaphragm=0.001"}}) {
     const Tube tube(typed);
     const double d = tube.settings.number("diaphragm"), left = d - tube.low(), right = tube.high() - d;
     const double rho_l = tube.settings.number("left.density"), rho_r = tube.settings.number("right.density");
@@ -70,7 +77,8 @@ TEST(ShockTube, NoMassOrEnergyIsLostInTheLayout) {
 }
 
 TEST(ShockTube, PointsStandInTheMiddlesOfTheirVolumesOnTheirOwnSide) {
-  for (const std::vector<std::string>& typed : {std::vector<std::string>{}, {"offset=0.25", "cells=40"}, {"diaphragm=0.3137"}}) {
+  for (const std::vector<std::string>& typed :
+       {std::vector<std::string>{}, {"offset=0.25", "cells=40"}, {"diaphragm=0.3137"}}) {
     const Tube tube(typed);
     const double d = tube.settings.number("diaphragm");
     double edge = tube.low();
@@ -124,7 +132,7 @@ TEST(ShockTube, TheSceneTakesItsChoicesFromTheSettings) {
   body.points(column::energy)[0] = 2.5;
   law.evaluate_stress(body.points, context);
   const double c = std::sqrt(1.4 * 0.4 * 2.5);
-  EXPECT_NEAR(-body.points(column::stress)[0], 1 + 0.7 * c * 0.02 + 1.3 * 0.02 * 0.02, 1e-14);   // [York 4.11]
+  EXPECT_NEAR(-body.points(column::stress)[0], 1 + 0.7 * c * 0.02 + 1.3 * 0.02 * 0.02, 1e-14);  // [York 4.11]
 }
 
 // --- after a run --------------------------------------------------------------------------------------------------------
@@ -157,14 +165,18 @@ TEST(ShockTube, TheProfileHasEveryFieldBesideItsReference) {
 
 // The reference at x is the exact solution of the given states at (x - diaphragm)/t_end, whatever is given.
 TEST(ShockTube, TheReferenceMovesWithTheSettings) {
-  for (const std::vector<std::string>& typed :
-       {std::vector<std::string>{}, {"gamma=1.67"}, {"t_end=0.1"}, {"diaphragm=0.4"}, {"left.density=2", "right.pressure=0.2"},
-        {"left.velocity=0.1", "right.velocity=0.1"}}) {
+  for (const std::vector<std::string>& typed : {std::vector<std::string>{},
+                                                {"gamma=1.67"},
+                                                {"t_end=0.1"},
+                                                {"diaphragm=0.4"},
+                                                {"left.density=2", "right.pressure=0.2"},
+                                                {"left.velocity=0.1", "right.velocity=0.1"}}) {
     const RunResult result = run(typed);
     const Settings& s = result.settings;
-    const reference::RiemannSolution exact({{s.number("left.density"), s.number("left.velocity"), s.number("left.pressure")},
-                                            {s.number("right.density"), s.number("right.velocity"), s.number("right.pressure")},
-                                            s.number("gamma")});
+    const reference::RiemannSolution exact(
+        {{s.number("left.density"), s.number("left.velocity"), s.number("left.pressure")},
+         {s.number("right.density"), s.number("right.velocity"), s.number("right.pressure")},
+         s.number("gamma")});
     for (std::size_t p = 0; p < column_of(result, "x").size(); ++p) {
       const double xi = (column_of(result, "x")[p] - s.number("diaphragm")) / s.number("t_end");
       // The clock's last digit moves xi by a few units in the last place, which only a wave notices.
@@ -222,7 +234,8 @@ TEST(ShockTube, ProfileIsAnIdealGas) {
   for (const std::string suffix : {"", "_reference"}) {
     for (std::size_t p = 0; p < column_of(result, "x").size(); ++p) {
       EXPECT_NEAR(column_of(result, "pressure" + suffix)[p],
-                  0.67 * column_of(result, "density" + suffix)[p] * column_of(result, "energy" + suffix)[p], 1e-12);   // [York 4.4]
+                  0.67 * column_of(result, "density" + suffix)[p] * column_of(result, "energy" + suffix)[p],
+                  1e-12);  // [York 4.4]
     }
   }
 }

@@ -43,8 +43,8 @@ TEST(Sod, AStepThatIsGivenIsKept) {
 }
 
 TEST(Sod, StatesOutOfRangeAreRefused) {
-  for (const char* typed : {"gamma=1", "left.density=0", "right.pressure=0", "left.pressure=-1", "t_end=0", "diaphragm=0",
-                            "diaphragm=1"}) {
+  for (const char* typed :
+       {"gamma=1", "left.density=0", "right.pressure=0", "left.pressure=-1", "t_end=0", "diaphragm=0", "diaphragm=1"}) {
     EXPECT_THROW(sod().settings("default", {}, {typed}), UsageError) << typed;
   }
 }

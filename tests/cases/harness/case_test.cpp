@@ -129,8 +129,9 @@ TEST_P(EveryCase, GatesAreCompleteAndReadLevelsThatTheirStudyHas) {
   const std::vector<StudyPlan> plans = GetParam()->studies();
   for (const CaseGate& declared : GetParam()->gates()) {
     EXPECT_NO_THROW(validate(declared.gate)) << declared.gate.id;
-    if (declared.study.rfind("integrator/", 0) == 0) continue;   // made by verify for every integrator
-    const auto plan = std::find_if(plans.begin(), plans.end(), [&](const StudyPlan& p) { return p.id == declared.study; });
+    if (declared.study.rfind("integrator/", 0) == 0) continue;  // made by verify for every integrator
+    const auto plan = std::find_if(plans.begin(), plans.end(),
+                                   [&](const StudyPlan& p) { return p.id == declared.study; });
     ASSERT_NE(plan, plans.end()) << declared.gate.id;
     EXPECT_TRUE(declared.tier == Tier::full || plan->tier == Tier::quick) << declared.gate.id;
     for (const Tier tier : {Tier::quick, Tier::full}) {
@@ -155,7 +156,8 @@ TEST_P(EveryCase, MakesASceneOfItsOwnEachTime) {
   EXPECT_GT(problem->end_time(), 0);
   const Scene first = problem->scene(), second = problem->scene();
   ASSERT_FALSE(first.bodies.empty());
-  const auto one = first.bodies[0].points.values(column::position), two = second.bodies[0].points.values(column::position);
+  const auto one = first.bodies[0].points.values(column::position),
+             two = second.bodies[0].points.values(column::position);
   EXPECT_TRUE(std::equal(one.begin(), one.end(), two.begin(), two.end()));
   EXPECT_EQ(first.shape, settings.text("shape"));
   EXPECT_EQ(first.transfer, settings.text("transfer"));

@@ -97,7 +97,8 @@ TEST(Documents, OfAStoppedRun) {
   run.stop = Stop{"the density must be positive", "gas", "density", 7, 0.5, 3, nan};
   const Json d = run_document(run, {}, Provenance{});
   EXPECT_EQ(d["finished"], false);
-  for (const char* key : {"reason", "step", "time", "point", "field", "value"}) EXPECT_TRUE(d["stop"].contains(key)) << key;
+  for (const char* key : {"reason", "step", "time", "point", "field", "value"})
+    EXPECT_TRUE(d["stop"].contains(key)) << key;
   EXPECT_EQ(d["stop"]["step"], 7);
   EXPECT_EQ(d["stop"]["point"], 3);
   EXPECT_EQ(d["stop"]["field"], "density");
@@ -162,7 +163,8 @@ TEST(Documents, TheLedgerHasEveryFlowOfEveryQuantity) {
   const Json line = to_json(ledger, 1), plane = to_json(ledger, 2);
   EXPECT_FALSE(line.contains("momentum_y"));
   for (const char* quantity : {"momentum_x", "momentum_y", "angular_momentum", "energy"}) {
-    for (const std::string_view flow : flow_names) EXPECT_TRUE(plane[quantity]["flows"].contains(std::string(flow))) << quantity;
+    for (const std::string_view flow : flow_names)
+      EXPECT_TRUE(plane[quantity]["flows"].contains(std::string(flow))) << quantity;
   }
   EXPECT_EQ(plane["energy"]["flows"]["body_force"], 0.5);
   EXPECT_EQ(plane["energy"]["viscous"], 0.25);
@@ -207,7 +209,8 @@ TEST(Documents, OfAStudy) {
 }
 
 TEST(Documents, CountsNameEveryVerdict) {
-  const Json d = counts_document({judged_gate(toy_gate("g", {{}, 1}), number(0.5)), judged_gate(toy_gate("g", {{}, 1}), number(2))});
+  const Json d = counts_document(
+      {judged_gate(toy_gate("g", {{}, 1}), number(0.5)), judged_gate(toy_gate("g", {{}, 1}), number(2))});
   EXPECT_EQ(d.size(), all_verdicts.size());
   EXPECT_EQ(d["PASS"], 1);
   EXPECT_EQ(d["FAIL"], 1);

@@ -22,7 +22,9 @@ RunResult run(const ToyCase& entry, const std::vector<Override>& overrides = {{"
 
 TEST(Experiment, RunsToItsEndAndSaysWhatItDid) {
   Toy toy;
-  toy.measures = [](const Settings&, const Simulation& s) { return std::vector{scalar_measure("time", s.time(), 0, 0, "s")}; };
+  toy.measures = [](const Settings&, const Simulation& s) {
+    return std::vector{scalar_measure("time", s.time(), 0, 0, "s")};
+  };
   toy.profile = [](const Settings&, const Simulation&) {
     Profile profile;
     profile.columns = {{"x", "m", "position", {1}}};
@@ -52,7 +54,9 @@ TEST(Experiment, RunsToItsEndAndSaysWhatItDid) {
 
 TEST(Experiment, TakesTheStepFromTheSettings) {
   const ToyCase entry;
-  const auto control = [&](const std::vector<std::string>& typed) { return step_control(entry.settings("default", {}, typed)); };
+  const auto control = [&](const std::vector<std::string>& typed) {
+    return step_control(entry.settings("default", {}, typed));
+  };
   EXPECT_EQ(control({}).dt, 1e-3);
   EXPECT_FALSE(control({"dt=none", "cfl=0.25"}).dt);
   EXPECT_EQ(control({"dt=none", "cfl=0.25"}).cfl, 0.25);
@@ -77,7 +81,7 @@ TEST(Experiment, WallTimeIsThatOfStepping) {
 TEST(Experiment, AStopIsRecordedWithStepPointAndField) {
   Toy toy;
   toy.end = 1;
-  toy.change = [](Scene& scene) {   // the last point, at 0.6, leaves a grid of length 1 in the 41st step
+  toy.change = [](Scene& scene) {  // the last point, at 0.6, leaves a grid of length 1 in the 41st step
     scene.bodies[0].points(column::velocity)[0] = scene.bodies[0].points(column::velocity)[1] = 0;
     scene.bodies[0].points(column::velocity)[2] = 10;
   };
@@ -99,7 +103,9 @@ TEST(Experiment, AStopIsRecordedWithStepPointAndField) {
 
 TEST(Experiment, ANanStopsTheRunAtOnce) {
   Toy toy;
-  toy.change = [](Scene& scene) { scene.bodies[0].points(column::velocity)[1] = std::numeric_limits<double>::quiet_NaN(); };
+  toy.change = [](Scene& scene) {
+    scene.bodies[0].points(column::velocity)[1] = std::numeric_limits<double>::quiet_NaN();
+  };
   const RunResult result = run(ToyCase(toy));
   ASSERT_TRUE(result.stop);
   EXPECT_EQ(result.stop->step, 1);
@@ -117,7 +123,8 @@ TEST(Experiment, AnInadmissibleStartIsAStopToo) {
 
 // --- the ledger's history -----------------------------------------------------------------------------------------
 
-const std::vector<double>& series(const LedgerHistory& history, const std::string& quantity, const std::string& column) {
+const std::vector<double>& series(const LedgerHistory& history, const std::string& quantity,
+                                  const std::string& column) {
   for (const auto& one : history.series) {
     if (one.quantity == quantity && one.column == column) return one.values;
   }
@@ -132,7 +139,8 @@ double largest(const std::vector<double>& values) {
 
 class History : public ::testing::TestWithParam<int> {};
 // Below, at and above the numbers of steps where rows are thinned out; odd ones end between two kept rows.
-INSTANTIATE_TEST_SUITE_P(Steps, History, ::testing::Values(1, 7, 1997, 1998, 1999, 2000, 2001, 3001, 3997, 3999, 4001, 8003, 9999));
+INSTANTIATE_TEST_SUITE_P(Steps, History,
+                         ::testing::Values(1, 7, 1997, 1998, 1999, 2000, 2001, 3001, 3997, 3999, 4001, 8003, 9999));
 
 TEST_P(History, IsEvenlySpacedAndHoldsTheExtremeAndTheLastRow) {
   Toy toy;
@@ -161,8 +169,8 @@ TEST(Experiment, HistoryOfALine) {
   std::set<std::string> quantities;
   for (const auto& one : history.series) quantities.insert(one.quantity);
   EXPECT_EQ(quantities, (std::set<std::string>{"mass", "momentum_x", "energy"}));
-  for (const char* column : {"store", "walls", "body_force", "contact", "transfer", "constitutive", "integration", "released",
-                             "residual", "kinetic", "internal", "elastic", "viscous"}) {
+  for (const char* column : {"store", "walls", "body_force", "contact", "transfer", "constitutive", "integration",
+                             "released", "residual", "kinetic", "internal", "elastic", "viscous"}) {
     EXPECT_EQ(series(history, "energy", column).size(), 10u) << column;
   }
 }

@@ -99,9 +99,12 @@ TEST(ErrorGate, ReadsNotTheRelativeError) {
 }
 
 TEST(ErrorGate, AReferenceThatIsNotGoodEnoughIsInvalid) {
-  EXPECT_EQ(verdict(error_gate("s", "error", 10, at_most(1)), study({{10, finished_run(errors(0.5, 0.009))}})), Verdict::pass);
-  EXPECT_EQ(verdict(error_gate("s", "error", 10, at_most(1)), study({{10, finished_run(errors(0.5, 0.011))}})), Verdict::invalid);
-  EXPECT_EQ(verdict(error_gate("s", "error", 10, at_most(1)), study({{10, finished_run(errors(0.5, nan))}})), Verdict::invalid);
+  EXPECT_EQ(verdict(error_gate("s", "error", 10, at_most(1)), study({{10, finished_run(errors(0.5, 0.009))}})),
+            Verdict::pass);
+  EXPECT_EQ(verdict(error_gate("s", "error", 10, at_most(1)), study({{10, finished_run(errors(0.5, 0.011))}})),
+            Verdict::invalid);
+  EXPECT_EQ(verdict(error_gate("s", "error", 10, at_most(1)), study({{10, finished_run(errors(0.5, nan))}})),
+            Verdict::invalid);
 }
 
 TEST(ValueGate, ReadsTheValueOfItsLevel) {
@@ -147,8 +150,8 @@ TEST(MeasureGate, ReadsWhatItIsTold) {
 
 // Every gate that reads one level, on a study that lacks what it needs.
 std::vector<CaseGate> level_gates(Gate gate) {
-  return {error_gate("s", "error", 10, gate), value_gate("s", "error", 10, gate), ratio_gate("s", "error", 10, 20, gate),
-          ratio_gate("s", "error", 20, 10, gate)};
+  return {error_gate("s", "error", 10, gate), value_gate("s", "error", 10, gate),
+          ratio_gate("s", "error", 10, 20, gate), ratio_gate("s", "error", 20, 10, gate)};
 }
 
 TEST(LevelGates, AreNotJudgedWithoutTheirLevel) {
@@ -165,7 +168,8 @@ TEST(LevelGates, WithoutTheirMeasureAreInvalid) {
 
 TEST(LevelGates, OfANanAreInvalid) {
   for (const CaseGate& gate : level_gates(at_most(1))) {
-    EXPECT_EQ(verdict(gate, study({{10, finished_run(errors(nan))}, {20, finished_run(errors(nan))}})), Verdict::invalid);
+    EXPECT_EQ(verdict(gate, study({{10, finished_run(errors(nan))}, {20, finished_run(errors(nan))}})),
+              Verdict::invalid);
   }
 }
 
@@ -217,7 +221,8 @@ TEST(FittedOrderGate, JudgesTheEstimate) {
 
 TEST(OrderGates, NeedEnoughLevels) {
   StudyResult few = power_law(1);
-  few.fits[0].second = fit_order(std::vector<Level>{{0.1, 0.1, 0, 0, {}, {}}, {0.05, 0.05, 0, 0, {}, {}}}, Weighting::equal);
+  few.fits[0].second = fit_order(std::vector<Level>{{0.1, 0.1, 0, 0, {}, {}}, {0.05, 0.05, 0, 0, {}, {}}},
+                                 Weighting::equal);
   EXPECT_EQ(verdict(order_gate("s", "error", at_least(0.9)), few), Verdict::inconclusive);
   EXPECT_EQ(verdict(fitted_order_gate("s", "error", at_least(0.9)), few), Verdict::inconclusive);
 }
@@ -246,8 +251,8 @@ TEST(OrderGates, OfAStudyWithAStopFailUnlessTheBandNamesIt) {
 // --- the ledger -------------------------------------------------------------------------------------------------------
 
 TEST(DriftGate, IsTheLargestOfAllLevels) {
-  const StudyResult on = study({{1, finished_run({}, {.energy = 1 + 1e-13})}, {2, finished_run({}, {.energy = 1 - 1e-9})},
-                                {3, finished_run()}});
+  const StudyResult on = study(
+      {{1, finished_run({}, {.energy = 1 + 1e-13})}, {2, finished_run({}, {.energy = 1 - 1e-9})}, {3, finished_run()}});
   const JudgedGate gate = judged(drift_gate("s", at_most(1e-12)), on);
   EXPECT_NEAR(*gate.measured.value, 1e-9, 1e-15);
   EXPECT_EQ(gate.judgement.verdict, Verdict::fail);
@@ -266,7 +271,8 @@ TEST(DriftGate, OfANanIsInvalidWhereverItStands) {
 
 // The generic gates that are not PASS on a study whose second level is `run`, by what follows the study's name.
 std::vector<std::string> red(const RunResult& run, Verdict expected = Verdict::fail, bool as_offset = false) {
-  StudyResult on = study({{1, finished_run({}, {}, run.dim)}, {2, as_offset ? finished_run({}, {}, run.dim) : run},
+  StudyResult on = study({{1, finished_run({}, {}, run.dim)},
+                          {2, as_offset ? finished_run({}, {}, run.dim) : run},
                           {3, finished_run({}, {}, run.dim)}});
   if (as_offset) on.levels[1].offsets.push_back(run);
   std::vector<std::string> names;
@@ -351,7 +357,8 @@ TEST(GenericGates, OfNothingAreInvalid) {
 // --- judging ----------------------------------------------------------------------------------------------------------
 
 TEST(JudgeGates, AGateThatThrowsIsInvalid) {
-  const CaseGate gate = study_gate("s", at_most(1), [](const StudyResult&) -> Measured { throw std::runtime_error("no idea"); });
+  const CaseGate gate = study_gate("s", at_most(1),
+                                   [](const StudyResult&) -> Measured { throw std::runtime_error("no idea"); });
   const JudgedGate result = judged(gate, study({{1, finished_run()}}));
   EXPECT_EQ(result.judgement.verdict, Verdict::invalid);
   EXPECT_EQ(result.measured.note, "no idea");

@@ -104,8 +104,7 @@ TEST(Hdf5File, AWriterThatIsGivenUpLeavesNothing) {
     Hdf5Writer file(folder / "a.h5");
     write_something(file);
     throw std::runtime_error("half-way");
-  } catch (const std::runtime_error&) {
-  }
+  } catch (const std::runtime_error&) {}
   EXPECT_TRUE(folder.names().empty());
 }
 

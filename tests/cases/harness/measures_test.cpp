@@ -64,7 +64,8 @@ TEST(Norms, ANanNeverVanishes) {
     }
     spoiled = samples;
     spoiled[bad].bound = nan;
-    for (const Measure& norm : field_norms("x", "1", spoiled)) EXPECT_TRUE(std::isnan(norm.reference_bound)) << norm.name << bad;
+    for (const Measure& norm : field_norms("x", "1", spoiled))
+      EXPECT_TRUE(std::isnan(norm.reference_bound)) << norm.name << bad;
   }
 }
 

@@ -9,7 +9,9 @@
 namespace plumbline {
 namespace {
 
-std::string stored(std::vector<const char*> words) { return stored_command(static_cast<int>(words.size()), words.data()); }
+std::string stored(std::vector<const char*> words) {
+  return stored_command(static_cast<int>(words.size()), words.data());
+}
 
 TEST(StoredCommand, IsWhatWasTypedUnderTheProgramsOwnName) {
   EXPECT_EQ(stored({"build/bin/plumbline", "run", "sod", "--cells", "200", "--set", "cfl=0.1"}),

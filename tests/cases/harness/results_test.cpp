@@ -19,7 +19,7 @@ RunResult toy_run(const std::vector<Override>& overrides = {}) {
   RunResult run = run_experiment(toy, "default", toy.settings("default", overrides));
   run.measures = power_law_error(0.25, 1, 2);
   run.profile.columns = {{"x", "m", "position", {0.1, 0.2}}, {"density", "kg/m^3", "density", {1, 2}}};
-  run.wall_s = 1;   // the one number that differs from run to run
+  run.wall_s = 1;  // the one number that differs from run to run
   run.file = ResultsFolder::run_name(run);
   return run;
 }
@@ -102,7 +102,7 @@ TEST(RunFile, TheSameRunGivesTheSameBytes) {
 TEST(RunFile, WhatCannotBeWrittenLeavesNothing) {
   const TemporaryFolder folder;
   RunResult run = toy_run();
-  run.profile.columns.push_back(run.profile.columns.front());   // a column twice
+  run.profile.columns.push_back(run.profile.columns.front());  // a column twice
   EXPECT_THROW(ResultsFolder(folder.path()).write_run(run, {}, Provenance{}), FileError);
   EXPECT_TRUE(folder.names().empty());
 }
@@ -133,8 +133,8 @@ TEST(StudyFile, HoldsLevelsGatesAndCatalog) {
 TEST(StudyName, TellsStudiesApart) {
   StudyResult other = toy_study();
   other.levels.push_back({8, 0.125, toy_run({{"cells", 8.0}}), {}});
-  const std::set<std::string> names{ResultsFolder::study_name(toy_study()), ResultsFolder::study_name(toy_study("other")),
-                                    ResultsFolder::study_name(other)};
+  const std::set<std::string> names{ResultsFolder::study_name(toy_study()),
+                                    ResultsFolder::study_name(toy_study("other")), ResultsFolder::study_name(other)};
   EXPECT_EQ(names.size(), 3u);
   EXPECT_TRUE(std::regex_match(*names.begin(), std::regex("study-toy-default-cells-[0-9a-f]{12}\\.h5")));
 }

@@ -40,7 +40,8 @@ std::map<std::string, std::string> definition(Kind kind) {
 TEST(Schemes, DefaultIsOneDefinitionPerKindInEveryCase) {
   ASSERT_FALSE(cases().empty());
   for (const Case* entry : cases()) {
-    EXPECT_EQ(numerics(*entry, "default"), definition(entry->kind())) << entry->name() << " changes a numerical choice of default";
+    EXPECT_EQ(numerics(*entry, "default"), definition(entry->kind()))
+        << entry->name() << " changes a numerical choice of default";
   }
 }
 
@@ -113,7 +114,8 @@ TEST(Schemes, EveryNameHasTitleAndSource) {
 TEST(Schemes, EveryIntegratorShapeTransferAndDensityMayBeChosen) {
   const Settings settings(kind_keys(Kind::gas));
   const auto choices = [&](const char* name) {
-    return std::find_if(settings.keys().begin(), settings.keys().end(), [&](const Key& k) { return k.name == name; })->choices;
+    return std::find_if(settings.keys().begin(), settings.keys().end(), [&](const Key& k) { return k.name == name; })
+        ->choices;
   };
   EXPECT_EQ(choices("integrator").size(), integrators().size());
   EXPECT_EQ(choices("shape"), (std::vector<std::string>{"linear", "quadratic", "cubic"}));

@@ -143,8 +143,7 @@ TEST(Settings, CanonicalTextDoesNotDependOnTheOrderOfKeys) {
   auto turned = keys();
   std::reverse(turned.begin(), turned.end());
   EXPECT_EQ(Settings(turned).canonical(), Settings(keys()).canonical());
-  EXPECT_EQ(Settings(keys()).canonical(),
-            "cells=100\ncfl=0.3\ndt=none\noffset=0\nshape=linear\nvelocity=-2.5\n");
+  EXPECT_EQ(Settings(keys()).canonical(), "cells=100\ncfl=0.3\ndt=none\noffset=0\nshape=linear\nvelocity=-2.5\n");
 }
 
 TEST(Settings, CanonicalTextKeepsEveryDigit) {
@@ -161,7 +160,8 @@ TEST(Settings, CanonicalTextKeepsEveryDigit) {
 
 TEST(Settings, EveryKeyChangesTheCanonicalText) {
   const std::string before = Settings(keys()).canonical();
-  for (const char* change : {"cells=101", "shape=cubic", "cfl=none", "cfl=0.30000000000000004", "dt=1", "offset=0.5", "velocity=1"}) {
+  for (const char* change :
+       {"cells=101", "shape=cubic", "cfl=none", "cfl=0.30000000000000004", "dt=1", "offset=0.5", "velocity=1"}) {
     EXPECT_NE(after(change).canonical(), before) << change;
   }
 }
@@ -176,8 +176,9 @@ TEST(Settings, TheHashIsFnv1a) {
 
 TEST(Settings, RangesAreWrittenForPeople) {
   EXPECT_EQ((Key{.name = "x", .value = 1.0}.allowed()), "(-inf, inf)");
-  EXPECT_EQ((Key{.name = "x", .value = 1.0, .unit = "m", .low = 0, .high = 2, .low_open = true, .high_open = true}.allowed()),
-            "(0, 2) m");
+  EXPECT_EQ(
+      (Key{.name = "x", .value = 1.0, .unit = "m", .low = 0, .high = 2, .low_open = true, .high_open = true}.allowed()),
+      "(0, 2) m");
   EXPECT_EQ((Key{.name = "s", .value = std::string("a"), .choices = {"a", "b"}}.allowed()), "one of a, b");
 }
 

@@ -21,7 +21,8 @@ using Numbers = std::vector<double>;
 
 TEST(PlannedRuns, OfCells) {
   const ToyCase entry;
-  const StudyPlan plan{.id = "s", .title = {}, .why = {}, .overrides = {{"ppc", 2.0}}, .values = {4, 8}, .full_values = {4, 8, 16}};
+  const StudyPlan plan{
+      .id = "s", .title = {}, .why = {}, .overrides = {{"ppc", 2.0}}, .values = {4, 8}, .full_values = {4, 8, 16}};
   const auto quick = planned_runs(entry, plan, Tier::quick), full = planned_runs(entry, plan, Tier::full);
   EXPECT_EQ(values_of(quick, "cells"), (Numbers{4, 8}));
   EXPECT_EQ(values_of(quick, "ppc"), (Numbers{2, 2}));
@@ -84,11 +85,13 @@ RunResult made_run(double h, double dt, std::vector<Measure> measures) {
   return run;
 }
 
-StudyResult assembled(Vary vary, const Numbers& values, const std::vector<RunResult>& runs, std::vector<bool> is_offset = {}) {
+StudyResult assembled(Vary vary, const Numbers& values, const std::vector<RunResult>& runs,
+                      std::vector<bool> is_offset = {}) {
   StudyPlan plan{.id = "s", .title = {}, .why = {}, .vary = vary, .values = values};
   std::vector<PlannedRun> planned;
   is_offset.resize(values.size(), false);
-  for (std::size_t k = 0; k < values.size(); ++k) planned.push_back({values[k], toy.settings("default", {}), is_offset[k]});
+  for (std::size_t k = 0; k < values.size(); ++k)
+    planned.push_back({values[k], toy.settings("default", {}), is_offset[k]});
   return assemble_study(toy, plan, planned, runs);
 }
 
@@ -168,7 +171,7 @@ TEST(AssembleStudy, PassesReferenceBoundAndRoundingOn) {
     runs.push_back(made_run(1 / cells, 1e-3, power_law_error(1 / cells, 3, 1)));
   }
   runs[6].measures[0].reference_bound = 0.06 * runs[6].measures[0].error;
-  runs[5].measures[0].scale = 1e15 * runs[5].measures[0].error;   // ten steps of rounding are above a tenth of it
+  runs[5].measures[0].scale = 1e15 * runs[5].measures[0].error;  // ten steps of rounding are above a tenth of it
   const OrderFit fit = *assembled(Vary::cells, values, runs).fit("error");
   EXPECT_EQ(fit.used, (std::vector<bool>{true, true, true, true, true, false, false}));
 }
@@ -183,8 +186,10 @@ TEST(AssembleStudy, SuccessiveDistancesFallWithTheOrderOfTheStep) {
       const double dt = 1e-2 * std::pow(0.5, k), e = std::pow(dt, order);
       values.push_back(std::pow(0.5, k));
       RunResult run = made_run(0.1, dt, {scalar_measure("period", 3 + e, 3, 0, "s")});
-      run.measures[0].error = 7;   // the mesh's own error, which the step does not change
-      run.profile.columns = {{"x", "m", "", {0, 1}}, {"mass", "kg", "", {1, 3}}, {"a", "Pa", "", {2 + e, 5 + 2 * e}},
+      run.measures[0].error = 7;  // the mesh's own error, which the step does not change
+      run.profile.columns = {{"x", "m", "", {0, 1}},
+                             {"mass", "kg", "", {1, 3}},
+                             {"a", "Pa", "", {2 + e, 5 + 2 * e}},
                              {"a_reference", "Pa", "", {0, 0}}};
       runs.push_back(run);
     }
@@ -242,16 +247,19 @@ TEST(AssembleStudy, OfNothingIsEmpty) {
 // The whole way: a synthetic case of order 2, run and fitted, on one thread and on three.
 TEST(RunStudy, OfASyntheticCaseGivesItsOrderOnAnyNumberOfThreads) {
   Toy described;
-  described.measures = [](const Settings& s, const Simulation&) { return power_law_error(1 / s.number("cells"), 3, 2); };
+  described.measures = [](const Settings& s, const Simulation&) {
+    return power_law_error(1 / s.number("cells"), 3, 2);
+  };
   const ToyCase entry(described);
   const StudyPlan plan{.id = "s", .title = {}, .why = {}, .values = {4, 8, 16, 32, 64}};
   const auto planned = planned_runs(entry, plan, Tier::quick);
   std::vector<std::size_t> seen;
-  const StudyResult one = run_study(entry, plan, planned, 1, [&](std::size_t done, std::size_t of, const RunResult& last) {
-    seen.push_back(done);
-    EXPECT_EQ(of, 5u);
-    EXPECT_EQ(last.case_name, "toy");
-  });
+  const StudyResult one = run_study(entry, plan, planned, 1,
+                                    [&](std::size_t done, std::size_t of, const RunResult& last) {
+                                      seen.push_back(done);
+                                      EXPECT_EQ(of, 5u);
+                                      EXPECT_EQ(last.case_name, "toy");
+                                    });
   const StudyResult three = run_study(entry, plan, planned, 3);
   EXPECT_EQ(seen, (std::vector<std::size_t>{1, 2, 3, 4, 5}));
   EXPECT_NEAR(one.fit("error")->order, 2, 1e-12);
@@ -270,8 +278,10 @@ TEST(RunStudy, NamesTheSchemeAfterTheIntegrator) {
     return run_study(entry, plan, planned_runs(entry, plan, Tier::quick), 1).scheme;
   };
   EXPECT_EQ(scheme_of({.id = "s", .title = {}, .why = {}, .values = {4}}), "default");
-  EXPECT_EQ(scheme_of({.id = "s", .title = {}, .why = {}, .overrides = {{"integrator", "usl"}}, .values = {4}}), "default+usl");
-  EXPECT_EQ(scheme_of({.id = "s", .title = {}, .why = {}, .overrides = {{"integrator", "musl"}}, .values = {4}}), "default");
+  EXPECT_EQ(scheme_of({.id = "s", .title = {}, .why = {}, .overrides = {{"integrator", "usl"}}, .values = {4}}),
+            "default+usl");
+  EXPECT_EQ(scheme_of({.id = "s", .title = {}, .why = {}, .overrides = {{"integrator", "musl"}}, .values = {4}}),
+            "default");
   EXPECT_EQ(scheme_of({.id = "s", .title = {}, .why = {}, .scheme = "york1997", .values = {4}}), "york1997");
 }
 

@@ -19,8 +19,8 @@ struct Toy {
   std::string name = "toy";
   Kind kind = Kind::membrane;
   int dim = 1;
-  double dt = 1e-3, end = 1e-2;                  // s
-  std::vector<Override> choices = {};            // beside the step
+  double dt = 1e-3, end = 1e-2;        // s
+  std::vector<Override> choices = {};  // beside the step
   std::function<void(Settings&)> derive = {};
   std::function<void(Scene&)> change = {};
   std::function<void(const Simulation&)> observe = {};

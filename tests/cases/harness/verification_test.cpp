@@ -45,8 +45,9 @@ TEST(VerifyCase, JudgesEveryDeclaredGateAndTheGenericOnes) {
   const Verification v = verified(ToyCase(described()));
   EXPECT_EQ(v.declared, 10);
   EXPECT_EQ(executed(v), 10u);
-  EXPECT_EQ(ids(v), (std::set<std::string>{"default/error", "default/finite", "default/mass", "default/momentum", "default/ledger",
-                                           "york/error", "york/finite", "york/mass", "york/momentum", "york/ledger"}));
+  EXPECT_EQ(ids(v), (std::set<std::string>{"default/error", "default/finite", "default/mass", "default/momentum",
+                                           "default/ledger", "york/error", "york/finite", "york/mass", "york/momentum",
+                                           "york/ledger"}));
   for (const JudgedGate& gate : v.gates) {
     EXPECT_EQ(gate.judgement.verdict, gate.gate.id == "york/error" ? Verdict::fail : Verdict::pass) << gate.gate.id;
     EXPECT_EQ(gate.scheme, gate.study == "york" ? "york1997" : "default");
@@ -85,7 +86,8 @@ TEST(VerifyCase, WritesEveryRunAndStudy) {
   Verification verification;
   verify_case(ToyCase(described()), Tier::quick, {}, 1, ResultsFolder(folder.path()), Provenance{}, {}, verification);
   const auto names = folder.names();
-  EXPECT_EQ(std::count_if(names.begin(), names.end(), [](const std::string& n) { return n.rfind("study-toy", 0) == 0; }), 2);
+  EXPECT_EQ(
+      std::count_if(names.begin(), names.end(), [](const std::string& n) { return n.rfind("study-toy", 0) == 0; }), 2);
   EXPECT_EQ(std::count_if(names.begin(), names.end(), [](const std::string& n) { return n.rfind("toy-", 0) == 0; }), 3);
   for (const JudgedGate& gate : verification.gates) {
     for (const std::string& id : gate.run_ids) EXPECT_NE(std::find(names.begin(), names.end(), id), names.end()) << id;
@@ -111,7 +113,8 @@ TEST(VerifyCase, ADeclaredGenericGateReplacesTheOther) {
   }));
   const Verification v = verified(ToyCase(toy));
   EXPECT_EQ(executed(v), 10u);
-  const auto own = std::find_if(v.gates.begin(), v.gates.end(), [](const JudgedGate& g) { return g.gate.id == "york/finite"; });
+  const auto own = std::find_if(v.gates.begin(), v.gates.end(),
+                                [](const JudgedGate& g) { return g.gate.id == "york/finite"; });
   ASSERT_NE(own, v.gates.end());
   EXPECT_EQ(own->measured.value, 4);
 }
@@ -141,7 +144,8 @@ class Coasting final : public TimeIntegrator {
 
 void register_coasting() {
   if (find_integrator("coasting")) return;
-  RegisterIntegrator({"coasting", "moves points and leaves stresses as they are", "this test", [] { return std::make_unique<Coasting>(); }});
+  RegisterIntegrator({"coasting", "moves points and leaves stresses as they are", "this test",
+                      [] { return std::make_unique<Coasting>(); }});
 }
 
 TEST(VerifyCase, EveryRegisteredIntegratorAppearsWithGenericGates) {
@@ -166,7 +170,8 @@ TEST(VerifyCase, EveryRegisteredIntegratorAppearsWithGenericGates) {
 
 TEST(VerifyCase, WithoutAnyIntegratorNoneAppears) {
   register_coasting();
-  for (const std::string& id : ids(verified(ToyCase(described())))) EXPECT_EQ(id.find("integrator/"), std::string::npos);
+  for (const std::string& id : ids(verified(ToyCase(described()))))
+    EXPECT_EQ(id.find("integrator/"), std::string::npos);
 }
 
 TEST(IntegratorPlan, IsTheDefaultSchemeAtTheCoarsestLevel) {
@@ -185,13 +190,15 @@ TEST(IntegratorPlan, IsTheDefaultSchemeAtTheCoarsestLevel) {
 TEST(Selection, OfASchemeJudgesItsStudies) {
   Toy toy = described();
   toy.any_integrator = true;
-  const Verification v = verified(ToyCase(toy), Tier::quick, {.schemes = {"york1997"}, .integrators = {}, .settings = {}});
+  const Verification v = verified(ToyCase(toy), Tier::quick,
+                                  {.schemes = {"york1997"}, .integrators = {}, .settings = {}});
   EXPECT_EQ(ids(v), (std::set<std::string>{"york/error", "york/finite", "york/mass", "york/momentum", "york/ledger"}));
   EXPECT_EQ(v.declared, 5);
 }
 
 TEST(Selection, OfAnIntegratorJudgesItByGenericGates) {
-  const Verification v = verified(ToyCase(described()), Tier::quick, {.schemes = {}, .integrators = {"usl"}, .settings = {}});
+  const Verification v = verified(ToyCase(described()), Tier::quick,
+                                  {.schemes = {}, .integrators = {"usl"}, .settings = {}});
   EXPECT_EQ(ids(v), (std::set<std::string>{"integrator/usl/finite", "integrator/usl/mass", "integrator/usl/momentum",
                                            "integrator/usl/ledger"}));
   EXPECT_EQ(v.declared, 4);
@@ -199,7 +206,8 @@ TEST(Selection, OfAnIntegratorJudgesItByGenericGates) {
 
 // The declared numbers hold for the declared choices.
 TEST(Selection, OfKeysLeavesTheGenericGates) {
-  const Verification v = verified(ToyCase(described()), Tier::quick, {.schemes = {}, .integrators = {}, .settings = {"weight=2"}});
+  const Verification v = verified(ToyCase(described()), Tier::quick,
+                                  {.schemes = {}, .integrators = {}, .settings = {"weight=2"}});
   EXPECT_EQ(executed(v), 8u);
   EXPECT_EQ(v.declared, 8);
   for (const std::string& id : ids(v)) EXPECT_EQ(id.find("error"), std::string::npos) << id;
@@ -211,7 +219,8 @@ TEST(Selection, UnknownNamesAreRefusedBeforeAnythingRuns) {
   toy.change = [&](Scene&) { ++runs; };
   const ToyCase entry(toy);
   EXPECT_THROW(verified(entry, Tier::quick, {.schemes = {"york1998"}, .integrators = {}, .settings = {}}), UsageError);
-  EXPECT_THROW(verified(entry, Tier::quick, {.schemes = {"default"}, .integrators = {"uls"}, .settings = {}}), UsageError);
+  EXPECT_THROW(verified(entry, Tier::quick, {.schemes = {"default"}, .integrators = {"uls"}, .settings = {}}),
+               UsageError);
   EXPECT_THROW(verified(entry, Tier::quick, {.schemes = {}, .integrators = {}, .settings = {"wieght=2"}}), UsageError);
   EXPECT_EQ(runs, 0);
 }

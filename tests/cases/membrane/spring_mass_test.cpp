@@ -14,7 +14,8 @@ const Case& spring() { return find_case("spring-mass"); }
 
 struct Hung {
   explicit Hung(const std::string& scheme, const std::vector<std::string>& typed = {})
-      : settings(spring().settings(scheme, {}, typed)), scene(spring().problem(settings)->scene()) {}
+      : settings(spring().settings(scheme, {}, typed)),
+        scene(spring().problem(settings)->scene()) {}
   const Columns& points() const { return scene.bodies.front().points; }
   double at(const ColumnId& id, int p) const { return points()(id)[p]; }
   double sum(const ColumnId& id) const {
@@ -48,7 +49,8 @@ TEST(SpringMass, YorksStep) {
 
 // Points at both ends with half a spacing's share: volume and mass of the spring are exact, and the mass hangs at L.
 TEST(SpringMass, PointsWithEnds) {
-  for (const std::vector<std::string>& typed : {std::vector<std::string>{}, {"cells=40"}, {"cells=37", "ppc=3", "length=0.71"}}) {
+  for (const std::vector<std::string>& typed :
+       {std::vector<std::string>{}, {"cells=40"}, {"cells=37", "ppc=3", "length=0.71"}}) {
     const Hung hung("default", typed);
     const double length = hung.settings.number("length");
     const int last = hung.points().points() - 1;
@@ -65,7 +67,7 @@ TEST(SpringMass, PointsWithEnds) {
       EXPECT_NEAR(hung.at(column::volume, p), 0.1 * spacing, 1e-16);
     }
   }
-  EXPECT_EQ(Hung("default", {"cells=40"}).points().points(), 1 + 12 * 4);   // four a cell over 0.3 of 40 cells
+  EXPECT_EQ(Hung("default", {"cells=40"}).points().points(), 1 + 12 * 4);  // four a cell over 0.3 of 40 cells
 }
 
 TEST(SpringMass, HangsFromAFixedNodeAndFalls) {
@@ -132,14 +134,18 @@ TEST(SpringMass, MeasuresAgainstTheReferenceThatIsAsked) {
 
 // Reference and points move together: twice the mass, another modulus, another length.
 TEST(SpringMass, TheReferenceMovesWithTheSettings) {
-  for (const std::vector<std::string>& typed :
-       {std::vector<std::string>{"mass=6.66"}, {"youngs_modulus=4e6"}, {"area=0.2"}, {"spring_density=50"}, {"length=0.6"}}) {
+  for (const std::vector<std::string>& typed : {std::vector<std::string>{"mass=6.66"},
+                                                {"youngs_modulus=4e6"},
+                                                {"area=0.2"},
+                                                {"spring_density=50"},
+                                                {"length=0.6"}}) {
     auto all = typed;
     all.insert(all.end(), {"gravity=0.0025", "cells=20"});
     const RunResult result = run("default", all);
     // The period is too long by h^2/(8 L^2) at least, 0.35 % at h = L/6; a bar of 0.45 of the mass adds its own smearing.
     EXPECT_NEAR(*result.find("period")->value / *result.find("period")->reference, 1, 0.02) << typed.front();
-    EXPECT_NEAR(*result.find("max_displacement")->value / *result.find("max_displacement")->reference, 1, 0.02) << typed.front();
+    EXPECT_NEAR(*result.find("max_displacement")->value / *result.find("max_displacement")->reference, 1, 0.02)
+        << typed.front();
   }
 }
 
