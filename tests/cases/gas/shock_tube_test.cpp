@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "cases/harness/experiment.hpp"
 #include "reference/riemann.hpp"
@@ -145,10 +146,18 @@ RunResult run(const std::vector<std::string>& typed) {
 }
 
 const std::vector<double>& column_of(const RunResult& result, const std::string& name) {
-  return result.profile.find(name)->values;
+  const ProfileColumn* column = result.profile.find(name);
+  if (!column) throw std::out_of_range("the profile has no column " + name);
+  return column->values;
 }
 
-double error(const RunResult& result, const std::string& measure) { return result.find(measure)->error; }
+const Measure& measure(const RunResult& result, const std::string& name) {
+  const Measure* found = result.find(name);
+  if (!found) throw std::out_of_range("the run has no measure " + name);
+  return *found;
+}
+
+double error(const RunResult& result, const std::string& name) { return measure(result, name).error; }
 
 TEST(ShockTube, TheProfileHasEveryFieldBesideItsReference) {
   const RunResult result = run({});
@@ -219,13 +228,13 @@ TEST(ShockTube, MeasuresAreTheNormsOfWhatTheProfileShows) {
     EXPECT_NEAR(error(result, std::string(field) + ".L2"), std::sqrt(l2), 1e-13) << field;
     EXPECT_NEAR(error(result, std::string(field) + ".Linf"), linf, 1e-13) << field;
   }
-  EXPECT_NEAR(*result.find("coverage")->value, tube / 1.0, 1e-13);
-  EXPECT_EQ(result.find("coverage")->reference, 1.0);
+  EXPECT_NEAR(*measure(result, "coverage").value, tube / 1.0, 1e-13);
+  EXPECT_EQ(measure(result, "coverage").reference, 1.0);
 }
 
 TEST(ShockTube, CoverageIsOfTheShiftedTubeToo) {
   // A kernel of three cells blurs each wave by less than its width: 1 % at 50 cells is the gate's own bound at 100.
-  EXPECT_NEAR(*run({"offset=0.5"}).find("coverage")->value, 1, 0.01);
+  EXPECT_NEAR(*measure(run({"offset=0.5"}), "coverage").value, 1, 0.01);
 }
 
 // Energy and pressure of the profile are one gas: p = (gamma - 1) rho e, in points and in the reference.

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "cases/harness/experiment.hpp"
 #include "kernel/materials/uniaxial_membrane.hpp"
@@ -98,7 +99,15 @@ RunResult run(const std::string& scheme, const std::vector<std::string>& typed) 
 }
 
 const std::vector<double>& column_of(const RunResult& result, const std::string& name) {
-  return result.profile.find(name)->values;
+  const ProfileColumn* column = result.profile.find(name);
+  if (!column) throw std::out_of_range("the profile has no column " + name);
+  return column->values;
+}
+
+const Measure& measure(const RunResult& result, const std::string& name) {
+  const Measure* found = result.find(name);
+  if (!found) throw std::out_of_range("the run has no measure " + name);
+  return *found;
 }
 
 // The displacement is counted from rest, positive along gravity: after t it is g t^2 / 2 as long as the spring is slack,
@@ -122,12 +131,12 @@ TEST(SpringMass, MeasuresAgainstTheReferenceThatIsAsked) {
   const reference::MasslessSpring massless(given);
   const RunResult with_mass = run("default", {"gravity=0.0025"});
   const RunResult without = run("default", {"gravity=0.0025", "reference=massless"});
-  EXPECT_EQ(with_mass.find("period")->reference, heavy.period().value);
-  EXPECT_EQ(with_mass.find("max_displacement")->reference, heavy.max_displacement().value);
-  EXPECT_EQ(without.find("period")->reference, massless.period().value);
-  EXPECT_EQ(without.find("max_displacement")->reference, massless.max_displacement().value);
-  EXPECT_GT(with_mass.find("period")->reference_bound, 0);
-  EXPECT_EQ(with_mass.find("period")->value, without.find("period")->value);
+  EXPECT_EQ(measure(with_mass, "period").reference, heavy.period().value);
+  EXPECT_EQ(measure(with_mass, "max_displacement").reference, heavy.max_displacement().value);
+  EXPECT_EQ(measure(without, "period").reference, massless.period().value);
+  EXPECT_EQ(measure(without, "max_displacement").reference, massless.max_displacement().value);
+  EXPECT_GT(measure(with_mass, "period").reference_bound, 0);
+  EXPECT_EQ(measure(with_mass, "period").value, measure(without, "period").value);
   EXPECT_EQ(with_mass.profile.find("kinetic_energy_reference"), nullptr);
   ASSERT_NE(without.profile.find("kinetic_energy_reference"), nullptr);
 }
@@ -143,8 +152,8 @@ TEST(SpringMass, TheReferenceMovesWithTheSettings) {
     all.insert(all.end(), {"gravity=0.0025", "cells=20"});
     const RunResult result = run("default", all);
     // The period is too long by h^2/(8 L^2) at least, 0.35 % at h = L/6; a bar of 0.45 of the mass adds its own smearing.
-    EXPECT_NEAR(*result.find("period")->value / *result.find("period")->reference, 1, 0.02) << typed.front();
-    EXPECT_NEAR(*result.find("max_displacement")->value / *result.find("max_displacement")->reference, 1, 0.02)
+    EXPECT_NEAR(*measure(result, "period").value / *measure(result, "period").reference, 1, 0.02) << typed.front();
+    EXPECT_NEAR(*measure(result, "max_displacement").value / *measure(result, "max_displacement").reference, 1, 0.02)
         << typed.front();
   }
 }
@@ -170,8 +179,8 @@ TEST(SpringMass, EnergyDriftIsIntegrationAndTransferOverTheScale) {
     const RunResult result = run(scheme, {"t_end=0.01"});
     const Account& energy = result.ledger.energy;
     const double drift = (energy.flow(Flow::integration) + energy.flow(Flow::transfer)) / energy.scale();
-    EXPECT_EQ(*result.find("energy_drift")->value, drift) << scheme;
-    EXPECT_EQ(result.find("energy_drift")->scale, 1);
+    EXPECT_EQ(*measure(result, "energy_drift").value, drift) << scheme;
+    EXPECT_EQ(measure(result, "energy_drift").scale, 1);
     EXPECT_NE(energy.flow(Flow::transfer), 0) << scheme;
   }
 }
@@ -179,8 +188,8 @@ TEST(SpringMass, EnergyDriftIsIntegrationAndTransferOverTheScale) {
 // Too short for one period: no period, and that is not a small error.
 TEST(SpringMass, WithoutAWholePeriodThereIsNone) {
   const RunResult result = run("default", {"t_end=0.001"});
-  EXPECT_TRUE(std::isnan(result.find("period")->error));
-  EXPECT_TRUE(std::isnan(result.find("max_displacement")->error));
+  EXPECT_TRUE(std::isnan(measure(result, "period").error));
+  EXPECT_TRUE(std::isnan(measure(result, "max_displacement").error));
 }
 
 }  // namespace
