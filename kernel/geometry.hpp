@@ -1,7 +1,8 @@
-// A geometry is an adjoint pair: `strain` turns a velocity gradient into strain rates, `force` turns stresses into the
-// nodal force of one point, and for every stress s, nodal velocity v and shape gradient g
-//   s . strain(v g^T) = v . force(s, g).
+// A geometry is an adjoint pair: `strain` turns a velocity gradient into strain rates, `flux` turns stresses into what a
+// point puts on a node with shape N and shape gradient g. For every stress s, nodal velocity v, and radius r
+//   s . strain(v g^T, v_r N / r) = sum_cd v_c flux(s)_cd g_d + hoop(s) v_r N / r.
 // Components: normal strains, then engineering shears (twice the tensor's), so that a plain dot product is a power.
+// Number: double, or a pack of them.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,32 +11,103 @@ namespace plumbline {
 
 // 1-D: xx.
 struct Line {
-  static constexpr int dim = 1, normals = 1, shears = 0, strains = 1;
-  using Vec = Eigen::Matrix<double, 1, 1>;
-  using Mat = Eigen::Matrix<double, 1, 1>;
-  using Strain = Eigen::Matrix<double, 1, 1>;
-  static Strain strain(const Mat& gradient) { return gradient; }
-  static Vec force(const Strain& stress, const Vec& shape_gradient) { return stress * shape_gradient[0]; }
+  static constexpr int dim = 1, normals = 1, strains = 1, rotations = 0;
+  static constexpr bool axisymmetric = false;
+  template <class Number>
+  static void strain(const Number (&l)[1][1], const Number&, Number (&e)[1]) {
+    e[0] = l[0][0];
+  }
+  template <class Number>
+  static void flux(const Number (&s)[1], Number (&f)[1][1]) {
+    f[0][0] = s[0];
+  }
 };
 
 // Plane 2-D, no strain out of the plane: xx, yy, 2 xy. [York 3.23]
 struct Plane {
-  static constexpr int dim = 2, normals = 2, shears = 1, strains = 3;
-  using Vec = Eigen::Matrix<double, 2, 1>;
-  using Mat = Eigen::Matrix<double, 2, 2>;
-  using Strain = Eigen::Matrix<double, 3, 1>;
-  static Strain strain(const Mat& l) { return {l(0, 0), l(1, 1), l(0, 1) + l(1, 0)}; }
-  static Vec force(const Strain& s, const Vec& g) { return {s[0] * g[0] + s[2] * g[1], s[2] * g[0] + s[1] * g[1]}; }
+  static constexpr int dim = 2, normals = 2, strains = 3, rotations = 1;
+  static constexpr bool axisymmetric = false;
+  template <class Number>
+  static void strain(const Number (&l)[2][2], const Number&, Number (&e)[3]) {
+    e[0] = l[0][0];
+    e[1] = l[1][1];
+    e[2] = l[0][1] + l[1][0];
+  }
+  template <class Number>
+  static void flux(const Number (&s)[3], Number (&f)[2][2]) {
+    f[0][0] = s[0];
+    f[1][1] = s[1];
+    f[0][1] = f[1][0] = s[2];
+  }
 };
 
-// Torque density of two plane vectors, z component; zero on a line.
-template <int dim>
-double cross(const Eigen::Matrix<double, dim, 1>& a, const Eigen::Matrix<double, dim, 1>& b) {
-  if constexpr (dim == 2) {
-    return a[0] * b[1] - a[1] * b[0];
-  } else {
-    return 0.0;
+// Axisymmetric without swirl, x the radius, y the axis: rr, zz, hoop, 2 rz. Masses and volumes are per radian.
+// (Sulsky, Schreyer 1996, doi 10.1016/S0045-7825(96)01091-2)
+struct Axisymmetric {
+  static constexpr int dim = 2, normals = 3, strains = 4, rotations = 0;
+  static constexpr bool axisymmetric = true;
+  static constexpr int hoop = 2;  // component of the hoop strain v_r / r
+  template <class Number>
+  static void strain(const Number (&l)[2][2], const Number& hoop_rate, Number (&e)[4]) {
+    e[0] = l[0][0];
+    e[1] = l[1][1];
+    e[2] = hoop_rate;
+    e[3] = l[0][1] + l[1][0];
   }
+  template <class Number>
+  static void flux(const Number (&s)[4], Number (&f)[2][2]) {
+    f[0][0] = s[0];
+    f[1][1] = s[1];
+    f[0][1] = f[1][0] = s[3];
+  }
+};
+
+// 3-D: xx, yy, zz, 2 yz, 2 zx, 2 xy.
+struct Solid {
+  static constexpr int dim = 3, normals = 3, strains = 6, rotations = 3;
+  static constexpr bool axisymmetric = false;
+  template <class Number>
+  static void strain(const Number (&l)[3][3], const Number&, Number (&e)[6]) {
+    for (int d = 0; d < 3; ++d) e[d] = l[d][d];
+    e[3] = l[1][2] + l[2][1];
+    e[4] = l[2][0] + l[0][2];
+    e[5] = l[0][1] + l[1][0];
+  }
+  template <class Number>
+  static void flux(const Number (&s)[6], Number (&f)[3][3]) {
+    for (int d = 0; d < 3; ++d) f[d][d] = s[d];
+    f[1][2] = f[2][1] = s[3];
+    f[2][0] = f[0][2] = s[4];
+    f[0][1] = f[1][0] = s[5];
+  }
+};
+
+// Strain components of a geometry: 1, 3, 4 (axisymmetric) or 6; the normal ones come first.
+inline constexpr int strain_components(int dim, bool axisymmetric) {
+  return dim == 1 ? 1 : dim == 3 ? 6 : axisymmetric ? 4 : 3;
+}
+inline constexpr int normal_components(int dim, bool axisymmetric) { return dim == 2 && axisymmetric ? 3 : dim; }
+
+// Rotations: one in the plane (about z), three in space (about x, y, z).
+template <int dim>
+inline constexpr int rotation_count = dim * (dim - 1) / 2;
+
+// The two axes that turn into each other under rotation k: a x b has component a_i b_j - a_j b_i there.
+template <int dim>
+constexpr int rotation_axis(int k, int which) {
+  return dim == 2 ? which : (k + 1 + which) % 3;
+}
+template <int dim>
+using Spin = Eigen::Array<double, rotation_count<dim>, 1>;
+
+template <int dim>
+Spin<dim> cross(const Eigen::Matrix<double, dim, 1>& a, const Eigen::Matrix<double, dim, 1>& b) {
+  Spin<dim> c;
+  for (int k = 0; k < rotation_count<dim>; ++k) {
+    const int i = rotation_axis<dim>(k, 0), j = rotation_axis<dim>(k, 1);
+    c[k] = a[i] * b[j] - a[j] * b[i];
+  }
+  return c;
 }
 
 }  // namespace plumbline

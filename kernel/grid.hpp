@@ -17,15 +17,16 @@ enum class Wall { free, symmetry, no_slip };
 
 // A grid as a scene states it. Lengths in m. cells: >= 1 a direction, at least 2 where a wall mirrors ghosts.
 struct GridSpec {
-  int dim = 1;  // 1 or 2
-  std::array<int, 2> cells{1, 1};
-  double h = 1.0;                          // > 0
-  std::array<double, 2> origin{0.0, 0.0};  // lowest node line of each direction
-  std::array<std::array<Wall, 2>, 2> walls{
-      {{Wall::free, Wall::free}, {Wall::free, Wall::free}}};  // [direction][low, high]
+  int dim = 1;                // 1, 2 or 3
+  bool axisymmetric = false;  // with dim = 2: x is the radius, y the axis; points and cells are rings, per radian
+  std::array<int, 3> cells{1, 1, 1};
+  double h = 1.0;                               // > 0
+  std::array<double, 3> origin{0.0, 0.0, 0.0};  // lowest node line of each direction
+  std::array<std::array<Wall, 2>, 3> walls{
+      {{Wall::free, Wall::free}, {Wall::free, Wall::free}, {Wall::free, Wall::free}}};  // [direction][low, high]
 };
 
-// The same with indices: node (i, j) of the flat arrays, ghosts included.
+// The same with indices: node (i, j, k) of the flat arrays, ghosts included; a row is a line of nodes along x.
 template <int dim>
 class Grid {
  public:
@@ -33,31 +34,41 @@ class Grid {
   static constexpr int ghosts = 1;
 
   explicit Grid(const GridSpec& spec) : spec_(spec) {
-    for (int d = 0; d < dim; ++d) nodes_[d] = spec.cells[static_cast<std::size_t>(d)] + 1 + 2 * ghosts;
+    stride_[0] = 1;
+    for (int d = 0; d < dim; ++d) {
+      nodes_[d] = spec.cells[static_cast<std::size_t>(d)] + 1 + 2 * ghosts;
+      stride_[d + 1] = stride_[d] * nodes_[d];
+    }
   }
 
   double h() const { return spec_.h; }
+  bool axisymmetric() const { return spec_.axisymmetric; }
   int cells(int d) const { return spec_.cells[static_cast<std::size_t>(d)]; }
   Wall wall(int d, int side) const { return spec_.walls[static_cast<std::size_t>(d)][static_cast<std::size_t>(side)]; }
   int nodes(int d) const { return nodes_[d]; }
+  int stride(int d) const { return stride_[d]; }  // steps in the flat arrays from a node to the next along d
   int row_length() const { return nodes_[0]; }
-  int rows() const { return dim == 1 ? 1 : nodes_[dim - 1]; }
-  int node_count() const { return row_length() * rows(); }
+  int node_count() const { return stride_[dim]; }
+  int rows() const { return node_count() / row_length(); }
+  // Index along d of a node of the flat arrays.
+  int index(int node, int d) const { return node / stride_[d] % nodes_[d]; }
+  // Index along d >= 1 of a row.
+  int row_index(int row, int d) const { return index(row * row_length(), d); }
 
   // Position in cells from the lowest node line.
-  double logical(double x, int d) const { return (x - spec_.origin[static_cast<std::size_t>(d)]) / spec_.h; }
+  double logical(double x, int d) const { return (x - origin(d)) / spec_.h; }
+  double origin(int d) const { return spec_.origin[static_cast<std::size_t>(d)]; }
   // Position of node line `index` (ghosts counted) of direction d.
-  double line(int index, int d) const { return spec_.origin[static_cast<std::size_t>(d)] + spec_.h * (index - ghosts); }
+  double line(int index, int d) const { return origin(d) + spec_.h * (index - ghosts); }
   Vec position(int node) const {
     Vec x;
-    x[0] = line(node % row_length(), 0);
-    if constexpr (dim == 2) x[1] = line(node / row_length(), 1);
+    for (int d = 0; d < dim; ++d) x[d] = line(index(node, d), d);
     return x;
   }
 
  private:
   GridSpec spec_;
-  int nodes_[dim];
+  int nodes_[dim], stride_[dim + 1];
 };
 
 }  // namespace plumbline

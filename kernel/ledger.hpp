@@ -4,7 +4,10 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "kernel/summation.hpp"
 
@@ -60,23 +63,28 @@ struct EnergyStores {
 struct Totals {
   double mass = 0;
   double grid_mass = 0;  // sum_i M_i of the last map
-  std::array<double, 2> momentum{0, 0};
-  std::array<double, 2> momentum_scale{0, 0};  // sum m |v_d|... at least sum m |v|
-  double angular_momentum = 0;
-  double angular_scale = 0;  // sum m |x| |v|
+  std::array<double, 3> momentum{0, 0, 0};
+  double momentum_scale = 0;                        // sum m |v|
+  std::array<double, 3> angular_momentum{0, 0, 0};  // about x, y, z; in the plane about z alone
+  double angular_scale = 0;                         // sum m |x| |v|
   EnergyStores energy;
+  Totals& operator+=(const Totals& o);  // but for grid_mass
 };
 
 struct Ledger {
   Account mass;
-  std::array<Account, 2> momentum;
-  Account angular_momentum;
+  std::array<Account, 3> momentum;
+  std::array<Account, 3> angular_momentum;  // about x, y, z; in the plane about z alone
   Account energy;
   EnergyStores initial_stores, stores;
   double viscous = 0;  // memo: heat by physical and artificial viscosity, part of the internal energy, J
 
   void open(const Totals& totals);
   void close_step(const Totals& totals);
+
+  // The accounts that a scene has, by name: mass, momentum_x ..., angular_momentum (in space _x, _y, _z), energy.
+  // An axisymmetric scene without swirl has no angular momentum of its own.
+  std::vector<std::pair<std::string, const Account*>> accounts(int dim, bool axisymmetric) const;
 };
 
 }  // namespace plumbline

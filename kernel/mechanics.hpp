@@ -9,6 +9,12 @@
 
 namespace plumbline {
 
+struct EngineOptions {
+  bool keep_loss = false;              // points carry what the maps took, for return_transfer_loss()
+  bool evaluates_stress_first = false;  // see TimeIntegrator
+  int threads = 1;                     // >= 1; no result depends on it
+};
+
 class Engine : public Stages {
  public:
   // Initial densities and stresses, with strain rates zero.
@@ -21,10 +27,12 @@ class Engine : public Stages {
   virtual void check() const = 0;
   // Upper limit of a stable step for Courant number 1, s: h / max(c_p + |v_p|), also h^2 / (2 dim diffusivity).
   virtual double step_limit() const = 0;
+  // To be called after columns were set from outside to what they were at `time`, s.
+  virtual void points_changed(double time) = 0;
 };
 
 // An engine on `scene`, booking into `ledger`; both must outlive it. Throws std::invalid_argument for an unknown shape or
-// transfer. `keep_loss`: points carry what the maps took, for return_transfer_loss().
-std::unique_ptr<Engine> make_engine(Scene& scene, Ledger& ledger, bool keep_loss);
+// transfer.
+std::unique_ptr<Engine> make_engine(Scene& scene, Ledger& ledger, const EngineOptions& options);
 
 }  // namespace plumbline

@@ -17,9 +17,19 @@ namespace plumbline {
 //   grid        sum_i N_ip M_i / |cell_i|                                                 [EC-APIC 2]
 enum class DensityMethod { cell, quadratic, continuity, grid };
 
+// A rigid frictionless plane that moves along `direction` with constant velocity, the scene on one side of it: nodes
+// behind it, or less than half a cell before it, take its normal velocity. Its work is booked.
+struct Piston {
+  int direction = 0;    // 0 ... dim - 1
+  int side = 0;         // 0: the scene lies above it, 1: below it
+  double position = 0;  // at t = 0, m
+  double velocity = 0;  // m/s
+};
+
 struct Scene {
   GridSpec grid;
-  std::array<double, 2> gravity{0, 0};  // b, m/s^2
+  std::array<double, 3> gravity{0, 0, 0};  // b, m/s^2
+  std::vector<Piston> pistons;
   std::vector<Body> bodies;
   std::string shape = "quadratic";  // linear, quadratic, cubic
   std::string transfer = "apic";    // pic, flip, apic

@@ -16,7 +16,9 @@ Simulation::Simulation(Scene scene, const std::string& integrator, StepControl c
     throw std::invalid_argument("integrator " + integrator + " cannot work with shape " + scene_.shape +
                                 " and transfer " + scene_.transfer + ": " + why);
   }
-  engine_ = make_engine(scene_, ledger_, integrator_->returns_transfer_loss());
+  engine_ = make_engine(
+      scene_, ledger_,
+      {integrator_->returns_transfer_loss(), integrator_->evaluates_stress_first(), control_.threads});
   engine_->initialise();
   ledger_.open(engine_->totals());
 }
@@ -71,6 +73,7 @@ void Simulation::restore(const Checkpoint& checkpoint) {
   ledger_ = checkpoint.ledger;
   time_ = checkpoint.time;
   step_ = checkpoint.step;
+  engine_->points_changed(time_);
 }
 
 }  // namespace plumbline

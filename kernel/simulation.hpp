@@ -17,6 +17,7 @@ namespace plumbline {
 struct StepControl {
   double cfl = 0.3;          // > 0
   std::optional<double> dt;  // s, > 0; overrides cfl
+  int threads = 1;           // >= 1; no result depends on it
 };
 
 // Everything a run is at one instant. Copy it to save a run; restoring it continues bitwise as if never interrupted.

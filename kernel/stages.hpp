@@ -73,6 +73,14 @@ class Stages {
   // elsewhere it stays booked as lost. [EC-APIC 6]
   virtual void return_transfer_loss() = 0;
 
+  // What ends an energy-conserving step: move_points, strain_points with the midpoint velocity, return_transfer_loss.
+  // An engine may do it in one pass over the points.
+  virtual void move_and_heat_points(double dt) {
+    move_points(dt);
+    strain_points(dt, NodalVelocity::midpoint);
+    return_transfer_loss();
+  }
+
   // For methods of lines (Runge-Kutta, implicit): the state, its rate of change where it stands (forces evaluated there),
   // and setting it. Wants a FLIP transfer. Work between states set by hand is booked under `integration`.
   virtual State state() const = 0;

@@ -1,51 +1,142 @@
-// The nodes a point reaches, with weights, gradients and distances, from the point's frozen anchor and local coordinate.
+// The nodes that the points of one bin reach, and sums over them by tensor products, one direction after another.
 #pragma once
+
+#include <cstddef>
 
 #include "kernel/geometry.hpp"
 
 namespace plumbline {
 
-template <int dim, class Shape>
+// Where the stencil of a bin lies in the flat nodal arrays: its lowest node, and the step from node to node.
+template <int dim>
+struct Footprint {
+  int lowest = 0;
+  int stride[dim] = {};
+};
+
+// What a field on the nodes is at the points: sum N f, sum grad N f, and sum D^-1 N (x_i - x_p) f. [EC-APIC 5]
+template <int dim, class Number>
+struct Jet {
+  Number value, gradient[dim], affine[dim];
+};
+
+// Weights of one point, or of a pack of points of one bin, in each direction.
+template <int dim, class Shape, class Number>
 class Stencil {
  public:
-  using Vec = Eigen::Matrix<double, dim, 1>;
+  static constexpr int support = Shape::support;
+  static constexpr int nodes = dim == 1 ? support : dim == 2 ? support * support : support * support * support;
 
-  // lowest: flat index of the lowest node reached; row: nodes per row; local: coordinate per direction, in cells.
-  Stencil(int lowest, int row, const double (&local)[dim], double h) : lowest_(lowest), row_(row) {
+  // local: coordinate from the anchor node per direction, in cells; h in m.
+  Stencil(const Number (&local)[dim], double h) : h_(h) {
     for (int d = 0; d < dim; ++d) {
+      local_[d] = local[d];
       Shape::weights(local[d], n_[d]);
       Shape::gradients(local[d], g_[d]);
       Shape::affine_weights(local[d], a_[d]);
-      for (int k = 0; k < Shape::support; ++k) {
-        g_[d][k] /= h;
-        a_[d][k] /= h;
-        r_[d][k] = (k + Shape::first - local[d]) * h;
+      for (int k = 0; k < support; ++k) {
+        g_[d][k] *= 1 / h;
+        a_[d][k] *= 1 / h;
+        moment_[d][k] = n_[d][k] * ((static_cast<double>(k + Shape::first) - local[d]) * h);
       }
     }
   }
 
-  // Calls visit(node, N_ip, grad N_ip, x_i - x_p, D^-1 N_ip (x_i - x_p)) for each node; what is not used is not computed.
-  template <class Visit>
-  [[gnu::always_inline]] inline void for_nodes(Visit&& visit) const {
-    if constexpr (dim == 1) {
-      for (int i = 0; i < Shape::support; ++i) {
-        visit(static_cast<std::size_t>(lowest_ + i), n_[0][i], Vec(g_[0][i]), Vec(r_[0][i]), Vec(a_[0][i]));
-      }
-    } else {
-      for (int j = 0; j < Shape::support; ++j) {
-        for (int i = 0; i < Shape::support; ++i) {
-          visit(static_cast<std::size_t>(lowest_ + j * row_ + i), n_[0][i] * n_[1][j],
-                Vec(g_[0][i] * n_[1][j], n_[0][i] * g_[1][j]), Vec(r_[0][i], r_[1][j]),
-                Vec(a_[0][i] * n_[1][j], n_[0][i] * a_[1][j]));
-        }
-      }
-    }
+  // The jet of the field at(offset), offset from the lowest node. Parts that are not used are not computed.
+  template <class At>
+  [[gnu::always_inline]] inline Jet<dim, Number> gather(const Footprint<dim>& footprint, At&& at) const {
+    return gather_along<dim - 1>(footprint, at, 0);
+  }
+
+  // The same of an array with one value for each node of the stencil in turn.
+  template <class At>
+  [[gnu::always_inline]] inline Jet<dim, Number> gather_array(At&& at) const {
+    Footprint<dim> own;
+    own.lowest = 0;
+    own.stride[0] = 1;
+    for (int d = 1; d < dim; ++d) own.stride[d] = own.stride[d - 1] * support;
+    return gather(own, [&](std::size_t k) { return at(static_cast<int>(k)); });
+  }
+
+  // D_p along d: sum N (x_i - x_p)_d^2, m^2. [EC-APIC 5]
+  Number inertia(int d) const { return Shape::inertia(local_[d]) * (h_ * h_); }
+
+  // Adds to sums[node * step], for each node of the stencil in turn, N base + sum_d slope_d dN/dx_d.
+  [[gnu::always_inline]] inline void spread_gradient(const Number& base, const Number (&slope)[dim], Number* sums,
+                                                     int step) const {
+    spread_along<dim - 1>(g_, base, slope, sums, step);
+  }
+  // The same with N (x_i - x_p)_d in place of dN/dx_d.
+  [[gnu::always_inline]] inline void spread_moment(const Number& base, const Number (&slope)[dim], Number* sums,
+                                                   int step) const {
+    spread_along<dim - 1>(moment_, base, slope, sums, step);
+  }
+  // Adds N base.
+  [[gnu::always_inline]] inline void spread(const Number& base, Number* sums, int step) const {
+    spread_value<dim - 1>(base, sums, step);
   }
 
  private:
-  static constexpr int s = Shape::support;
-  int lowest_, row_;
-  double n_[dim][s], g_[dim][s], a_[dim][s], r_[dim][s];
+  template <int d>
+  static constexpr int block() {  // nodes of the stencil in the directions below d
+    return d == 0 ? 1 : d == 1 ? support : support * support;
+  }
+
+  template <int d, class At>
+  [[gnu::always_inline]] inline Jet<dim, Number> gather_along(const Footprint<dim>& footprint, At& at, int offset) const {
+    Jet<dim, Number> sums;
+    sums.value = 0.0;
+    for (int k = 0; k <= d; ++k) sums.gradient[k] = sums.affine[k] = 0.0;
+    for (int j = 0; j < support; ++j) {
+      const int here = offset + j * footprint.stride[d];
+      if constexpr (d == 0) {
+        const Number f = at(static_cast<std::size_t>(footprint.lowest + here));
+        sums.value += n_[0][j] * f;
+        sums.gradient[0] += g_[0][j] * f;
+        sums.affine[0] += a_[0][j] * f;
+      } else {
+        const Jet<dim, Number> below = gather_along<d - 1>(footprint, at, here);
+        sums.value += n_[d][j] * below.value;
+        sums.gradient[d] += g_[d][j] * below.value;
+        sums.affine[d] += a_[d][j] * below.value;
+        for (int k = 0; k < d; ++k) {
+          sums.gradient[k] += n_[d][j] * below.gradient[k];
+          sums.affine[k] += n_[d][j] * below.affine[k];
+        }
+      }
+    }
+    return sums;
+  }
+
+  template <int d>
+  [[gnu::always_inline]] inline void spread_along(const Number (&other)[dim][support], const Number& base,
+                                                  const Number (&slope)[dim], Number* sums, int step) const {
+    for (int j = 0; j < support; ++j) {
+      const Number here = n_[d][j] * base + other[d][j] * slope[d];
+      if constexpr (d == 0) {
+        sums[j * step] += here;
+      } else {
+        Number below[dim];
+        for (int k = 0; k < d; ++k) below[k] = n_[d][j] * slope[k];
+        spread_along<d - 1>(other, here, below, sums + j * block<d>() * step, step);
+      }
+    }
+  }
+
+  template <int d>
+  [[gnu::always_inline]] inline void spread_value(const Number& base, Number* sums, int step) const {
+    for (int j = 0; j < support; ++j) {
+      const Number here = n_[d][j] * base;
+      if constexpr (d == 0) {
+        sums[j * step] += here;
+      } else {
+        spread_value<d - 1>(here, sums + j * block<d>() * step, step);
+      }
+    }
+  }
+
+  double h_;
+  Number local_[dim], n_[dim][support], g_[dim][support], a_[dim][support], moment_[dim][support];
 };
 
 }  // namespace plumbline

@@ -22,6 +22,9 @@ class TimeIntegrator {
 
   // Whether step() calls return_transfer_loss(): the bodies then carry a column for it.
   virtual bool returns_transfer_loss() const { return false; }
+
+  // Whether every step() evaluates the stress before anything uses it: stresses then need not follow sorted points.
+  virtual bool evaluates_stress_first() const { return false; }
 };
 
 struct IntegratorEntry {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernel/grid.hpp"
+#include "kernel/parallel.hpp"
 
 namespace plumbline {
 
@@ -42,14 +43,17 @@ struct VelocityField {
   std::vector<Vec> remapped;                 // v_i from the updated point velocities [York 3.24]
   std::vector<double> density;               // M_i / |cell_i|
 
-  // Calls visit(node) for every touched node, row by row.
+  // Calls visit(node) for every touched node of a row.
   template <class Visit>
-  void for_touched(const Grid<dim>& grid, Visit&& visit) const {
-    for (int row = 0; row < grid.rows(); ++row) {
-      const auto [first, last] = touched[static_cast<std::size_t>(row)];
-      const int base = row * grid.row_length();
-      for (int i = first; i < last; ++i) visit(static_cast<std::size_t>(base + i));
-    }
+  void for_touched_in(const Grid<dim>& grid, int row, Visit&& visit) const {
+    const auto [first, last] = touched[static_cast<std::size_t>(row)];
+    const int base = row * grid.row_length();
+    for (int i = first; i < last; ++i) visit(static_cast<std::size_t>(base + i));
+  }
+  // For every touched node, row by row; visits of different rows may run side by side.
+  template <class Visit>
+  void for_touched(const Grid<dim>& grid, Visit&& visit, int threads = 1) const {
+    for_each_piece(grid.rows(), threads, [&](int row) { for_touched_in(grid, row, visit); });
   }
 };
 

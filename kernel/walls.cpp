@@ -35,20 +35,34 @@ void Walls<dim>::for_walls(const VelocityField<dim>& field, int d, Ghost&& ghost
         if (g >= first && g < last) ghost(base + g, base + line - outward, no_slip);
         if (line >= first && line < last) wall(base + line, no_slip);
       }
-    } else {
-      // Ghost columns are the first direction's: it folds them before, and fills them after, in these rows too.
+    } else if constexpr (dim > 1) {
+      // Ghosts of lower directions are theirs: they fold them before, and fill them after, in these rows too.
       const int low = grid_.wall(0, 0) == Wall::free ? 0 : Grid<dim>::ghosts;
       const int high = grid_.nodes(0) - (grid_.wall(0, 1) == Wall::free ? 0 : Grid<dim>::ghosts);
-      const int length = grid_.row_length();
+      const int length = grid_.row_length(), step = grid_.stride(d) / length;  // rows from line to line
       const auto for_row = [&](int row, auto&& visit) {
         const auto [first, last] = field.touched[static_cast<std::size_t>(row)];
-        for (int i = std::max(first, low); i < std::min(last, high); ++i) visit(i);
+        for (int i = std::max(first, low); i < std::min(last, high); ++i) visit(row * length + i);
       };
-      const int beyond = (line + outward) * length, inside = (line - outward) * length;
-      for_row(line + outward, [&](int i) { ghost(beyond + i, inside + i, no_slip); });
-      for_row(line, [&](int i) { wall(line * length + i, no_slip); });
+      for (int row = 0; row < grid_.rows(); ++row) {
+        if (grid_.row_index(row, d) != line || ghost_of_lower(row, d)) continue;
+        const int inward = -2 * outward * step * length;
+        for_row(row + outward * step, [&](int i) { ghost(i, i + inward, no_slip); });
+        for_row(row, [&](int i) { wall(i, no_slip); });
+      }
     }
   }
+}
+
+// Whether a row lies beyond a wall of a direction in 1 ... d-1.
+template <int dim>
+bool Walls<dim>::ghost_of_lower(int row, int d) const {
+  for (int e = 1; e < d; ++e) {
+    const int index = grid_.row_index(row, e);
+    if (index < Grid<dim>::ghosts && grid_.wall(e, 0) != Wall::free) return true;
+    if (index > grid_.nodes(e) - 1 - Grid<dim>::ghosts && grid_.wall(e, 1) != Wall::free) return true;
+  }
+  return false;
 }
 
 template <int dim>
@@ -62,16 +76,19 @@ void Walls<dim>::include_mirrors(std::vector<std::pair<int, int>>& touched) cons
       if (side == 1 && last - 1 > line) first = std::min(first, 2 * line - (last - 1));
     }
   }
-  if constexpr (dim == 2) {
+  for (int d = 1; d < dim; ++d) {
     for (int side = 0; side < 2; ++side) {
-      if (grid_.wall(1, side) == Wall::free) continue;
-      const int line = side == 0 ? Grid<dim>::ghosts : grid_.nodes(1) - 1 - Grid<dim>::ghosts;
-      const int outward = side == 0 ? -1 : 1;
-      const auto beyond = touched[static_cast<std::size_t>(line + outward)];
-      auto& inside = touched[static_cast<std::size_t>(line - outward)];
-      if (beyond.first >= beyond.second) continue;
-      if (inside.first >= inside.second) inside = beyond;
-      inside = {std::min(inside.first, beyond.first), std::max(inside.second, beyond.second)};
+      if (grid_.wall(d, side) == Wall::free) continue;
+      const int beyond = side == 0 ? 0 : grid_.nodes(d) - 1;
+      const int inward = (side == 0 ? 2 : -2) * grid_.stride(d) / grid_.row_length();
+      for (int row = 0; row < grid_.rows(); ++row) {
+        if (grid_.row_index(row, d) != beyond) continue;
+        const auto ghosts = touched[static_cast<std::size_t>(row)];
+        auto& inside = touched[static_cast<std::size_t>(row + inward)];
+        if (ghosts.first >= ghosts.second) continue;
+        if (inside.first >= inside.second) inside = ghosts;
+        inside = {std::min(inside.first, ghosts.first), std::max(inside.second, ghosts.second)};
+      }
     }
   }
 }
@@ -154,15 +171,8 @@ WallAction<dim> Walls<dim>::extension_impulse(const VelocityField<dim>& field, c
   return action;
 }
 
-template <int dim>
-double Walls<dim>::cell_share(int index, int d) const {
-  const int low = Grid<dim>::ghosts, high = grid_.nodes(d) - 1 - Grid<dim>::ghosts;
-  const bool on_wall = (index == low && grid_.wall(d, 0) != Wall::free) ||
-                       (index == high && grid_.wall(d, 1) != Wall::free);
-  return on_wall ? 0.5 : 1.0;
-}
-
 template class Walls<1>;
 template class Walls<2>;
+template class Walls<3>;
 
 }  // namespace plumbline

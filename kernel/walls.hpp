@@ -11,7 +11,7 @@ namespace plumbline {
 template <int dim>
 struct WallAction {
   Eigen::Matrix<double, dim, 1> linear = Eigen::Matrix<double, dim, 1>::Zero();
-  double angular = 0;
+  Spin<dim> angular = Spin<dim>::Zero();
 };
 
 template <int dim>
@@ -39,8 +39,6 @@ class Walls {
   // sum over ghosts of M_g (u_g - u_mirror).
   WallAction<dim> extension_impulse(const VelocityField<dim>& field, const std::vector<Vec>& u) const;
 
-  // Share of a full cell that belongs to node line `index` of direction d: 1/2 on a wall.
-  double cell_share(int index, int d) const;
 
  private:
   // Calls visit(node, mirror, d, no_slip) for each touched ghost node of direction d, and wall(node, d, no_slip) for
@@ -48,10 +46,13 @@ class Walls {
   template <class Ghost, class OnWall>
   void for_walls(const VelocityField<dim>& field, int d, Ghost&& ghost, OnWall&& wall) const;
 
+  bool ghost_of_lower(int row, int d) const;
+
   Grid<dim> grid_;
 };
 
 extern template class Walls<1>;
 extern template class Walls<2>;
+extern template class Walls<3>;
 
 }  // namespace plumbline

@@ -38,7 +38,7 @@ std::vector<JudgedGate> judge_run(const Case& entry, const RunResult& run, const
     if (declared && gate.study == plan.id && gate.levels.size() == 1 && gate.also.empty())
       gates.push_back(std::move(gate));
   }
-  for (CaseGate& gate : generic_gates(plan.id, run.dim)) gates.push_back(std::move(gate));
+  for (CaseGate& gate : generic_gates(plan.id, run.dim, run.axisymmetric)) gates.push_back(std::move(gate));
   return judge_gates(gates, study);
 }
 
@@ -81,7 +81,7 @@ int dry_run(const Output& out, const Invocation& invocation, const Case& entry, 
   const double steps = std::ceil(problem->end_time() / simulation.last_dt());
   const double points = static_cast<double>(simulation.points());
   const GridSpec& grid = simulation.scene().grid;
-  const double cells = static_cast<double>(grid.cells[0]) * (grid.dim > 1 ? grid.cells[1] : 1);
+  const double cells = static_cast<double>(grid.cells[0]) * grid.cells[1] * grid.cells[2];
   const double bytes = points * 8 * simulation.scene().bodies.front().points.doubles_per_point() +
                        cells * 8 * (2 + 6 * grid.dim);
   constexpr double rate = 1e7;  // point-steps per second of one slow core

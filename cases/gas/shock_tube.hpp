@@ -3,12 +3,13 @@
 
 #include <memory>
 
-#include "cases/harness/case.hpp"
+#include "cases/gas/gas_problem.hpp"
 #include "reference/riemann.hpp"
 
 namespace plumbline {
 
-// Lengths in m, times in s. The tube is [low, high]; walls stand on the node lines at or beyond its ends.
+// Lengths in m, times in s. The tube is [low, high]; walls stand on the node lines at or beyond its ends. Where gas
+// moves through an end, the gas goes on beyond it, so far that nothing reaches the tube from the wall there.
 struct ShockTube {
   reference::RiemannProblem states;
   double low = 0, high = 1;
@@ -21,7 +22,14 @@ std::vector<Key> shock_tube_keys(const ShockTube& tube);
 // The tube that the settings describe. Throws UsageError if the reference refuses the states.
 ShockTube shock_tube_from(const Settings& settings, const ShockTube& defaults);
 
-// Points, scene and measures of a tube on a line. Cells are counted along a length of 1 m.
+// Gas that a wall at rest may disturb until `time`, m; 0 for gas at rest. The wave that it sends into gas of speed u and
+// sound speed c is slower than |u| + c: a rarefaction's head at most that, a shock (gamma + 1)/4 |u| +
+// sqrt(((gamma + 1)/4 u)^2 + c^2) - |u| <= (gamma - 1)/2 |u| + c. gamma <= 3.
+double disturbed_by_wall(const reference::GasState& gas, double gamma, double time);
+
+// The flow of a tube on a line.
+GasFlow tube_flow(const ShockTube& tube);
+// Points, scene and measures of it. Cells are counted along the tube.
 std::unique_ptr<Problem> shock_tube_problem(const ShockTube& tube, const Settings& settings);
 
 }  // namespace plumbline

@@ -113,15 +113,13 @@ Json to_json(const std::vector<JudgedGate>& gates) {
   return list;
 }
 
-Json to_json(const Ledger& ledger, int dim) {
-  Json all{{"mass", account(ledger.mass, false)}, {"momentum_x", account(ledger.momentum[0], true)}};
-  all["momentum_x"]["flows"] = flows(ledger.momentum[0]);
-  if (dim > 1) {
-    all["momentum_y"] = account(ledger.momentum[1], true);
-    all["momentum_y"]["flows"] = flows(ledger.momentum[1]);
+Json to_json(const Ledger& ledger, int dim, bool axisymmetric) {
+  Json all{{"mass", account(ledger.mass, false)}};
+  for (const auto& [name, of] : ledger.accounts(dim, axisymmetric)) {
+    if (of == &ledger.mass || of == &ledger.energy) continue;
+    all[name] = account(*of, true);
+    all[name]["flows"] = flows(*of);
   }
-  all["angular_momentum"] = account(ledger.angular_momentum, true);
-  all["angular_momentum"]["flows"] = flows(ledger.angular_momentum);
   Json energy = account(ledger.energy, false);
   energy["initial_stores"] = stores(ledger.initial_stores);
   energy["stores"] = stores(ledger.stores);
@@ -178,7 +176,7 @@ Json run_document(const RunResult& run, const std::vector<JudgedGate>& gates, co
   document["wall_s"] = number(run.wall_s);
   document["point_steps_per_s"] = number(run.point_steps_per_s());
   document["measures"] = to_json(run.measures);
-  document["ledger"] = to_json(run.ledger, run.dim);
+  document["ledger"] = to_json(run.ledger, run.dim, run.axisymmetric);
   document["gates"] = to_json(gates);
   document["file"] = run.file;
   document["provenance"] = to_json(provenance);

@@ -16,7 +16,7 @@ extern "C" void note_signal(int signal_number) { arrived_signal = signal_number;
 // last one. The step that stopped a run has no row: its ledger may be half booked.
 class LedgerRecorder {
  public:
-  explicit LedgerRecorder(int dim) : dim_(dim) {}
+  LedgerRecorder(int dim, bool axisymmetric) : dim_(dim), axisymmetric_(axisymmetric) {}
 
   void record(const Simulation& simulation) {
     const Ledger& ledger = simulation.ledger();
@@ -61,20 +61,9 @@ class LedgerRecorder {
     rows_ = std::move(kept);
   }
 
-  std::vector<std::pair<std::string, const Account*>> accounts(const Ledger& ledger) const {
-    std::vector<std::pair<std::string, const Account*>> all{{"mass", &ledger.mass},
-                                                            {"momentum_x", &ledger.momentum[0]}};
-    if (dim_ > 1) {
-      all.push_back({"momentum_y", &ledger.momentum[1]});
-      all.push_back({"angular_momentum", &ledger.angular_momentum});
-    }
-    all.push_back({"energy", &ledger.energy});
-    return all;
-  }
-
   std::vector<std::pair<std::string, std::string>> columns() const {
     std::vector<std::pair<std::string, std::string>> names;
-    for (const auto& [quantity, account] : accounts(Ledger{})) {
+    for (const auto& [quantity, account] : Ledger{}.accounts(dim_, axisymmetric_)) {
       names.push_back({quantity, "store"});
       for (const std::string_view flow : flow_names) names.push_back({quantity, std::string(flow)});
       names.push_back({quantity, "residual"});
@@ -86,7 +75,7 @@ class LedgerRecorder {
   std::vector<double> row(const Simulation& simulation) const {
     const Ledger& ledger = simulation.ledger();
     std::vector<double> values{static_cast<double>(simulation.steps()), simulation.time()};
-    for (const auto& [quantity, account] : accounts(ledger)) {
+    for (const auto& [quantity, account] : ledger.accounts(dim_, axisymmetric_)) {
       values.push_back(account->store());
       for (int f = 0; f < flow_count; ++f) values.push_back(account->flow(static_cast<Flow>(f)));
       values.push_back(account->residual());
@@ -97,6 +86,7 @@ class LedgerRecorder {
   }
 
   int dim_;
+  bool axisymmetric_;
   long stride_ = 1, last_step_ = 0;
   double extreme_ = 0;
   std::vector<double> extreme_row_;
@@ -131,16 +121,19 @@ StepControl step_control(const Settings& settings) {
   return control;
 }
 
-RunResult run_experiment(const Case& entry, const std::string& scheme, const Settings& settings) {
+RunResult run_experiment(const Case& entry, const std::string& scheme, const Settings& settings, int threads) {
   const auto problem = entry.problem(settings);
   Scene scene = problem->scene();
   RunResult result(entry.name(), scheme, settings);
   result.dim = scene.grid.dim;
+  result.axisymmetric = scene.grid.axisymmetric;
   result.h = scene.grid.h;
   result.end_time = problem->end_time();
   try {
-    Simulation simulation(std::move(scene), settings.text("integrator"), step_control(settings));
-    LedgerRecorder recorder(result.dim);
+    StepControl control = step_control(settings);
+    control.threads = threads;
+    Simulation simulation(std::move(scene), settings.text("integrator"), control);
+    LedgerRecorder recorder(result.dim, result.axisymmetric);
     const auto start = std::chrono::steady_clock::now();
     const auto finish = [&] {
       result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -37,6 +37,7 @@ struct RunResult {
   std::string case_name, scheme;
   Settings settings;
   int dim = 1;
+  bool axisymmetric = false;
   double h = 0;   // cell size, m
   double dt = 0;  // mean step, s
   bool finished = false;
@@ -60,8 +61,9 @@ struct RunResult {
 // The step control that the settings ask for; one of dt and cfl is set.
 StepControl step_control(const Settings& settings);
 
-// Runs it. A stop on an inadmissible state is a result; throws Interrupted if a signal arrives.
-RunResult run_experiment(const Case& entry, const std::string& scheme, const Settings& settings);
+// Runs it, the loops over points on `threads` threads. A stop on an inadmissible state is a result; throws Interrupted if
+// a signal arrives.
+RunResult run_experiment(const Case& entry, const std::string& scheme, const Settings& settings, int threads = 1);
 
 // SIGINT and SIGTERM end the runs under way at their next step: installs the handlers.
 void end_runs_on_signals();

@@ -43,9 +43,9 @@ CaseGate drift_gate(std::string study, Gate gate, Tier tier = Tier::quick);
 CaseGate study_gate(std::string study, Gate gate, std::function<Measured(const StudyResult&)> measure,
                     std::vector<double> levels = {}, Tier tier = Tier::quick);
 
-// finite, mass, momentum (and angular momentum from 2-D on), ledger residual: true of every scheme. INVALID on a study
+// finite, mass, momentum (and angular momentum from 2-D on, but for axisymmetric scenes), ledger residual: true of every scheme. INVALID on a study
 // without runs.
-std::vector<CaseGate> generic_gates(const std::string& study, int dim);
+std::vector<CaseGate> generic_gates(const std::string& study, int dim, bool axisymmetric = false);
 
 // Judges the gates whose levels the study has. A gate that throws is INVALID.
 std::vector<JudgedGate> judge_gates(const std::vector<CaseGate>& gates, const StudyResult& study);

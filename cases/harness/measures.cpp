@@ -10,19 +10,27 @@ Measure scalar_measure(std::string name, double value, double reference, double 
 
 std::vector<Measure> field_norms(const std::string& name, const std::string& unit,
                                  std::span<const FieldSample> samples) {
-  double volume = 0, l1 = 0, l2 = 0, linf = 0, s1 = 0, s2 = 0, sinf = 0, b1 = 0, b2 = 0, binf = 0;
+  std::vector<ErrorSample> errors;
   for (const FieldSample& s : samples) {
-    const double e = std::abs(s.computed - s.exact), r = std::abs(s.exact);
-    volume += s.volume;
-    l1 += s.volume * e;
-    l2 += s.volume * e * e;
+    errors.push_back({s.volume, std::abs(s.computed - s.exact), std::abs(s.exact), s.bound});
+  }
+  return error_norms(name, unit, errors);
+}
+
+std::vector<Measure> error_norms(const std::string& name, const std::string& unit,
+                                 std::span<const ErrorSample> samples) {
+  double volume = 0, l1 = 0, l2 = 0, linf = 0, s1 = 0, s2 = 0, sinf = 0, b1 = 0, b2 = 0, binf = 0;
+  for (const auto& [v, e, r, bound] : samples) {
+    volume += v;
+    l1 += v * e;
+    l2 += v * e * e;
     linf = larger(linf, e);
-    s1 += s.volume * r;
-    s2 += s.volume * r * r;
+    s1 += v * r;
+    s2 += v * r * r;
     sinf = larger(sinf, r);
-    b1 += s.volume * s.bound;
-    b2 += s.volume * s.bound * s.bound;
-    binf = larger(binf, s.bound);
+    b1 += v * bound;
+    b2 += v * bound * bound;
+    binf = larger(binf, bound);
   }
   const auto norm = [&](const char* which, double error, double scale, double bound) {
     return Measure{name + "." + which, error, scale, {}, {}, bound, unit};

@@ -39,6 +39,15 @@ struct FieldSample {
 std::vector<Measure> field_norms(const std::string& name, const std::string& unit,
                                  std::span<const FieldSample> samples);
 
+// The same where the error is known already, as the length of a vector's error is.
+struct ErrorSample {
+  double volume;        // V_p, > 0
+  double error, scale;  // >= 0; scale: size of the exact value
+  double bound;         // of the exact value
+};
+std::vector<Measure> error_norms(const std::string& name, const std::string& unit,
+                                 std::span<const ErrorSample> samples);
+
 // A column of a profile or history.
 struct ProfileColumn {
   std::string name, unit, label;

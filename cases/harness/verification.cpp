@@ -93,7 +93,9 @@ std::vector<CaseGate> gates_on(const StudyResult& study, const std::vector<CaseG
     if (gate.study == study.plan.id) gates.push_back(gate);
   }
   const std::size_t own = gates.size();
-  for (CaseGate& gate : generic_gates(study.plan.id, study.levels.empty() ? 1 : study.levels.front().run.dim)) {
+  const bool empty = study.levels.empty();
+  const bool axisymmetric = !empty && study.levels.front().run.axisymmetric;
+  for (CaseGate& gate : generic_gates(study.plan.id, empty ? 1 : study.levels.front().run.dim, axisymmetric)) {
     const bool declared_already = std::any_of(gates.begin(), gates.begin() + static_cast<std::ptrdiff_t>(own),
                                               [&](const CaseGate& g) { return g.gate.id == gate.gate.id; });
     if (!declared_already) gates.push_back(std::move(gate));

@@ -11,50 +11,76 @@ namespace {
 template <int dim>
 struct CellGrid {
   explicit CellGrid(const Grid<dim>& g) : grid(g) {
-    for (int d = 0; d < dim; ++d) count[d] = grid.cells(d) + 2;
-    mass.assign(static_cast<std::size_t>(count[0]) * static_cast<std::size_t>(dim == 1 ? 1 : count[dim - 1]), 0.0);
+    stride[0] = 1;
+    for (int d = 0; d < dim; ++d) {
+      count[d] = grid.cells(d) + 2;
+      stride[d + 1] = stride[d] * count[d];
+    }
+    mass.assign(static_cast<std::size_t>(stride[dim]), 0.0);
   }
-  double& at(int i, int j) {
-    return mass[static_cast<std::size_t>(j) * static_cast<std::size_t>(count[0]) + static_cast<std::size_t>(i)];
-  }
-  int rows() const { return dim == 1 ? 1 : count[dim - 1]; }
+  int index(int cell, int d) const { return cell / stride[d] % count[d]; }
 
   // Mass that quadratic weights put beyond a wall belongs to the mirror cell, the one inside the wall.
   void fold_walls() {
-    for (int j = 0; j < rows(); ++j) {
-      if (grid.wall(0, 0) != Wall::free) at(1, j) += at(0, j);
-      if (grid.wall(0, 1) != Wall::free) at(count[0] - 2, j) += at(count[0] - 1, j);
-    }
-    if constexpr (dim == 2) {
-      for (int i = 0; i < count[0]; ++i) {
-        if (grid.wall(1, 0) != Wall::free) at(i, 1) += at(i, 0);
-        if (grid.wall(1, 1) != Wall::free) at(i, count[1] - 2) += at(i, count[1] - 1);
+    for (int d = 0; d < dim; ++d) {
+      for (int cell = 0; cell < stride[dim]; ++cell) {
+        const int side = index(cell, d) == 0 ? 0 : 1;
+        if (side == 1 && index(cell, d) != count[d] - 1) continue;
+        if (grid.wall(d, side) == Wall::free) continue;
+        mass[static_cast<std::size_t>(cell + (side == 0 ? stride[d] : -stride[d]))] +=
+            mass[static_cast<std::size_t>(cell)];
       }
     }
   }
 
+  // |cell|, m^dim; axisymmetric per radian, m^3.
+  double volume(int cell) const {
+    double v = 1;
+    for (int d = 0; d < dim; ++d) v *= grid.h();
+    return grid.axisymmetric() ? v * (grid.origin(0) + (index(cell, 0) - 0.5) * grid.h()) : v;
+  }
+
   const Grid<dim>& grid;
-  int count[dim];
+  int count[dim], stride[dim + 1];
   std::vector<double> mass;
 };
 
-int cell_of(double x, int cells) { return std::clamp(static_cast<int>(x), 0, cells - 1) + 1; }
+template <int dim>
+int own_cell(const CellGrid<dim>& cells, const double (&x)[dim]) {
+  int cell = 0;
+  for (int d = 0; d < dim; ++d) {
+    cell += (std::clamp(static_cast<int>(x[d]), 0, cells.grid.cells(d) - 1) + 1) * cells.stride[d];
+  }
+  return cell;
+}
 
 template <int dim>
 void add_quadratic(CellGrid<dim>& cells, const double (&x)[dim], double m) {
-  double w[2][3] = {{0, 1, 0}, {0, 1, 0}}, local = 0;
-  int centre[2] = {0, 0};
+  double w[3][3] = {{0, 1, 0}, {0, 1, 0}, {0, 1, 0}}, local = 0;
+  int centre[dim];
   for (int d = 0; d < dim; ++d) {
     centre[d] = Quadratic::anchor(x[d] - 0.5, cells.grid.cells(d), local) + 1;
-    Quadratic::weights(local, w[d]);
+    double weights[3];
+    Quadratic::weights(local, weights);
+    std::copy_n(weights, 3, w[d]);
   }
-  for (int j = dim == 1 ? 1 : 0; j < (dim == 1 ? 2 : 3); ++j) {
-    for (int i = 0; i < 3; ++i) {
-      const int column = centre[0] + i - 1, row = dim == 1 ? 0 : centre[1] + j - 1;
+  for (int n = 0; n < 27; ++n) {
+    const int step[3] = {n % 3, n / 3 % 3, n / 9};
+    double share = m;
+    int cell = 0;
+    bool there = true;
+    for (int d = 0; d < 3; ++d) {
+      share *= w[d][step[d]];
+      if (d >= dim) {
+        there = there && step[d] == 1;
+        continue;
+      }
       // For a point on a side the third cell lies beyond the layer; its weight is zero.
-      if (column < 0 || column >= cells.count[0] || row < 0 || row >= cells.rows()) continue;
-      cells.at(column, row) += m * w[0][i] * w[1][j];
+      const int at = centre[d] + step[d] - 1;
+      there = there && at >= 0 && at < cells.count[d];
+      cell += at * cells.stride[d];
     }
+    if (there) cells.mass[static_cast<std::size_t>(cell)] += share;
   }
 }
 
@@ -65,31 +91,28 @@ void cell_density(const Grid<dim>& grid, Columns& points, bool quadratic) {
   CellGrid<dim> cells(grid);
   const double* mass = points(column::mass);
   double* density = points(column::density);
-  const auto logical = [&](int p, double(&x)[dim]) {
+  double x[dim];
+  const auto logical = [&](int p) {
     for (int d = 0; d < dim; ++d) x[d] = grid.logical(points(column::position, d)[p], d);
   };
-  const auto own = [&](const double(&x)[dim]) -> double& {
-    return cells.at(cell_of(x[0], grid.cells(0)), dim == 1 ? 0 : cell_of(x[dim - 1], grid.cells(dim - 1)));
-  };
-  double x[dim];
   for (int p = 0; p < points.points(); ++p) {
-    logical(p, x);
+    logical(p);
     if (quadratic) {
       add_quadratic<dim>(cells, x, mass[p]);
     } else {
-      own(x) += mass[p];
+      cells.mass[static_cast<std::size_t>(own_cell<dim>(cells, x))] += mass[p];
     }
   }
   if (quadratic) cells.fold_walls();
-  double volume = grid.h();
-  if constexpr (dim == 2) volume *= grid.h();
   for (int p = 0; p < points.points(); ++p) {
-    logical(p, x);
-    density[p] = own(x) / volume;  // [York 4.5, 4.6]
+    logical(p);
+    const int cell = own_cell<dim>(cells, x);
+    density[p] = cells.mass[static_cast<std::size_t>(cell)] / cells.volume(cell);  // [York 4.5, 4.6]
   }
 }
 
 template void cell_density<1>(const Grid<1>&, Columns&, bool);
 template void cell_density<2>(const Grid<2>&, Columns&, bool);
+template void cell_density<3>(const Grid<3>&, Columns&, bool);
 
 }  // namespace plumbline

@@ -14,5 +14,6 @@ void cell_density(const Grid<dim>& grid, Columns& points, bool quadratic);
 
 extern template void cell_density<1>(const Grid<1>&, Columns&, bool);
 extern template void cell_density<2>(const Grid<2>&, Columns&, bool);
+extern template void cell_density<3>(const Grid<3>&, Columns&, bool);
 
 }  // namespace plumbline

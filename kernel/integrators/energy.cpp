@@ -16,9 +16,7 @@ class EnergyConserving final : public TimeIntegrator {
       mpm.map_forces();
       mpm.advance_momentum(dt);
     }
-    mpm.move_points(dt);                             // [EC-APIC 5]
-    mpm.strain_points(dt, NodalVelocity::midpoint);  // [EC-APIC 6]
-    mpm.return_transfer_loss();
+    mpm.move_and_heat_points(dt);  // [EC-APIC 5, 6]
   }
 
   std::string refusal(const std::string& shape, const std::string& transfer) const override {
@@ -30,6 +28,7 @@ class EnergyConserving final : public TimeIntegrator {
   }
 
   bool returns_transfer_loss() const override { return true; }
+  bool evaluates_stress_first() const override { return true; }
 };
 
 PLUMBLINE_INTEGRATOR(EnergyConserving, "energy",

@@ -1,10 +1,10 @@
 #include "kernel/materials/ideal_gas.hpp"
 
-#include <array>
 #include <cmath>
+#include <limits>
 
 #include "kernel/geometry.hpp"
-#include "kernel/summation.hpp"
+#include "kernel/pack.hpp"
 
 namespace plumbline {
 namespace {
@@ -12,126 +12,149 @@ namespace {
 const RegisterMaterial entry{
     {"ideal_gas", "ideal gas with energy equation, viscosity and artificial viscosity", "York 1997, chapter 4"}};
 
-// The stress of one point, as written in the header. `rate`: strain rates of the point; p: its pressure.
-template <class Geometry>
-typename Geometry::Strain gas_stress(const IdealGas& gas, const typename Geometry::Strain& rate, double rho, double e,
-                                     double p, double h) {
-  double divergence = 0;
-  for (int k = 0; k < Geometry::normals; ++k) divergence += rate[k];
-  double q = 0;
-  if (divergence < 0 && (gas.viscosity_linear > 0 || gas.viscosity_quadratic > 0)) {
-    const double c = std::sqrt(gas.gamma * (gas.gamma - 1) * e);
-    const double closing = -divergence * h;
-    q = rho * closing * (gas.viscosity_linear * c + gas.viscosity_quadratic * closing);  // [York 4.11]
-  }
-  const double mu = gas.viscosity;
-  typename Geometry::Strain stress;
-  for (int k = 0; k < Geometry::normals; ++k) {
-    stress[k] = 2 * mu * rate[k] - 2.0 / 3.0 * mu * divergence - p - q;  // [York 4.1]
-  }
-  for (int k = Geometry::normals; k < Geometry::strains; ++k) stress[k] = mu * rate[k];
-  return stress;
-}
+// Loops over points that carry `strains` strain rates and stresses, the first `normals` of them normal. <1, 1> serves
+// points on a line and, with the divergence as their one rate, all points whose stress is a pressure.
+template <int strains, int normals>
+struct Loops {
+  struct Tensor {
+    Pack component[strains];
+    Pack dot(const Tensor& o) const {
+      Pack sum = component[0] * o.component[0];
+      for (int k = 1; k < strains; ++k) sum += component[k] * o.component[k];
+      return sum;
+    }
+    Pack trace() const {
+      Pack sum = component[0];
+      for (int k = 1; k < normals; ++k) sum += component[k];
+      return sum;
+    }
+  };
+  template <class Number>
+  struct Reference {
+    Number* at[strains];
+    template <class C>
+    Reference(C& points, const ColumnId& id) {
+      for (int k = 0; k < strains; ++k) at[k] = points(id, k);
+    }
+    Tensor operator[](int p) const {
+      Tensor t;
+      for (int k = 0; k < strains; ++k) t.component[k] = load(at[k] + p);
+      return t;
+    }
+    void set(int p, const Tensor& t, int count) const {
+      for (int k = 0; k < strains; ++k) store(at[k] + p, t.component[k], count);
+    }
+  };
+  using Reading = Reference<const double>;
+  using Writing = Reference<double>;
 
-template <class Geometry>
-struct View {
-  template <class C>
-  static auto components(C& points, const ColumnId& id) {
-    std::array<decltype(points(id)), Geometry::strains> all;
-    for (int k = 0; k < Geometry::strains; ++k) all[static_cast<std::size_t>(k)] = points(id, k);
+  // The stress as written in the header. `rate`: strain rates; p: pressure.
+  static Tensor stress(const IdealGas& gas, const Tensor& rate, const Pack& rho, const Pack& e, const Pack& p,
+                       double h) {
+    const Pack divergence = rate.trace();
+    Pack pressure = p;
+    if (gas.viscosity_linear > 0 || gas.viscosity_quadratic > 0) {
+      const Pack c = sqrt(gas.gamma * (gas.gamma - 1) * e);
+      const Pack closing = max(-divergence * h, Pack(0.0));
+      pressure += rho * closing * (gas.viscosity_linear * c + gas.viscosity_quadratic * closing);  // [York 4.11]
+    }
+    const double mu = gas.viscosity;
+    Tensor s;
+    for (int k = 0; k < normals; ++k) {
+      s.component[k] = 2 * mu * rate.component[k] - 2.0 / 3.0 * mu * divergence - pressure;  // [York 4.1]
+    }
+    for (int k = normals; k < strains; ++k) s.component[k] = mu * rate.component[k];
+    return s;
+  }
+
+  static Tensor viscous_part(Tensor stress, const Pack& p) {
+    for (int k = 0; k < normals; ++k) stress.component[k] += p;
+    return stress;
+  }
+
+  static double advance(Columns& points, PointRange range, bool continuity, double dt) {
+    const Reading rate(points, column::strain_rate), stress(points, column::stress);
+    const double *volume = points(column::volume), *mass = points(column::mass);
+    double *energy = points(column::energy), *density = points(column::density);
+    Pack stored = 0.0;
+    for_packs(range.first, range.last, [&](int p, int count) {
+      const Tensor d = rate[p];
+      const Pack heat = dt * load(volume + p) * stress[p].dot(d);
+      store(energy + p, load(energy + p) + heat / load(mass + p), count);  // [York 4.8]
+      if (continuity) store(density + p, load(density + p) / (1.0 + dt * d.trace()), count);  // [York 4.7]
+      stored += kept(heat, count);
+    });
+    return sum(stored);
+  }
+
+  static void evaluate(const IdealGas& gas, Columns& points, PointRange range, const MaterialContext& context) {
+    const Reading rate(points, column::strain_rate);
+    const Writing stresses(points, column::stress);
+    const double *mass = points(column::mass), *energy = points(column::energy), *density = points(column::density);
+    double* volume = points(column::volume);
+    for_packs(range.first, range.last, [&](int p, int count) {
+      const Pack m = load(mass + p), e = load(energy + p);
+      const Pack rho = context.volume_given ? m / load(volume + p) : load(density + p);
+      if (!context.volume_given) store(volume + p, m / rho, count);
+      stresses.set(p, stress(gas, rate[p], rho, e, (gas.gamma - 1) * rho * e, context.h), count);  // [York 4.4]
+    });
+  }
+
+  static bool reverse_cooling(const IdealGas& gas, Columns& points, PointRange range, double h) {
+    const Reading rate(points, column::strain_rate);
+    const Writing stresses(points, column::stress);
+    const double *mass = points(column::mass), *energy = points(column::energy), *volume = points(column::volume);
+    bool changed = false;
+    for_packs(range.first, range.last, [&](int p, int count) {
+      const Pack e = load(energy + p), rho = load(mass + p) / load(volume + p), pressure = (gas.gamma - 1) * rho * e;
+      const Tensor d = rate[p], old = stresses[p];
+      const PackMask cools = viscous_part(old, pressure).dot(d) < 0.0 && first_lanes(count);
+      if (none_of(cools)) return;
+      Tensor s = stress(gas, d, rho, e, pressure, h);
+      for (int k = 0; k < strains; ++k) s.component[k] = choose(cools, s.component[k], old.component[k]);
+      stresses.set(p, s, count);
+      changed = true;
+    });
+    return changed;
+  }
+
+  static double viscous_heat(const IdealGas& gas, const Columns& points, PointRange range, double dt) {
+    const Reading rate(points, column::strain_rate), stress(points, column::stress);
+    const double *mass = points(column::mass), *energy = points(column::energy), *volume = points(column::volume);
+    Pack total = 0.0;
+    for_packs(range.first, range.last, [&](int p, int count) {
+      const Pack v = load(volume + p), pressure = (gas.gamma - 1) * load(mass + p) / v * load(energy + p);
+      total += kept(dt * v * viscous_part(stress[p], pressure).dot(rate[p]), count);
+    });
+    return sum(total);
+  }
+
+  static std::vector<double> rates(const Columns& points, bool continuity) {
+    const Reading rate(points, column::strain_rate), stress(points, column::stress);
+    const double *volume = points(column::volume), *mass = points(column::mass), *density = points(column::density);
+    const auto n = static_cast<std::size_t>(points.points());
+    std::vector<double> all((continuity ? 2 : 1) * n);
+    for_packs(0, points.points(), [&](int p, int count) {
+      store(all.data() + p, load(volume + p) / load(mass + p) * stress[p].dot(rate[p]), count);  // [York 4.8]
+      if (continuity) store(all.data() + n + static_cast<std::size_t>(p), -load(density + p) * rate[p].trace(), count);
+    });
     return all;
   }
 };
 
-template <class Geometry, class Array>
-typename Geometry::Strain at(const Array& columns, int p) {
-  typename Geometry::Strain value;
-  for (int k = 0; k < Geometry::strains; ++k) value[k] = columns[static_cast<std::size_t>(k)][p];
-  return value;
-}
-
-template <class Geometry>
-typename Geometry::Strain viscous_part(const typename Geometry::Strain& stress, double p) {
-  auto viscous = stress;
-  for (int k = 0; k < Geometry::normals; ++k) viscous[k] += p;
-  return viscous;
-}
-
-template <class Geometry>
-double advance_gas(Columns& points, const MaterialContext& context, double dt) {
-  const auto rate = View<Geometry>::components(points, column::strain_rate);
-  const auto stress = View<Geometry>::components(points, column::stress);
-  const double *volume = points(column::volume), *mass = points(column::mass);
-  double *energy = points(column::energy), *density = points(column::density);
-  return block_sum<double>(points.points(), [&](int p) {
-    const auto d = at<Geometry>(rate, p);
-    const double heat = dt * volume[p] * at<Geometry>(stress, p).dot(d);
-    energy[p] += heat / mass[p];  // [York 4.8]
-    if (context.continuity_density) {
-      double divergence = 0;
-      for (int k = 0; k < Geometry::normals; ++k) divergence += d[k];
-      density[p] /= 1 + dt * divergence;  // [York 4.7]
-    }
-    return heat;
-  });
-}
-
-template <class Geometry>
-std::vector<double> gas_rates(const Columns& points, bool continuity) {
-  const auto rate = View<Geometry>::components(points, column::strain_rate);
-  const auto stress = View<Geometry>::components(points, column::stress);
-  const double *volume = points(column::volume), *mass = points(column::mass), *density = points(column::density);
-  std::vector<double> rates;
-  for (int p = 0; p < points.points(); ++p) {
-    rates.push_back(volume[p] / mass[p] * at<Geometry>(stress, p).dot(at<Geometry>(rate, p)));  // [York 4.8]
+// Calls visit with the Loops of the columns that the points have.
+template <class Visit>
+auto with_loops(const Columns& points, Visit&& visit) {
+  switch (points.components(column::stress)) {
+    case 3:
+      return visit(Loops<3, 2>());
+    case 4:
+      return visit(Loops<4, 3>());
+    case 6:
+      return visit(Loops<6, 3>());
+    default:
+      return visit(Loops<1, 1>());
   }
-  for (int p = 0; continuity && p < points.points(); ++p) {
-    double divergence = 0;
-    for (int k = 0; k < Geometry::normals; ++k) divergence += rate[static_cast<std::size_t>(k)][p];
-    rates.push_back(-density[p] * divergence);
-  }
-  return rates;
-}
-
-template <class Geometry>
-void evaluate_gas(const IdealGas& gas, Columns& points, double h) {
-  const auto rate = View<Geometry>::components(points, column::strain_rate);
-  const auto stress = View<Geometry>::components(points, column::stress);
-  const double *mass = points(column::mass), *energy = points(column::energy), *density = points(column::density);
-  double *volume = points(column::volume), *pressure = points(column::pressure);
-  for (int p = 0; p < points.points(); ++p) {
-    volume[p] = mass[p] / density[p];
-    pressure[p] = (gas.gamma - 1) * density[p] * energy[p];  // [York 4.4]
-    const auto s = gas_stress<Geometry>(gas, at<Geometry>(rate, p), density[p], energy[p], pressure[p], h);
-    for (int k = 0; k < Geometry::strains; ++k) stress[static_cast<std::size_t>(k)][p] = s[k];
-  }
-}
-
-template <class Geometry>
-bool reverse_gas_cooling(const IdealGas& gas, Columns& points, double h) {
-  const auto rate = View<Geometry>::components(points, column::strain_rate);
-  const auto stress = View<Geometry>::components(points, column::stress);
-  const double *energy = points(column::energy), *density = points(column::density);
-  const double* pressure = points(column::pressure);
-  bool changed = false;
-  for (int p = 0; p < points.points(); ++p) {
-    const auto d = at<Geometry>(rate, p);
-    if (viscous_part<Geometry>(at<Geometry>(stress, p), pressure[p]).dot(d) >= 0) continue;
-    const auto s = gas_stress<Geometry>(gas, d, density[p], energy[p], pressure[p], h);
-    for (int k = 0; k < Geometry::strains; ++k) stress[static_cast<std::size_t>(k)][p] = s[k];
-    changed = true;
-  }
-  return changed;
-}
-
-template <class Geometry>
-double viscous_gas_heat(const Columns& points, double dt) {
-  const auto rate = View<Geometry>::components(points, column::strain_rate);
-  const auto stress = View<Geometry>::components(points, column::stress);
-  const double *volume = points(column::volume), *pressure = points(column::pressure);
-  return block_sum<double>(points.points(), [&](int p) {
-    return dt * volume[p] * viscous_part<Geometry>(at<Geometry>(stress, p), pressure[p]).dot(at<Geometry>(rate, p));
-  });
 }
 
 }  // namespace
@@ -142,8 +165,8 @@ void IdealGas::add_columns(Columns& points, int) const {
   points.add(column::pressure);
 }
 
-double IdealGas::advance(Columns& points, const MaterialContext& context, double dt) const {
-  return context.dim == 1 ? advance_gas<Line>(points, context, dt) : advance_gas<Plane>(points, context, dt);
+double IdealGas::advance(Columns& points, PointRange range, const MaterialContext& context, double dt) const {
+  return with_loops(points, [&](auto loops) { return loops.advance(points, range, context.continuity_density, dt); });
 }
 
 std::vector<const ColumnId*> IdealGas::internal_variables(const MaterialContext& context) const {
@@ -152,61 +175,89 @@ std::vector<const ColumnId*> IdealGas::internal_variables(const MaterialContext&
 }
 
 std::vector<double> IdealGas::rates(const Columns& points, const MaterialContext& context) const {
-  return context.dim == 1 ? gas_rates<Line>(points, context.continuity_density)
-                          : gas_rates<Plane>(points, context.continuity_density);
+  return with_loops(points, [&](auto loops) { return loops.rates(points, context.continuity_density); });
 }
 
-void IdealGas::evaluate_stress(Columns& points, const MaterialContext& context) const {
-  context.dim == 1 ? evaluate_gas<Line>(*this, points, context.h) : evaluate_gas<Plane>(*this, points, context.h);
+void IdealGas::evaluate_stress(Columns& points, PointRange range, const MaterialContext& context) const {
+  with_loops(points, [&](auto loops) { loops.evaluate(*this, points, range, context); });
 }
 
-bool IdealGas::reverse_cooling(Columns& points, const MaterialContext& context) const {
-  if (viscosity == 0 && viscosity_linear == 0 && viscosity_quadratic == 0) return false;
-  return context.dim == 1 ? reverse_gas_cooling<Line>(*this, points, context.h)
-                          : reverse_gas_cooling<Plane>(*this, points, context.h);
+bool IdealGas::reverse_cooling(Columns& points, PointRange range, const MaterialContext& context) const {
+  if (!viscous()) return false;
+  return with_loops(points, [&](auto loops) { return loops.reverse_cooling(*this, points, range, context.h); });
 }
 
-double IdealGas::viscous_heat(const Columns& points, const MaterialContext& context, double dt) const {
-  return context.dim == 1 ? viscous_gas_heat<Line>(points, dt) : viscous_gas_heat<Plane>(points, dt);
+double IdealGas::viscous_heat(const Columns& points, PointRange range, const MaterialContext&,
+                              double dt) const {
+  if (!viscous()) return 0;
+  return with_loops(points, [&](auto loops) { return loops.viscous_heat(*this, points, range, dt); });
 }
 
-void IdealGas::add_heat(Columns& points, const double* heat) const {
+void IdealGas::add_heat(Columns& points, PointRange range, const double* heat) const {
   const double* mass = points(column::mass);
   double* energy = points(column::energy);
-  for (int p = 0; p < points.points(); ++p) energy[p] += heat[p] / mass[p];  // [EC-APIC 6]
+  for_packs(range.first, range.last, [&](int p, int count) {
+    plumbline::store(energy + p, load(energy + p) + load(heat + p) / load(mass + p), count);  // [EC-APIC 6]
+  });
 }
 
-double IdealGas::stored_energy(const Columns& points) const {
+double IdealGas::stored_energy(const Columns& points, PointRange range) const {
   const double *mass = points(column::mass), *energy = points(column::energy);
-  return block_sum<double>(points.points(), [&](int p) { return mass[p] * energy[p]; });
+  Pack total = 0.0;
+  for_packs(range.first, range.last,
+            [&](int p, int count) { total += kept(load(mass + p) * load(energy + p), count); });
+  return sum(total);
 }
 
-StepBounds IdealGas::step_bounds(const Columns& points, int dim) const {
-  const double *energy = points(column::energy), *density = points(column::density);
-  const double *u = points(column::velocity), *v = points(column::velocity, dim - 1);
+StepBounds IdealGas::step_bounds(const Columns& points, PointRange range, int dim) const {
+  const double *mass = points(column::mass), *energy = points(column::energy), *volume = points(column::volume);
+  const double* velocity[3];
+  for (int d = 0; d < dim; ++d) velocity[d] = points(column::velocity, d);
+  Pack fastest = 0.0, lightest = std::numeric_limits<double>::infinity();
+  bool number = true;
+  for_packs(range.first, range.last, [&](int p, int count) {
+    Pack square = load(velocity[0] + p) * load(velocity[0] + p);
+    for (int d = 1; d < dim; ++d) square += load(velocity[d] + p) * load(velocity[d] + p);
+    const Pack signal = kept(sqrt(gamma * (gamma - 1) * load(energy + p)) + sqrt(square), count);
+    number = number && none_of(isnan(signal));  // max() would swallow it
+    fastest = max(fastest, signal);
+    if (viscosity > 0) lightest = min(lightest, choose(first_lanes(count), load(mass + p) / load(volume + p), lightest));
+  });
   StepBounds bounds;
-  double least_density = HUGE_VAL;
-  for (int p = 0; p < points.points(); ++p) {
-    const double speed = dim == 1 ? std::abs(u[p]) : std::sqrt(u[p] * u[p] + v[p] * v[p]);
-    const double signal = std::sqrt(gamma * (gamma - 1) * energy[p]) + speed;
-    if (!std::isnan(bounds.fastest) && !(signal <= bounds.fastest)) bounds.fastest = signal;
-    if (density[p] < least_density) least_density = density[p];
-  }
-  bounds.diffusivity = 4.0 / 3.0 * viscosity / least_density;
+  bounds.fastest = number ? hmax(fastest) : std::numeric_limits<double>::quiet_NaN();
+  if (viscosity > 0) bounds.diffusivity = 4.0 / 3.0 * viscosity / hmin(lightest);
   return bounds;
 }
 
-Material::Fault IdealGas::first_fault(const Columns& points) const {
-  const double *energy = points(column::energy), *density = points(column::density);
-  for (int p = 0; p < points.points(); ++p) {
-    if (!(density[p] > 0 && std::isfinite(density[p]))) {
-      return {p, column::density.name(), density[p], "the density must be positive and finite"};
+Material::Fault IdealGas::first_fault(const Columns& points, PointRange range) const {
+  const double *mass = points(column::mass), *energy = points(column::energy), *volume = points(column::volume);
+  const auto admissible = [](const Pack& value) { return value < std::numeric_limits<double>::infinity(); };
+  bool good = true;
+  for_packs(range.first, range.last, [&](int p, int count) {
+    const Pack v = load(volume + p), e = load(energy + p);
+    good = good && all_of((v > 0.0 && admissible(v) && e >= 0.0 && admissible(e)) || !first_lanes(count));
+  });
+  if (good) return {};
+  for (int p = range.first; p < range.last; ++p) {
+    const double density = mass[p] / volume[p];
+    if (!(density > 0 && std::isfinite(density))) {
+      return {p, column::density.name(), density, "the density must be positive and finite"};
     }
     if (!(energy[p] >= 0 && std::isfinite(energy[p]))) {
       return {p, column::energy.name(), energy[p], "the specific internal energy must be finite and not negative"};
     }
   }
   return {};
+}
+
+void IdealGas::describe(Columns& points) const {
+  const double *mass = points(column::mass), *energy = points(column::energy), *volume = points(column::volume);
+  double *density = points(column::density), *pressure = points(column::pressure);
+  for_packs(0, points.points(), [&](int p, int count) {
+    const Pack rho = load(mass + p) / load(volume + p);
+    plumbline::store(density + p, rho, count);
+    plumbline::store(pressure + p, (gamma - 1) * rho * load(energy + p), count);  // [York 4.4]
+  });
 }
 
 }  // namespace plumbline

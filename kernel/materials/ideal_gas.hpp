@@ -21,16 +21,21 @@ struct IdealGas final : Material {
   Store store() const override { return Store::internal; }
   bool has_density() const override { return true; }
   bool takes_heat() const override { return true; }
-  double advance(Columns& points, const MaterialContext& context, double dt) const override;
+  // Without physical viscosity the stress is a pressure.
+  bool isotropic() const override { return viscosity == 0; }
+  bool viscous() const { return viscosity > 0 || viscosity_linear > 0 || viscosity_quadratic > 0; }
+  double advance(Columns& points, PointRange range, const MaterialContext& context, double dt) const override;
   std::vector<const ColumnId*> internal_variables(const MaterialContext& context) const override;
   std::vector<double> rates(const Columns& points, const MaterialContext& context) const override;
-  void evaluate_stress(Columns& points, const MaterialContext& context) const override;
-  bool reverse_cooling(Columns& points, const MaterialContext& context) const override;
-  double viscous_heat(const Columns& points, const MaterialContext& context, double dt) const override;
-  void add_heat(Columns& points, const double* heat) const override;
-  double stored_energy(const Columns& points) const override;
-  StepBounds step_bounds(const Columns& points, int dim) const override;
-  Fault first_fault(const Columns& points) const override;
+  void evaluate_stress(Columns& points, PointRange range, const MaterialContext& context) const override;
+  bool reverse_cooling(Columns& points, PointRange range, const MaterialContext& context) const override;
+  double viscous_heat(const Columns& points, PointRange range, const MaterialContext& context,
+                      double dt) const override;
+  void add_heat(Columns& points, PointRange range, const double* heat) const override;
+  double stored_energy(const Columns& points, PointRange range) const override;
+  StepBounds step_bounds(const Columns& points, PointRange range, int dim) const override;
+  Fault first_fault(const Columns& points, PointRange range) const override;
+  void describe(Columns& points) const override;
 };
 
 }  // namespace plumbline

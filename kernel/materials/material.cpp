@@ -1,6 +1,7 @@
 #include "kernel/materials/material.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace plumbline {
@@ -12,6 +13,14 @@ std::vector<MaterialEntry>& registered() {
 }
 
 }  // namespace
+
+void StepBounds::include(const StepBounds& other) {
+  const auto take = [](double& mine, double theirs) {
+    if (!std::isnan(mine) && !(theirs <= mine)) mine = theirs;
+  };
+  take(fastest, other.fastest);
+  take(diffusivity, other.diffusivity);
+}
 
 const std::vector<MaterialEntry>& materials() { return registered(); }
 

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "kernel/summation.hpp"
-
 namespace plumbline {
 namespace {
 
@@ -20,12 +18,12 @@ Direction segment(const double* x, const double* y, int from, int to) {
 }
 
 // Unit tangents from the chain. The normalised sum of two unit vectors has the mean of their angles. [York 7.1]
-void find_tangents(Columns& points, bool closed) {
+void find_tangents(Columns& points, PointRange range, bool closed) {
   const int n = points.points();
   if (n < 2) return;
   const double *x = points(column::position), *y = points(column::position, 1);
   double *tx = points(column::tangent), *ty = points(column::tangent, 1);
-  for (int p = 0; p < n; ++p) {
+  for (int p = range.first; p < range.last; ++p) {
     const bool first = p == 0 && !closed, last = p == n - 1 && !closed;
     const int before = (p + n - 1) % n, after = (p + 1) % n;
     const Direction a = first ? segment(x, y, p, after) : segment(x, y, before, p);
@@ -62,31 +60,30 @@ std::vector<double> UniaxialMembrane::rates(const Columns& points, const Materia
   return rates;
 }
 
-double UniaxialMembrane::advance(Columns& points, const MaterialContext& context, double dt) const {
+double UniaxialMembrane::advance(Columns& points, PointRange range, const MaterialContext& context, double dt) const {
   const double* volume = points(column::volume);
   double* strain = points(column::strain);
-  const auto take = [&](int p, double rate) {
+  double stored = 0;
+  for (int p = range.first; p < range.last; ++p) {
     const double before = energy_density(strain[p]);
-    strain[p] += dt * rate;  // [York 5.3]
-    return volume[p] * (energy_density(strain[p]) - before);
-  };
-  const double* along = points(column::strain_rate);
-  if (context.dim == 1) return block_sum<double>(points.points(), [&](int p) { return take(p, along[p]); });
-  return block_sum<double>(points.points(), [&](int p) { return take(p, tangential_rate(points, p)); });
+    strain[p] += dt * (context.dim == 1 ? points(column::strain_rate)[p] : tangential_rate(points, p));  // [York 5.3]
+    stored += volume[p] * (energy_density(strain[p]) - before);
+  }
+  return stored;
 }
 
-void UniaxialMembrane::evaluate_stress(Columns& points, const MaterialContext& context) const {
+void UniaxialMembrane::evaluate_stress(Columns& points, PointRange range, const MaterialContext& context) const {
   const double* strain = points(column::strain);
   double* xx = points(column::stress);
   const auto tension = [&](int p) { return carries(strain[p]) ? youngs_modulus * strain[p] : 0.0; };  // [York 5.5]
   if (context.dim == 1) {
-    for (int p = 0; p < points.points(); ++p) xx[p] = tension(p);
+    for (int p = range.first; p < range.last; ++p) xx[p] = tension(p);
     return;
   }
-  find_tangents(points, closed);
+  find_tangents(points, range, closed);
   double *yy = points(column::stress, 1), *xy = points(column::stress, 2);
   const double *tx = points(column::tangent), *ty = points(column::tangent, 1);
-  for (int p = 0; p < points.points(); ++p) {
+  for (int p = range.first; p < range.last; ++p) {
     const double s = tension(p);
     xx[p] = s * tx[p] * tx[p];
     yy[p] = s * ty[p] * ty[p];
@@ -94,25 +91,27 @@ void UniaxialMembrane::evaluate_stress(Columns& points, const MaterialContext& c
   }
 }
 
-double UniaxialMembrane::stored_energy(const Columns& points) const {
+double UniaxialMembrane::stored_energy(const Columns& points, PointRange range) const {
   const double *volume = points(column::volume), *strain = points(column::strain);
-  return block_sum<double>(points.points(), [&](int p) { return volume[p] * energy_density(strain[p]); });
+  double stored = 0;
+  for (int p = range.first; p < range.last; ++p) stored += volume[p] * energy_density(strain[p]);
+  return stored;
 }
 
-StepBounds UniaxialMembrane::step_bounds(const Columns& points, int dim) const {
+StepBounds UniaxialMembrane::step_bounds(const Columns& points, PointRange range, int dim) const {
   const double *u = points(column::velocity), *v = points(column::velocity, dim - 1);
   StepBounds bounds;
   const double c = std::sqrt(youngs_modulus / density);
-  for (int p = 0; p < points.points(); ++p) {
+  for (int p = range.first; p < range.last; ++p) {
     const double signal = c + (dim == 1 ? std::abs(u[p]) : std::sqrt(u[p] * u[p] + v[p] * v[p]));
     if (!std::isnan(bounds.fastest) && !(signal <= bounds.fastest)) bounds.fastest = signal;
   }
   return bounds;
 }
 
-Material::Fault UniaxialMembrane::first_fault(const Columns& points) const {
+Material::Fault UniaxialMembrane::first_fault(const Columns& points, PointRange range) const {
   const double* strain = points(column::strain);
-  for (int p = 0; p < points.points(); ++p) {
+  for (int p = range.first; p < range.last; ++p) {
     if (!std::isfinite(strain[p])) return {p, column::strain.name(), strain[p], "the strain must be finite"};
   }
   return {};

@@ -21,13 +21,13 @@ struct UniaxialMembrane final : Material {
   void add_columns(Columns& points, int dim) const override;
   Store store() const override { return Store::elastic; }
   bool chain() const override { return true; }
-  double advance(Columns& points, const MaterialContext& context, double dt) const override;
+  double advance(Columns& points, PointRange range, const MaterialContext& context, double dt) const override;
   std::vector<const ColumnId*> internal_variables(const MaterialContext& context) const override;
   std::vector<double> rates(const Columns& points, const MaterialContext& context) const override;
-  void evaluate_stress(Columns& points, const MaterialContext& context) const override;
-  double stored_energy(const Columns& points) const override;
-  StepBounds step_bounds(const Columns& points, int dim) const override;
-  Fault first_fault(const Columns& points) const override;
+  void evaluate_stress(Columns& points, PointRange range, const MaterialContext& context) const override;
+  double stored_energy(const Columns& points, PointRange range) const override;
+  StepBounds step_bounds(const Columns& points, PointRange range, int dim) const override;
+  Fault first_fault(const Columns& points, PointRange range) const override;
 
   // Strain energy density W(eps), J/m^3.
   double energy_density(double strain) const { return carries(strain) ? 0.5 * youngs_modulus * strain * strain : 0.0; }

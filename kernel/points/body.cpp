@@ -3,10 +3,13 @@
 #include <numeric>
 #include <utility>
 
+#include "kernel/geometry.hpp"
+
 namespace plumbline {
 
-Body make_body(std::string name, std::shared_ptr<const Material> material, int points, int dim) {
-  const int strains = dim == 1 ? 1 : 3;
+Body make_body(std::string name, std::shared_ptr<const Material> material, int points, int dim,
+               bool axisymmetric) {
+  const int strains = material->isotropic() ? 1 : strain_components(dim, axisymmetric);
   Body body;
   body.name = std::move(name);
   body.points = Columns(points);

@@ -19,7 +19,9 @@ struct Body {
   bool chain = false;   // points stand in the order of their connectivity and are never sorted
 };
 
-// A body of `points` points with the columns that every body has and those the material asks for. dim: 1 or 2.
-Body make_body(std::string name, std::shared_ptr<const Material> material, int points, int dim);
+// A body of `points` points with the columns that every body has and those the material, as it is now, asks for.
+// dim: 1, 2 or 3; axisymmetric: with dim 2 only.
+Body make_body(std::string name, std::shared_ptr<const Material> material, int points, int dim,
+               bool axisymmetric = false);
 
 }  // namespace plumbline

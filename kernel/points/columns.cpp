@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "kernel/pack.hpp"
+#include "kernel/parallel.hpp"
+
 namespace plumbline {
 namespace {
 
@@ -28,30 +31,38 @@ const std::string& ColumnId::unit() const { return descriptions()[static_cast<st
 
 void Columns::add(const ColumnId& id, int components) {
   const auto index = static_cast<std::size_t>(id.index());
-  if (data_.size() <= index) data_.resize(index + 1);
-  if (data_[index].empty()) data_[index].assign(stride() * static_cast<std::size_t>(components), 0.0);
+  if (columns_.size() <= index) columns_.resize(index + 1);
+  Column& column = columns_[index];
+  if (column.components > 0) return;
+  column.components = components;
+  column.values.assign(stride() * static_cast<std::size_t>(components) + static_cast<std::size_t>(lanes), 0.0);
 }
 
 int Columns::components(const ColumnId& id) const {
   const auto index = static_cast<std::size_t>(id.index());
-  if (index >= data_.size() || points_ == 0) return 0;
-  return static_cast<int>(data_[index].size() / stride());
+  return index < columns_.size() && points_ > 0 ? columns_[index].components : 0;
 }
 
-void Columns::reorder(std::span<const int> order) {
-  std::vector<double> sorted(stride());
-  for (auto& column : data_) {
-    for (std::size_t start = 0; start < column.size(); start += stride()) {
-      for (std::size_t k = 0; k < stride(); ++k) sorted[k] = column[start + static_cast<std::size_t>(order[k])];
-      std::copy(sorted.begin(), sorted.end(), column.begin() + static_cast<std::ptrdiff_t>(start));
+void Columns::reorder(std::span<const int> order, std::span<const ColumnId> stale, int threads) {
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    Column& column = columns_[c];
+    const auto is_it = [&](const ColumnId& id) { return static_cast<std::size_t>(id.index()) == c; };
+    if (column.components == 0 || std::any_of(stale.begin(), stale.end(), is_it)) continue;
+    spare_.resize(column.values.size());
+    for (int k = 0; k < column.components; ++k) {
+      const double* from = column.values.data() + static_cast<std::size_t>(k) * stride();
+      double* to = spare_.data() + static_cast<std::size_t>(k) * stride();
+      for_each_index(points_, threads, [&](int p) { to[p] = from[order[static_cast<std::size_t>(p)]]; });
     }
+    std::copy(column.values.end() - lanes, column.values.end(), spare_.end() - lanes);
+    std::swap(spare_, column.values);
   }
 }
 
 int Columns::doubles_per_point() const {
-  std::size_t total = 0;
-  for (const auto& column : data_) total += column.size();
-  return points_ == 0 ? 0 : static_cast<int>(total / stride());
+  int total = 0;
+  for (const Column& column : columns_) total += column.components;
+  return total;
 }
 
 }  // namespace plumbline

@@ -1,4 +1,5 @@
-// Structure of arrays: each component of each column is one contiguous array of doubles.
+// Structure of arrays: each component of each column is one contiguous array of doubles. Behind the last component a few
+// zeros follow, so that a pack of points may be loaded anywhere.
 #pragma once
 
 #include <cstddef>
@@ -22,26 +23,38 @@ class Columns {
 
   // One component as an array of points() values. The column must exist.
   double* operator()(const ColumnId& id, int component = 0) {
-    return data_[static_cast<std::size_t>(id.index())].data() + static_cast<std::size_t>(component) * stride();
+    return at(id).data() + static_cast<std::size_t>(component) * stride();
   }
   const double* operator()(const ColumnId& id, int component = 0) const {
-    return data_[static_cast<std::size_t>(id.index())].data() + static_cast<std::size_t>(component) * stride();
+    return at(id).data() + static_cast<std::size_t>(component) * stride();
   }
 
   // All components one after another: points() * components(id) values.
-  std::span<double> values(const ColumnId& id) { return data_[static_cast<std::size_t>(id.index())]; }
-  std::span<const double> values(const ColumnId& id) const { return data_[static_cast<std::size_t>(id.index())]; }
+  std::span<double> values(const ColumnId& id) { return {at(id).data(), size(id)}; }
+  std::span<const double> values(const ColumnId& id) const { return {at(id).data(), size(id)}; }
 
-  // Point k becomes what point order[k] was. `order` is a permutation of 0 ... points()-1.
-  void reorder(std::span<const int> order);
+  // Point k becomes what point order[k] was. `order` is a permutation of 0 ... points()-1. Columns in `stale` hold nothing
+  // that will be read and stay as they are.
+  void reorder(std::span<const int> order, std::span<const ColumnId> stale = {}, int threads = 1);
 
   // Doubles stored per point, over all columns.
   int doubles_per_point() const;
 
  private:
+  struct Column {
+    int components = 0;
+    std::vector<double> values;
+  };
   std::size_t stride() const { return static_cast<std::size_t>(points_); }
+  std::size_t size(const ColumnId& id) const { return stride() * static_cast<std::size_t>(components(id)); }
+  std::vector<double>& at(const ColumnId& id) { return columns_[static_cast<std::size_t>(id.index())].values; }
+  const std::vector<double>& at(const ColumnId& id) const {
+    return columns_[static_cast<std::size_t>(id.index())].values;
+  }
+
   int points_;
-  std::vector<std::vector<double>> data_;  // by ColumnId::index()
+  std::vector<Column> columns_;  // by ColumnId::index()
+  std::vector<double> spare_;    // takes the next column that is reordered
 };
 
 }  // namespace plumbline

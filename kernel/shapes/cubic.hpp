@@ -16,24 +16,28 @@ struct Cubic {
     local = x - node;
     return node;
   }
-  static void weights(double f, double (&w)[support]) {
-    const double b = 1.0 - f;
+  template <class Number>
+  static void weights(const Number& f, Number (&w)[support]) {
+    const Number b = 1.0 - f;
     w[0] = b * b * b / 6.0;
     w[1] = 2.0 / 3.0 - f * f + 0.5 * f * f * f;
     w[2] = 2.0 / 3.0 - b * b + 0.5 * b * b * b;
     w[3] = f * f * f / 6.0;
   }
-  static void gradients(double f, double (&g)[support]) {
-    const double b = 1.0 - f;
+  template <class Number>
+  static void gradients(const Number& f, Number (&g)[support]) {
+    const Number b = 1.0 - f;
     g[0] = -0.5 * b * b;
     g[1] = -2.0 * f + 1.5 * f * f;
     g[2] = 2.0 * b - 1.5 * b * b;
     g[3] = 0.5 * f * f;
   }
-  static double inertia(double) { return 1.0 / 3.0; }  // [EC-APIC 5] D = h^2/3
-  static void affine_weights(double f, double (&a)[support]) {
+  template <class Number>
+  static Number inertia(const Number&) { return 1.0 / 3.0; }  // [EC-APIC 5] D = h^2/3
+  template <class Number>
+  static void affine_weights(const Number& f, Number (&a)[support]) {
     weights(f, a);
-    for (int k = 0; k < support; ++k) a[k] *= 3.0 * (k + first - f);
+    for (int k = 0; k < support; ++k) a[k] *= 3.0 * (static_cast<double>(k + first) - f);
   }
 };
 

@@ -18,19 +18,23 @@ struct Linear {
     local = x - node;
     return node;
   }
-  static void weights(double f, double (&w)[support]) {
+  template <class Number>
+  static void weights(const Number& f, Number (&w)[support]) {
     w[0] = 1.0 - f;
     w[1] = f;
   }
   // d N / d x in units of 1/h.
-  static void gradients(double, double (&g)[support]) {
+  template <class Number>
+  static void gradients(const Number&, Number (&g)[support]) {
     g[0] = -1.0;
     g[1] = 1.0;
   }
   // D / h^2 = sum_i N_i r_i^2 / h^2 with r_i = x_i - x_p.
-  static double inertia(double f) { return f * (1.0 - f); }
+  template <class Number>
+  static Number inertia(const Number& f) { return f * (1.0 - f); }
   // N_i r_i h / D: for tents this is the gradient, finite even where D vanishes.
-  static void affine_weights(double f, double (&a)[support]) { gradients(f, a); }
+  template <class Number>
+  static void affine_weights(const Number& f, Number (&a)[support]) { gradients(f, a); }
 };
 
 }  // namespace plumbline

@@ -15,20 +15,24 @@ struct Quadratic {
     local = x - node;
     return node;
   }
-  static void weights(double f, double (&w)[support]) {
+  template <class Number>
+  static void weights(const Number& f, Number (&w)[support]) {
     w[0] = 0.5 * (0.5 - f) * (0.5 - f);
     w[1] = 0.75 - f * f;
     w[2] = 0.5 * (0.5 + f) * (0.5 + f);
   }
-  static void gradients(double f, double (&g)[support]) {
+  template <class Number>
+  static void gradients(const Number& f, Number (&g)[support]) {
     g[0] = f - 0.5;
     g[1] = -2.0 * f;
     g[2] = f + 0.5;
   }
-  static double inertia(double) { return 0.25; }  // [EC-APIC 5] D = h^2/4
-  static void affine_weights(double f, double (&a)[support]) {
+  template <class Number>
+  static Number inertia(const Number&) { return 0.25; }  // [EC-APIC 5] D = h^2/4
+  template <class Number>
+  static void affine_weights(const Number& f, Number (&a)[support]) {
     weights(f, a);
-    for (int k = 0; k < support; ++k) a[k] *= 4.0 * (k + first - f);
+    for (int k = 0; k < support; ++k) a[k] *= 4.0 * (static_cast<double>(k + first) - f);
   }
 };
 

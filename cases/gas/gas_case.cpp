@@ -1,0 +1,50 @@
+#include "cases/gas/gas_case.hpp"
+
+namespace plumbline {
+
+std::vector<Override> york_points(const std::string& scheme) {
+  if (scheme == "york1997") return {{"ppc", 3.0}};
+  return {};
+}
+
+void york_step(Settings& settings, const std::string& scheme) {
+  if (scheme == "york1997" && !settings.is_set("dt") && !settings.is_set("cfl")) settings.set("cfl", 0.021, "gas");
+}
+
+std::vector<std::string> gas_equations() {
+  return {"∂ρ/∂t + ∂(ρu)/∂x = 0", "ρ Du/Dt = −∂(p + q)/∂x", "ρ De/Dt = −(p + q) ∂u/∂x", "p = (γ − 1) ρ e",
+          "q = ρ (c_L c h |∂u/∂x| + c_Q h² (∂u/∂x)²) where ∂u/∂x < 0"};
+}
+
+std::vector<Statement::TheoryOrder> first_order_at_jumps() {
+  std::vector<Statement::TheoryOrder> orders;
+  for (const char* measure : {"density.L1", "velocity.L1", "pressure.L1", "energy.L1"}) {
+    orders.push_back(
+        {measure, 1, "shock and contact are jumps; a scheme of any order spreads them over a number of cells"});
+  }
+  return orders;
+}
+
+std::vector<CaseGate> target_order(const std::string& study, const std::string& measure, double order,
+                                   const std::string& reason) {
+  const std::string id = study + "/" + measure.substr(0, measure.find('.'));
+  return {fitted_order_gate(study, measure, declare(id + "-order", {order, {}}, Origin::target, reason)),
+          order_gate(study, measure,
+                     declare(id + "-order-interval", {order - 0.1, {}}, Origin::target,
+                             "the interval's low end, 0.1 below the target for the estimate"))};
+}
+
+CaseGate energy_gate(const std::string& study) {
+  return drift_gate(study,
+                    declare(study + "/drift", {{}, 1e-12}, Origin::target,
+                            "the step closes the energy ledger to rounding; 1e-12 is 1e4 units in the last place"));
+}
+
+CaseGate coverage_gate(const std::string& study, double level) {
+  return value_gate(study, "coverage", level,
+                    declare(study + "/coverage-" + to_text(level), {0.99, 1.01}, Origin::theory,
+                            "volumes of all points against their space; a kernel of three cells blurs each of three "
+                            "waves by less than 0.3 % of the tube at 100 cells"));
+}
+
+}  // namespace plumbline

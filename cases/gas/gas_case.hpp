@@ -1,0 +1,30 @@
+// What gas cases have in common beside the problem: York's choices for a case of his kind, and sentences of statements.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/harness/gates.hpp"
+
+namespace plumbline {
+
+// York's own points and step for a gas that he did not run: three points a cell, and the Courant number of his Sod run,
+// dt = 1e-4 s at h = 0.01 m with c + |u| up to 2.1 m/s. [York 4.1]
+std::vector<Override> york_points(const std::string& scheme);
+void york_step(Settings& settings, const std::string& scheme);
+
+// Equations of an ideal gas with artificial viscosity, as text.
+std::vector<std::string> gas_equations();
+
+// Orders that theory allows where there are jumps, for density, velocity, pressure and energy.
+std::vector<Statement::TheoryOrder> first_order_at_jumps();
+
+// The gates that the plan asks of a study in which a field's error falls: the estimate at least `order`, the low end of
+// its interval at least 0.1 below that.
+std::vector<CaseGate> target_order(const std::string& study, const std::string& measure, double order,
+                                   const std::string& reason);
+// Energy closes to rounding; the points fill their space.
+CaseGate energy_gate(const std::string& study);
+CaseGate coverage_gate(const std::string& study, double level);
+
+}  // namespace plumbline

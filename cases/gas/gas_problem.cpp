@@ -1,0 +1,251 @@
+#include "cases/gas/gas_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline {
+namespace {
+
+using Samples = std::vector<FieldSample>;
+
+int whole_cells(double length, double h) { return static_cast<int>(std::ceil(length / h - 1e-9)); }
+
+void append(std::vector<Measure>& all, const std::vector<Measure>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+double dot(const Position& a, const Position& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+// Rows of a profile in the order of the points' numbers.
+class ProfileTable {
+ public:
+  explicit ProfileTable(const Body& body) : body_(body) {}
+
+  void add(const std::string& name, const std::string& unit, const std::string& label,
+           const std::function<double(int p)>& value) {
+    ProfileColumn column{name, unit, label, std::vector<double>(body_.id.size())};
+    for (int p = 0; p < body_.points.points(); ++p) {
+      column.values[static_cast<std::size_t>(body_.id[static_cast<std::size_t>(p)])] = value(p);
+    }
+    columns_.push_back(std::move(column));
+  }
+  std::vector<ProfileColumn> take() { return std::move(columns_); }
+
+ private:
+  const Body& body_;
+  std::vector<ProfileColumn> columns_;
+};
+
+}  // namespace
+
+GasProblem::GasProblem(GasFlow flow, Settings settings) : flow_(std::move(flow)), settings_(std::move(settings)) {
+  const auto axis = static_cast<std::size_t>(flow_.axis);
+  if (!flow_.coordinate) flow_.coordinate = [axis](const Position& x) { return x[axis]; };
+  if (!flow_.direction) {
+    flow_.direction = [axis](const Position&) {
+      Position n{};
+      n[axis] = 1;
+      return n;
+    };
+  }
+}
+
+GasProblem::Layout GasProblem::layout() const {
+  Layout at;
+  GridSpec& grid = at.grid;
+  grid.dim = flow_.dim;
+  grid.axisymmetric = flow_.axisymmetric;
+  grid.h = flow_.cells_along / settings_.number("cells");
+  grid.walls = flow_.walls;
+  const double h = grid.h, offset = settings_.number("offset");
+  const auto axis = static_cast<std::size_t>(flow_.axis);
+  for (std::size_t d = 0; d < static_cast<std::size_t>(flow_.dim); ++d) {
+    grid.cells[d] = static_cast<int>(std::lround((flow_.high[d] - flow_.low[d]) / h));
+    grid.origin[d] = flow_.low[d];
+  }
+  const int below = whole_cells(flow_.margin[0], h), above = whole_cells(flow_.margin[1], h);
+  at.gas = {flow_.low[axis] - below * h, flow_.high[axis] + above * h};
+  const double travel = flow_.frame_velocity * flow_.end_time;
+  const int empty_below = whole_cells(flow_.space[0] + std::max(0.0, -travel), h);
+  const int empty_above = whole_cells(flow_.space[1] + std::max(0.0, travel), h);
+  grid.cells[axis] += below + above + empty_below + empty_above + (offset > 0 ? 1 : 0);
+  grid.origin[axis] = at.gas.from - empty_below * h - offset * h;
+  if (empty_below == 0) at.gas.from = grid.origin[axis];
+  if (empty_above == 0) at.gas.to = grid.origin[axis] + h * grid.cells[axis];
+  return at;
+}
+
+Body GasProblem::body(const Layout& at) const {
+  const auto axis = static_cast<std::size_t>(flow_.axis);
+  GasBox box;
+  for (std::size_t d = 0; d < static_cast<std::size_t>(flow_.dim); ++d) {
+    box.low[d] = at.grid.origin[d];
+    box.high[d] = at.grid.origin[d] + at.grid.h * at.grid.cells[d];
+  }
+  box.low[axis] = at.gas.from;
+  box.high[axis] = at.gas.to;
+  box.axis = flow_.axis;
+  box.jumps = flow_.jumps;
+  box.state = [this, axis](const Position& x) {
+    const reference::GasState state = flow_.initial(flow_.coordinate(x));
+    const Position n = flow_.direction(x);
+    GasAt gas{state.density, {}, state.pressure};
+    for (std::size_t d = 0; d < 3; ++d) gas.velocity[d] = state.velocity * n[d];
+    gas.velocity[axis] += flow_.frame_velocity;
+    return gas;
+  };
+  auto gas = std::make_shared<IdealGas>();
+  gas->gamma = flow_.gamma;
+  gas->viscosity = flow_.viscosity;
+  gas->viscosity_linear = settings_.number("viscosity.linear");
+  gas->viscosity_quadratic = settings_.number("viscosity.quadratic");
+  const PointRule rule{settings_.text("points") == "equal-mass", settings_.number("ppc"), flow_.lines, 1};
+  return fill_gas(gas, box, rule, at.grid);
+}
+
+Scene GasProblem::scene() const {
+  const Layout at = layout();
+  Scene scene;
+  scene.grid = at.grid;
+  scene.shape = settings_.text("shape");
+  scene.transfer = settings_.text("transfer");
+  scene.density = density_method(settings_.text("density"));
+  for (int side : {0, 1}) {
+    const auto& piston = flow_.pistons[static_cast<std::size_t>(side)];
+    if (!piston) continue;
+    scene.pistons.push_back({.direction = flow_.axis,
+                             .side = side,
+                             .position = side == 0 ? at.gas.from : at.gas.to,
+                             .velocity = *piston + flow_.frame_velocity});
+  }
+  scene.bodies.push_back(body(at));
+  return scene;
+}
+
+// Where points are judged at the end, of the coordinate in the moving frame.
+Interval GasProblem::judged() const {
+  if (flow_.judged) return *flow_.judged;
+  const auto axis = static_cast<std::size_t>(flow_.axis);
+  const Interval gas = layout().gas;
+  const auto end = [&](std::size_t side, double of_gas, double of_domain) {
+    if (flow_.margin[side] > 0) return of_domain;
+    return of_gas + flow_.pistons[side].value_or(0.0) * flow_.end_time;
+  };
+  return {end(0, gas.from, flow_.low[axis]), end(1, gas.to, flow_.high[axis])};
+}
+
+// Volume (per radian) of the space where points are judged, if the coordinate is the place along the axis.
+double GasProblem::judged_space() const {
+  const GridSpec grid = layout().grid;
+  double volume = 1;
+  for (std::size_t d = 0; d < static_cast<std::size_t>(flow_.dim); ++d) {
+    const Interval across{grid.origin[d], grid.origin[d] + grid.h * grid.cells[d]};
+    const Interval over = static_cast<int>(d) == flow_.axis ? judged() : across;
+    volume *= over.length() * (flow_.axisymmetric && d == 0 ? over.middle() : 1.0);
+  }
+  return volume;
+}
+
+GasProblem::Seen GasProblem::seen(const Columns& points, int p, double time) const {
+  const auto axis = static_cast<std::size_t>(flow_.axis);
+  Position x{}, v{};
+  for (int d = 0; d < flow_.dim; ++d) {
+    x[static_cast<std::size_t>(d)] = points(column::position, d)[p];
+    v[static_cast<std::size_t>(d)] = points(column::velocity, d)[p];
+  }
+  x[axis] -= flow_.frame_velocity * time;
+  v[axis] -= flow_.frame_velocity;
+  return {flow_.coordinate(x), flow_.direction(x), v};
+}
+
+// The share of a point inside the space where it is judged. Walls and pistons cut nothing: all is inside.
+double GasProblem::share_judged(double coordinate, double volume) const {
+  const double length = std::pow(volume, 1.0 / flow_.dim);
+  const bool open_below = flow_.judged || flow_.margin[0] > 0, open_above = flow_.judged || flow_.margin[1] > 0;
+  const Interval where = judged();
+  const double from = std::max(coordinate - length / 2, open_below ? where.from : -HUGE_VAL);
+  const double to = std::min(coordinate + length / 2, open_above ? where.to : HUGE_VAL);
+  return std::clamp((to - from) / length, 0.0, 1.0);
+}
+
+std::vector<Measure> GasProblem::measures(const Simulation& simulation) const {
+  const Columns& points = simulation.scene().bodies.front().points;
+  const Interval where = judged();
+  Samples density, pressure, energy;
+  std::vector<ErrorSample> velocity;
+  std::vector<GasSample> samples;
+  double covered = 0;
+  for (int p = 0; p < points.points(); ++p) {
+    const double rho = points(column::density)[p], volume = points(column::mass)[p] / rho;
+    const Seen at = seen(points, p, simulation.time());
+    covered += volume * share_judged(at.coordinate, volume);
+    // A wall's own rounding may leave a point a hair beyond it.
+    const double hair = 1e-9 * where.length();
+    if (at.coordinate < where.from - hair || at.coordinate > where.to + hair) continue;
+    const reference::Sample exact = flow_.exact(at.coordinate, simulation.time());
+    const auto add = [&](Samples& field, double computed, const reference::Bounded& value) {
+      field.push_back({volume, at.coordinate, computed, value.value, value.bound});
+    };
+    add(density, rho, exact.density);
+    add(pressure, points(column::pressure)[p], exact.pressure);
+    add(energy, points(column::energy)[p], exact.energy);
+    double off = 0;
+    for (std::size_t d = 0; d < static_cast<std::size_t>(flow_.dim); ++d) {
+      off = std::hypot(off, at.velocity[d] - exact.velocity.value * at.direction[d]);
+    }
+    velocity.push_back({volume, off, std::abs(exact.velocity.value), exact.velocity.bound});
+    samples.push_back({at.coordinate, volume, rho, dot(at.velocity, at.direction), points(column::pressure)[p],
+                       points(column::energy)[p]});
+  }
+  std::vector<Measure> all;
+  append(all, field_norms("density", "kg/m^3", density));
+  append(all, error_norms("velocity", "m/s", velocity));
+  append(all, field_norms("pressure", "Pa", pressure));
+  append(all, field_norms("energy", "J/kg", energy));
+  if (flow_.filled) all.push_back(scalar_measure("coverage", covered / judged_space(), 1.0, 0.0, "1"));
+  if (flow_.further) append(all, flow_.further(samples, simulation.time()));
+  return all;
+}
+
+Profile GasProblem::profile(const Simulation& simulation) const {
+  const Body& body = simulation.scene().bodies.front();
+  const Columns& points = body.points;
+  std::vector<Seen> seen_points;
+  std::vector<reference::Sample> exact;
+  for (int p = 0; p < points.points(); ++p) {
+    seen_points.push_back(seen(points, p, simulation.time()));
+    exact.push_back(flow_.exact(seen_points.back().coordinate, simulation.time()));
+  }
+  const auto of = [](const auto& all, int p) -> const auto& { return all[static_cast<std::size_t>(p)]; };
+  const auto along = [&](int p) { return dot(of(seen_points, p).velocity, of(seen_points, p).direction); };
+  ProfileTable table(body);
+  table.add(flow_.abscissa, "m", flow_.abscissa == "x" ? "position" : "radius",
+            [&](int p) { return of(seen_points, p).coordinate; });
+  const auto plain = [&](const ColumnId& id, const char* label) {
+    table.add(id.name(), id.unit(), label, [&](int p) { return points(id)[p]; });
+  };
+  plain(column::mass, "point mass");
+  plain(column::density, "density");
+  table.add("velocity", "m/s", "velocity", along);
+  plain(column::pressure, "pressure");
+  plain(column::energy, "specific internal energy");
+  table.add("volume", "m^3", "point volume",
+            [&](int p) { return points(column::mass)[p] / points(column::density)[p]; });
+  const auto reference_of = [&](const char* name, const char* unit, const char* label, auto member) {
+    table.add(name, unit, label, [&](int p) { return (of(exact, p).*member).value; });
+  };
+  reference_of("density_reference", "kg/m^3", "exact density", &reference::Sample::density);
+  reference_of("velocity_reference", "m/s", "exact velocity", &reference::Sample::velocity);
+  reference_of("pressure_reference", "Pa", "exact pressure", &reference::Sample::pressure);
+  reference_of("energy_reference", "J/kg", "exact specific internal energy", &reference::Sample::energy);
+  Profile profile;
+  profile.abscissa = flow_.abscissa;
+  profile.columns = table.take();
+  return profile;
+}
+
+std::unique_ptr<Problem> gas_problem(const GasFlow& flow, const Settings& settings) {
+  return std::make_unique<GasProblem>(flow, settings);
+}
+
+}  // namespace plumbline

@@ -1,0 +1,146 @@
+// A piston pushed into gas at rest.
+#include "reference/piston_shock.hpp"
+
+#include <memory>
+
+#include "cases/gas/gas_case.hpp"
+#include "cases/gas/shock_front.hpp"
+#include "cases/gas/shock_tube.hpp"
+
+namespace plumbline {
+namespace {
+
+constexpr const char* sketch =
+    R"svg(<svg viewBox="0 0 360 110" role="img" aria-label="A piston moves right into gas at rest and drives a shock ahead of it">
+<g stroke="currentColor" stroke-width="1.5" fill="none"><path d="M20 25h320M20 65h320"/><path d="M110 25v40" stroke-width="5"/><path d="M60 45h44m-8 -5l8 5l-8 5"/><path d="M230 19v52" stroke-dasharray="4 3"/></g>
+<rect x="112" y="25" width="118" height="40" fill="currentColor" opacity=".28"/><rect x="230" y="25" width="110" height="40" fill="currentColor" opacity=".06"/>
+<g fill="currentColor" font-size="12" text-anchor="middle"><text x="170" y="49">ρ₂, p₂, u = u_p</text><text x="285" y="49">at rest</text><text x="110" y="90">u_p t</text><text x="230" y="90">U t</text></g></svg>)svg";
+
+GasFlow piston_flow(const Settings& settings) {
+  const reference::PistonShockProblem problem{settings.number("piston_velocity"), 1, 1, settings.number("gamma")};
+  const auto exact = std::make_shared<const reference::PistonShock>(problem);
+  const double u = problem.piston_velocity;
+  const bool moving = settings.text("frame") == "laboratory";
+  GasFlow flow;
+  flow.gamma = problem.gamma;
+  flow.end_time = settings.number("t_end");
+  if (moving) {
+    flow.pistons[0] = u;
+    flow.space[0] = 0.05;
+    flow.initial = [problem](double) { return reference::GasState{problem.density, 0, problem.pressure}; };
+    flow.exact = [exact](double x, double t) { return exact->sample(x, t); };
+  } else {
+    const reference::GasState stream{problem.density, -u, problem.pressure};
+    flow.margin[1] = disturbed_by_wall(stream, problem.gamma, flow.end_time) + 0.1;
+    flow.judged = Interval{0, 1 - u * flow.end_time};
+    flow.initial = [stream](double) { return stream; };
+    flow.exact = [exact, u](double x, double t) {
+      reference::Sample at = exact->sample(x + u * t, t);
+      at.velocity = at.velocity - u;
+      return at;
+    };
+  }
+  const double h = flow.cells_along / settings.number("cells");
+  flow.further = [exact, h, u, moving](const std::vector<GasSample>& points, double time) {
+    const reference::Bounded distance = (exact->shock_speed() - u) * time;
+    return shock_measures(points, h,
+                          {moving ? u * time : 0, distance, exact->ahead().density.value, exact->behind().density,
+                           exact->behind().energy});
+  };
+  return flow;
+}
+
+class PistonShock final : public Case {
+ public:
+  Statement statement() const override {
+    Statement s;
+    s.name = "piston-shock";
+    s.title = "A shock driven by a piston";
+    s.source =
+        "E. F. Toro, Riemann Solvers and Numerical Methods for Fluid Dynamics, 3rd ed., section 3.1.3; Ya. B. "
+        "Zel'dovich, Yu. P. Raizer, Physics of Shock Waves, chapter I";
+    s.claim =
+        "Shock speed, pressure and density behind the shock are those of Rankine and Hugoniot, whether the piston "
+        "moves "
+        "or the gas runs against it; the piston's work is booked.";
+    s.physics =
+        "A piston starts at once at 1 m/s into gas at rest (ρ = p = 1, γ = 1.4) and drives a shock of Mach 1.63 ahead "
+        "of "
+        "it: speed 1.92665, behind it p = 2.92665, ρ = 2.07916.\n\n"
+        "`frame=laboratory` moves the piston through the grid. `frame=piston` is the same flow seen from the piston: "
+        "gas "
+        "streams against a wall at rest, which does no work.\n\n"
+        "The gas next to the piston is set in motion before the numerical shock has its profile, and stays a little "
+        "too hot (`wall_heating`).";
+    s.equations = gas_equations();
+    s.equations.push_back("u_p = 2c/(γ + 1) (M − 1/M),  U = M c");
+    s.sketch = sketch;
+    s.cells_along = "a length of 1 m, of which the piston leaves 0.6 at the end";
+    s.reference_name = "piston-shock";
+    s.reference_text = "Closed form: the Mach number is the root of a quadratic.";
+    s.reference_bound = "Rounding, carried through.";
+    s.theory_orders = first_order_at_jumps();
+    s.known_limits = {"Density and internal energy at the piston do not converge: wall heating."};
+    return s;
+  }
+
+  Kind kind() const override { return Kind::gas; }
+
+  std::vector<Key> keys() const override {
+    return {{.name = "frame",
+             .value = "piston",
+             .choices = {"piston", "laboratory"},
+             .description = "who moves: the gas towards the piston, or the piston"},
+            {.name = "piston_velocity",
+             .value = 1.0,
+             .unit = "m/s",
+             .low = 0,
+             .high = 2,
+             .low_open = true,
+             .description = "speed of the piston"},
+            {.name = "gamma",
+             .value = 1.4,
+             .low = 1,
+             .high = 3,
+             .low_open = true,
+             .description = "ratio of specific heats"},
+            {.name = "t_end",
+             .value = 0.4,
+             .unit = "s",
+             .low = 0,
+             .high = 0.45,
+             .low_open = true,
+             .description = "end time"}};
+  }
+
+  std::vector<Override> points_and_end(const std::string& scheme) const override { return york_points(scheme); }
+  void derive(Settings& settings, const std::string& scheme) const override { york_step(settings, scheme); }
+  std::unique_ptr<Problem> problem(const Settings& settings) const override {
+    return gas_problem(piston_flow(settings), settings);
+  }
+  std::vector<double> default_levels() const override { return {100, 200, 400, 800, 1600}; }
+
+  std::vector<StudyPlan> studies() const override {
+    return {{.id = "default",
+             .title = "default, seen from the piston",
+             .why = "One shock, and the layer at the piston: order 1 in the mean.",
+             .values = {100, 140, 200, 280, 400},
+             .full_values = {100, 200, 400, 800, 1600}}};
+  }
+
+  std::vector<CaseGate> gates() const override {
+    std::vector<CaseGate> all = target_order("default", "density.L1", 0.8,
+                                             "a shock and the layer at the piston allow 1; 0.8 as of the shock tubes");
+    for (CaseGate& gate : shock_gates("default", 400, 1.0 / 400, 2.07916)) all.push_back(std::move(gate));
+    all.push_back(energy_gate("default"));
+    all.push_back(coverage_gate("default", 100));
+    return all;
+  }
+
+  GateCount gate_count() const override { return {10, 10}; }
+};
+
+PLUMBLINE_CASE(PistonShock);
+
+}  // namespace
+}  // namespace plumbline

@@ -1,0 +1,43 @@
+// A shock tube as a case: what differs between tubes is a table of physics.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/gas/shock_tube.hpp"
+
+namespace plumbline {
+
+// What a tube says of itself.
+struct TubeDescription {
+  std::string name, title, source, claim;
+  std::string physics;           // first paragraph: what happens
+  std::string near_vacuum = {};  // what the thinnest gas of it does, if any is near vacuum
+  ShockTube tube;
+  double order = 0.8;  // target for the fitted order of density.L1
+  std::string order_reason = "shock and contact allow 1; 0.8 is asked of every tube of the table";
+  std::vector<std::string> known_limits = {};
+};
+
+// Registers itself with the first mention of a static object.
+class TubeCase final : public Case {
+ public:
+  explicit TubeCase(TubeDescription description);
+
+  Statement statement() const override;
+  Kind kind() const override { return Kind::gas; }
+  std::vector<Key> keys() const override { return shock_tube_keys(about_.tube); }
+  std::vector<Override> points_and_end(const std::string& scheme) const override;
+  void derive(Settings& settings, const std::string& scheme) const override;
+  std::unique_ptr<Problem> problem(const Settings& settings) const override;
+  std::vector<double> default_levels() const override;
+  std::vector<StudyPlan> studies() const override;
+  std::vector<CaseGate> gates() const override;
+  GateCount gate_count() const override;
+
+ private:
+  TubeDescription about_;
+  RegisterCase registered_;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,53 @@
+// The order of a body's points: binned by the lowest node they reach. Points of one bin share their nodes, so that loops
+// take several at a time and write each node once.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace plumbline {
+
+// Consecutive bins of a few hundred points: a piece of work that stays in the cache, and whose sums are summed alone.
+struct Chunk {
+  int first_bin, last_bin;  // [first, last)
+  int first, last;          // their points
+};
+
+// Neighbouring blocks are never under way together: a block is taller than a stencil reaches.
+class Bins {
+ public:
+  static constexpr int chunk_points = 256;
+
+  // lowest: node of each point in the order of the points; consecutive equal ones are a bin. layer: nodes of one layer,
+  // the part of the flat index below the last direction; a block is `height` layers. in_order: nodes do not decrease;
+  // otherwise (a chain of points) all is one block.
+  void build(std::span<const int> lowest, int layer, int height, bool in_order);
+
+  int node(int bin) const { return node_[static_cast<std::size_t>(bin)]; }
+  int start(int bin) const { return start_[static_cast<std::size_t>(bin)]; }
+  int end(int bin) const { return start_[static_cast<std::size_t>(bin) + 1]; }
+  int bins() const { return static_cast<int>(node_.size()); }
+  const std::vector<Chunk>& chunks() const { return chunks_; }
+  int chunk_count() const { return static_cast<int>(chunks_.size()); }
+
+  // Blocks of one colour (0 or 1) may run side by side. A block: [first, last) of chunks().
+  struct Block {
+    int first, last;
+  };
+  const std::vector<Block>& blocks(int colour) const { return blocks_[colour]; }
+
+ private:
+  void close_chunk(int first_bin, int last_bin, int block);
+
+  std::vector<int> node_, start_;
+  std::vector<Chunk> chunks_;
+  std::vector<Block> blocks_[2];
+  int open_block_ = -1;
+};
+
+// The order of points by (lowest node, id), given in some other order. counts: scratch, one entry a node, all zero before
+// and after.
+void sort_by_bin(std::span<const int> lowest, std::span<const int> id, std::vector<int>& counts,
+                 std::vector<int>& order);
+
+}  // namespace plumbline

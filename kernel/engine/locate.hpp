@@ -1,0 +1,162 @@
+// Set-up of an engine, and the stage that finds where points stand.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "kernel/cell_volumes.hpp"
+#include "kernel/engine/chunks.hpp"
+#include "kernel/engine/mechanics.hpp"
+
+namespace plumbline {
+
+template <class G, class S, class T>
+Mechanics<G, S, T>::Mechanics(Scene& scene, Ledger& ledger, const EngineOptions& options)
+    : scene_(scene),
+      ledger_(ledger),
+      options_(options),
+      grid_(scene.grid),
+      walls_(grid_),
+      pistons_(scene),
+      inverse_volume_(inverse_cell_volumes<S>(grid_)),
+      counts_(static_cast<std::size_t>(grid_.node_count())) {
+  for (int d = 0; d < dim; ++d) gravity_[d] = scene.gravity[static_cast<std::size_t>(d)];
+  std::vector<std::string> names;
+  for (Body& body : scene.bodies) {
+    const auto found = std::find(names.begin(), names.end(), body.field);
+    const bool first_of_field = found == names.end();
+    Located at;
+    at.field = static_cast<std::size_t>(found - names.begin());
+    if (first_of_field) {
+      names.push_back(body.field);
+      fields_.emplace_back(grid_);
+    }
+    alone_.resize(fields_.size(), true);
+    if (!first_of_field) alone_[at.field] = false;
+    at.lowest.resize(static_cast<std::size_t>(body.points.points()));
+    located_.push_back(std::move(at));
+    const int strains = body.material->isotropic() ? 1 : G::strains;
+    if (body.points.points() > 0 && body.points.components(column::stress) != strains) {
+      throw std::invalid_argument("body " + body.name + " has " +
+                                  std::to_string(body.points.components(column::stress)) +
+                                  " stress components; its material and the grid's geometry want " +
+                                  std::to_string(strains));
+    }
+    if (T::affine) body.points.add(column::affine, dim * dim);
+    if (options.keep_loss && body.material->takes_heat()) body.points.add(column::transfer_loss);
+  }
+}
+
+template <class G, class S, class T>
+auto Mechanics<G, S, T>::nodal(const Field& field, NodalVelocity which) const -> const std::vector<Vec>& {
+  switch (which == NodalVelocity::current ? current_ : which) {
+    case NodalVelocity::end:
+      return field.end;
+    case NodalVelocity::midpoint:
+      return field.midpoint;
+    case NodalVelocity::remapped:
+      return field.remapped;
+    default:
+      return field.start;
+  }
+}
+
+template <class G, class S, class T>
+void Mechanics<G, S, T>::place(Body& body, Located& at) const {
+  std::array<const double*, dim> position;
+  for (int d = 0; d < dim; ++d) position[static_cast<std::size_t>(d)] = body.points(column::position, d);
+  std::vector<char> outside(static_cast<std::size_t>(1 + body.points.points() / place_stretch));
+  for_each_piece(static_cast<int>(outside.size()), options_.threads, [&](int piece) {
+    const int first = piece * place_stretch, last = std::min(first + place_stretch, body.points.points());
+    bool inside = true;
+    for (int p = first; p < last; ++p) {
+      int node = 0;
+      for (int d = 0; d < dim; ++d) {
+        const double x = (position[static_cast<std::size_t>(d)][p] - grid_.origin(d)) * (1 / grid_.h());
+        inside &= x >= -on_side && x <= grid_.cells(d) + on_side;
+        double local;
+        const int anchor = S::anchor(std::clamp(x, 0.0, 1.0 * grid_.cells(d)), grid_.cells(d), local);
+        node += (anchor + S::first + Grid<dim>::ghosts) * grid_.stride(d);
+      }
+      at.lowest[static_cast<std::size_t>(p)] = node;
+    }
+    outside[static_cast<std::size_t>(piece)] = !inside;
+  });
+  if (std::find(outside.begin(), outside.end(), 1) == outside.end()) return;
+  for (int d = 0; d < dim; ++d) {
+    for (int p = 0; p < body.points.points(); ++p) {
+      const double x = grid_.logical(position[static_cast<std::size_t>(d)][p], d);
+      if (x >= -on_side && x <= grid_.cells(d) + on_side) continue;
+      throw InadmissibleState("a point left the grid", body.name, body.id[static_cast<std::size_t>(p)],
+                              column::position.name(), position[static_cast<std::size_t>(d)][p]);
+    }
+  }
+}
+
+// Points are sorted whenever one has changed its bin; a chain keeps its order.
+template <class G, class S, class T>
+bool Mechanics<G, S, T>::sort_points(Body& body, Located& at) {
+  if (body.chain || std::is_sorted(at.lowest.begin(), at.lowest.end())) return false;
+  sort_by_bin(at.lowest, body.id, counts_, order_);
+  std::vector<ColumnId> stale{column::transfer_loss, column::pressure};
+  if (scene_.density != DensityMethod::continuity) stale.push_back(column::density);
+  if (options_.evaluates_stress_first) {
+    stale.push_back(column::strain_rate);
+    if (body.material->has_density()) {
+      stale.push_back(column::stress);
+      stale.push_back(column::volume);
+    }
+  }
+  body.points.reorder(order_, stale, options_.threads);
+  const auto reorder = [&](std::vector<int>& values) {
+    ids_.resize(values.size());
+    for_each_index(static_cast<int>(values.size()), options_.threads, [&](int k) {
+      const auto at_k = static_cast<std::size_t>(k);
+      ids_[at_k] = values[static_cast<std::size_t>(order_[at_k])];
+    });
+    std::swap(ids_, values);
+  };
+  reorder(body.id);
+  reorder(at.lowest);
+  return true;
+}
+
+// Marks the nodes that the points reach.
+template <class G, class S, class T>
+void Mechanics<G, S, T>::touch(const Located& at, Field& field) const {
+  const int length = grid_.row_length();
+  for (int bin = 0; bin < at.bins.bins(); ++bin) {
+    const int node = at.bins.node(bin), row = node / length, first = node - row * length, last = first + support;
+    for (int z = 0; z < (dim > 2 ? support : 1); ++z) {
+      for (int y = 0; y < (dim > 1 ? support : 1); ++y) {
+        int here = row + y;
+        if constexpr (dim > 2) here += z * (grid_.stride(2) / length);
+        auto& range = field.touched[static_cast<std::size_t>(here)];
+        range = range.first == range.second ? std::pair{first, last}
+                                            : std::pair{std::min(range.first, first), std::max(range.second, last)};
+      }
+    }
+  }
+}
+
+template <class G, class S, class T>
+void Mechanics<G, S, T>::locate_points() {
+  for (Field& field : fields_) std::fill(field.touched.begin(), field.touched.end(), std::pair<int, int>{0, 0});
+  for (std::size_t b = 0; b < located_.size(); ++b) {
+    Body& body = scene_.bodies[b];
+    Located& at = located_[b];
+    place(body, at);
+    if (sorting_) sort_points(body, at);
+    at.bins.build(at.lowest, grid_.stride(dim - 1), block_height, sorting_ && !body.chain);
+    touch(at, field_of(b));
+  }
+  for (Field& field : fields_) walls_.include_mirrors(field.touched);
+  pending_ = Pending{};
+  moved_ = forces_mapped_ = false;
+  rate_of_ = NodalVelocity::current;
+  pending_strain_dt_ = pending_stored_ = 0;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,199 @@
+// The stages as loops over chunks of bins. Each stage is a short list of loops over one chunk, so that what a chunk
+// computes is still in the cache when the next loop wants it. Included only by files that instantiate it for a geometry.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "kernel/bins.hpp"
+#include "kernel/inadmissible.hpp"
+#include "kernel/mechanics.hpp"
+#include "kernel/pack.hpp"
+#include "kernel/parallel.hpp"
+#include "kernel/pistons.hpp"
+#include "kernel/stencil.hpp"
+#include "kernel/summation.hpp"
+#include "kernel/transfers/transfers.hpp"
+#include "kernel/velocity_field.hpp"
+#include "kernel/walls.hpp"
+
+namespace plumbline {
+
+template <class Geometry, class Shape, class Transfer>
+class Mechanics final : public Engine {
+ public:
+  static constexpr int dim = Geometry::dim;
+  using Vec = Eigen::Matrix<double, dim, 1>;
+  // So far beyond a side, in cells, a point still stands on it: on a wall it drifts by the rounding of a sum that is zero.
+  static constexpr double on_side = 1e-9;
+
+  Mechanics(Scene& scene, Ledger& ledger, const EngineOptions& options);
+
+  void locate_points() override;
+  void map_mass_and_momentum() override;
+  void map_forces() override;
+  void advance_momentum(double dt) override;
+  void move_points(double dt) override;
+  void map_momentum() override;
+  void strain_points(double dt, NodalVelocity velocity) override;
+  void evaluate_stress(NodalVelocity velocity) override;
+  bool reverse_cooling() override;
+  void return_transfer_loss() override;
+  void move_and_heat_points(double dt) override;
+  State state() const override;
+  void set_state(const State& state) override;
+  State rate() override;
+
+  void initialise() override;
+  Totals totals() const override;
+  void refresh_density() override;
+  void check() const override;
+  double step_limit() const override;
+  void points_changed(double time) override {
+    survey_.reset();
+    pistons_.set_time(time);
+  }
+
+ private:
+  static constexpr int support = Shape::support;
+  static constexpr int nodes = Stencil<dim, Shape, double>::nodes;
+  static constexpr int block_height = dim == 1 ? 64 : 4;  // layers; a stencil reaches 3 beyond its own
+  static constexpr int place_stretch = 4096;
+  static constexpr int rotations = Geometry::rotations;
+  using Field = VelocityField<dim>;
+  using PackStencil = Stencil<dim, Shape, Pack>;
+  using Print = Footprint<dim>;
+  using Turn = std::array<double, 3>;  // about x, y, z
+
+  // What the engine knows of a body beside its columns.
+  struct Located {
+    std::size_t field = 0;
+    std::vector<int> lowest;               // flat index of the lowest node reached, per point
+    std::array<std::vector<double>, dim> frozen;  // where the points stood when they were located, once they have moved
+    Bins bins;
+  };
+  struct MotionSums {
+    double lost = 0;
+    Turn torque{}, moved{};
+    int too_far = -1;  // first point that moved more than a cell
+    MotionSums& operator+=(const MotionSums& o);
+    friend MotionSums operator+(MotionSums a, const MotionSums& b) { return a += b; }
+  };
+  // Everything that is read off the points after a step, for the ledger, the next step's limit and the checks.
+  struct Survey {
+    Totals totals;
+    StepBounds bounds;
+    bool admissible = true;
+    Survey& operator+=(const Survey& o);
+    friend Survey operator+(Survey a, const Survey& b) { return a += b; }
+  };
+  // Flows of the step under way; the last advance_momentum and map count, and move_points books them.
+  struct Pending {
+    WallAction<dim> wall, map_wall;
+    Vec body = Vec::Zero();
+    Spin<dim> body_angular = Spin<dim>::Zero();
+    double wall_work = 0, map_wall_work = 0, body_work = 0, stress_power = 0, map_loss = 0, viscous = 0, dt = 0;
+    bool power = false;  // advance_momentum has been called and its stress power is not yet summed
+    bool loss = false;   // the map's loss is not yet summed
+  };
+  struct PowerSums {
+    double power = 0, viscous = 0;
+    PowerSums& operator+=(const PowerSums& o) {
+      power += o.power;
+      viscous += o.viscous;
+      return *this;
+    }
+    friend PowerSums operator+(PowerSums a, const PowerSums& b) { return a += b; }
+  };
+
+  MaterialContext context() const {
+    return {dim, grid_.h(), scene_.density == DensityMethod::continuity, scene_.density == DensityMethod::grid};
+  }
+  const std::vector<Vec>& nodal(const Field& field, NodalVelocity which) const;
+  Field& field_of(std::size_t body) { return fields_[located_[body].field]; }
+  const Field& field_of(std::size_t body) const { return fields_[located_[body].field]; }
+
+  // --- loops over the chunks of one body
+  // work(chunk) for each, in any order.
+  template <class Work>
+  void for_chunks(const Located& at, Work&& work) const;
+  // work(chunk) for each; chunks that could write the same node are never under way together, and always in the same
+  // order.
+  template <class Work>
+  void for_chunks_writing_nodes(const Located& at, Work&& work) const;
+  // The sum of work(chunk) over all chunks, which does not depend on threads.
+  template <class T, class Work>
+  T sum_over_chunks(const Located& at, Work&& work) const;
+  // visit(footprint, anchor, first point, last point) for each bin of a chunk; anchor: node index per direction, ghosts
+  // not counted.
+  template <class Visit>
+  void for_bins(const Bins& bins, const Chunk& chunk, Visit&& visit) const;
+  // Where the frozen weights come from: the positions, or what they were before the points moved.
+  std::array<const double*, dim> places(const Body& body, const Located& at) const;
+  PackStencil stencil(const std::array<const double*, dim>& places, const double (&anchor)[dim], int p) const;
+  // Sums the lanes of a bin's node sums into `to[node]` (component k of each node's value).
+  template <int components, class Add>
+  void add_to_nodes(const Print& print, const Pack (&sums)[nodes * components], Add&& add) const;
+  // The nodal velocities of a bin relative to its first node, and that node's.
+  struct BinVelocity {
+    double u[nodes][dim], square[nodes];
+    Vec base;
+  };
+  BinVelocity bin_velocity(const Print& print, const std::vector<Vec>& velocity) const;
+  template <class Visit>
+  static void for_stencil_nodes(const Print& print, Visit&& visit);
+
+  // --- one chunk of one body
+  void scatter_mass_and_momentum(const Body& body, const Located& at, const Chunk& chunk, Field& field, bool with_mass,
+                                 bool with_momentum) const;
+  double find_map_loss(Body& body, const Located& at, const Chunk& chunk, const Field& field) const;
+  void find_strain_rates(Body& body, const Located& at, const Chunk& chunk, const std::vector<Vec>& velocity) const;
+  void find_volumes(Body& body, const Located& at, const Chunk& chunk, const Field& field) const;
+  double scatter_forces(const Body& body, const Located& at, const Chunk& chunk, Field& field) const;
+  double stress_power(const Body& body, PointRange range, double dt) const;
+  MotionSums gather_motion(Body& body, const Located& at, const Chunk& chunk, const Field& field, double dt) const;
+  Survey survey(const Body& body, PointRange range) const;
+
+  // --- one body or all
+  void place(Body& body, Located& at) const;
+  bool sort_points(Body& body, Located& at);
+  void touch(const Located& at, Field& field) const;
+  void keep_places(Body& body, Located& at) const;
+  void solve_velocity(Field& field, std::vector<Vec>& velocity) const;
+  void find_grid_density(Field& field) const;
+  void map_own_mass(Body& body, Located& at, Field& field);
+  void find_all_strain_rates(NodalVelocity which);
+  void add_body_force(Field& field, double dt);
+  void settle_pending_strain();
+  void settle_power();
+  void settle_loss();
+  void book_motion(const MotionSums& sums, double dt);
+  void stop_if_too_far(const MotionSums& sums, const Body& body) const;
+  const Survey& surveyed() const;
+  template <class Visit>
+  void for_state_columns(Visit&& visit) const;
+
+  Scene& scene_;
+  Ledger& ledger_;
+  EngineOptions options_;
+  Grid<dim> grid_;
+  Walls<dim> walls_;
+  Pistons<dim> pistons_;
+  Vec gravity_;
+  std::vector<Field> fields_;
+  std::vector<Located> located_;
+  std::vector<bool> alone_;             // per field: whether a single body moves with it
+  std::vector<double> inverse_volume_;  // 1 / |cell_i|, m^-dim; axisymmetric per radian
+  std::optional<Field> own_field_;      // one body's mass alone
+  std::vector<int> counts_, order_, ids_;
+  Pending pending_;
+  NodalVelocity current_ = NodalVelocity::start;
+  bool moved_ = true, forces_mapped_ = false, sorting_ = true;
+  double grid_mass_ = 0, hoop_force_ = 0;
+  NodalVelocity rate_of_ = NodalVelocity::current;     // velocity the strain_rate columns hold; current: none
+  double pending_strain_dt_ = 0, pending_stored_ = 0;  // strained before the forces were known
+  mutable std::optional<Survey> survey_;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,99 @@
+// The semi-discrete equations: state, and its rate of change.
+#pragma once
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "kernel/engine/chunks.hpp"
+
+namespace plumbline {
+
+template <class G, class S, class T>
+template <class Visit>
+void Mechanics<G, S, T>::for_state_columns(Visit&& visit) const {
+  for (std::size_t b = 0; b < located_.size(); ++b) {
+    visit(b, column::position);
+    visit(b, column::velocity);
+    for (const ColumnId* id : scene_.bodies[b].material->internal_variables(context())) visit(b, *id);
+  }
+}
+
+template <class G, class S, class T>
+State Mechanics<G, S, T>::state() const {
+  State state;
+  for_state_columns([&](std::size_t b, const ColumnId& id) {
+    const auto values = std::as_const(scene_.bodies[b].points).values(id);
+    state.values.insert(state.values.end(), values.begin(), values.end());
+  });
+  return state;
+}
+
+template <class G, class S, class T>
+void Mechanics<G, S, T>::set_state(const State& state) {
+  const Totals before = totals();
+  auto next = state.values.begin();
+  for_state_columns([&](std::size_t b, const ColumnId& id) {
+    const auto values = scene_.bodies[b].points.values(id);
+    std::copy_n(next, values.size(), values.begin());
+    next += static_cast<std::ptrdiff_t>(values.size());
+  });
+  survey_.reset();
+  const Totals after = totals();
+  for (std::size_t d = 0; d < 3; ++d) {
+    ledger_.momentum[d].book(Flow::integration, after.momentum[d] - before.momentum[d]);
+    ledger_.angular_momentum[d].book(Flow::integration, after.angular_momentum[d] - before.angular_momentum[d]);
+  }
+  ledger_.energy.book(Flow::integration, after.energy.total() - before.energy.total());
+}
+
+template <class G, class S, class T>
+State Mechanics<G, S, T>::rate() {
+  if constexpr (!T::increments) {
+    throw std::logic_error("rates of change want the transfer flip: other transfers filter velocities once a step");
+  }
+  sorting_ = false;  // a State names points by their place
+  locate_points();
+  map_mass_and_momentum();
+  evaluate_stress(NodalVelocity::start);
+  map_forces();
+  advance_momentum(0.0);
+  pending_.power = false;
+  for (Field& field : fields_) {
+    field.for_touched(grid_, [&](std::size_t i) {
+      field.end[i] = field.mass[i] > least_mass ? Vec(field.force[i] / field.mass[i]) : Vec(Vec::Zero());
+    });
+    walls_.extend(field, field.end);
+  }
+  find_all_strain_rates(NodalVelocity::start);
+  State rate;
+  for (std::size_t b = 0; b < located_.size(); ++b) {
+    const Body& body = scene_.bodies[b];
+    const Located& at = located_[b];
+    const Field& field = field_of(b);
+    const auto n = static_cast<std::size_t>(body.points.points());
+    const std::size_t start = rate.values.size();
+    rate.values.resize(start + 2 * dim * n);
+    double* values = rate.values.data() + start;
+    const auto x = places(body, at);
+    for_chunks(at, [&](const Chunk& chunk) {
+      for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
+        for_packs(first, last, [&](int p, int count) {
+          const PackStencil weights = stencil(x, anchor, p);
+          for (std::size_t d = 0; d < dim; ++d) {
+            const auto gather = [&](const std::vector<Vec>& nodal_values) {
+              return weights.gather(print, [&](std::size_t i) { return nodal_values[i][static_cast<int>(d)]; }).value;
+            };
+            store(values + d * n + p, gather(field.start), count);
+            store(values + (dim + d) * n + p, gather(field.end), count);
+          }
+        });
+      });
+    });
+    const std::vector<double> internal = body.material->rates(body.points, context());
+    rate.values.insert(rate.values.end(), internal.begin(), internal.end());
+  }
+  return rate;
+}
+
+}  // namespace plumbline

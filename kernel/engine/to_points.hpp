@@ -1,0 +1,273 @@
+// Grid to points, and the booking of what a step did.
+#pragma once
+
+#include <cmath>
+
+#include "kernel/engine/chunks.hpp"
+
+namespace plumbline {
+
+template <class G, class S, class T>
+auto Mechanics<G, S, T>::MotionSums::operator+=(const MotionSums& o) -> MotionSums& {
+  lost += o.lost;
+  for (std::size_t k = 0; k < 3; ++k) {
+    torque[k] += o.torque[k];
+    moved[k] += o.moved[k];
+  }
+  if (too_far < 0) too_far = o.too_far;
+  return *this;
+}
+
+template <class G, class S, class T>
+auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Chunk& chunk, const Field& field,
+                                       double dt) const -> MotionSums {
+  Columns& points = body.points;
+  const auto x = places(body, at);
+  const double* mass = points(column::mass);
+  double* loss = points.has(column::transfer_loss) ? points(column::transfer_loss) : nullptr;
+  double *velocity[dim], *position[dim], *affine[dim][dim] = {};
+  for (int d = 0; d < dim; ++d) {
+    velocity[d] = points(column::velocity, d);
+    position[d] = points(column::position, d);
+    for (int e = 0; T::affine && e < dim; ++e) affine[d][e] = points(column::affine, d * dim + e);
+  }
+  MotionSums sums;
+  Pack lost = 0.0, torque[3] = {0.0, 0.0, 0.0}, moved[3] = {0.0, 0.0, 0.0};
+  const bool loss_first = loss && T::increments;
+  for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
+    const BinVelocity end = bin_velocity(print, field.end);
+    double change[nodes][dim], change_square[nodes];
+    if constexpr (T::increments) {
+      for_stencil_nodes(print, [&](int k, std::size_t i) {
+        change_square[k] = 0;
+        for (int d = 0; d < dim; ++d) {
+          change[k][d] = field.end[i][d] - field.start[i][d];
+          change_square[k] += change[k][d] * change[k][d];
+        }
+      });
+    }
+    for_packs(first, last, [&](int p, int count) {
+      const PackStencil weights = stencil(x, anchor, p);
+      const Pack m = kept(load(mass + p), count);
+      Pack v[dim], v_new[dim], c[dim][dim], inertia[dim], here[dim];
+      for (int d = 0; d < dim; ++d) {
+        inertia[d] = weights.inertia(d);
+        here[d] = load(position[d] + p);
+      }
+      Pack square = 0.0;  // of what the grid carries, less what the point keeps of it
+      if constexpr (T::increments) {
+        square = weights.gather_array([&](int k) { return change_square[k]; }).value;
+      } else {
+        square = weights.gather_array([&](int k) { return end.square[k]; }).value;
+      }
+      for (int d = 0; d < dim; ++d) {
+        const auto u = weights.gather_array([&](int k) { return end.u[k][d]; });
+        v[d] = u.value + end.base[d];
+        if constexpr (T::increments) {
+          const auto a = weights.gather_array([&](int k) { return change[k][d]; });
+          v_new[d] = load(velocity[d] + p) + a.value;  // [York 3.22]
+          square -= a.value * a.value;
+          for (int e = 0; e < dim; ++e) c[d][e] = a.affine[e];
+        } else {
+          v_new[d] = v[d];
+          square -= u.value * u.value;
+          for (int e = 0; e < dim; ++e) c[d][e] = u.affine[e];  // [EC-APIC 5]
+        }
+      }
+      PackMask too_far = first_lanes(0);
+      for (int d = 0; d < dim; ++d) {
+        const Pack step = dt * v[d];
+        too_far = too_far || !(abs(step) <= grid_.h());
+        store(velocity[d] + p, v_new[d], count);
+        here[d] += step;
+        store(position[d] + p, here[d], count);  // [York 3.21]
+      }
+      if (sums.too_far < 0 && any_of(too_far && first_lanes(count))) sums.too_far = p;
+      for (int k = 0; k < rotations; ++k) {
+        const int a = rotation_axis<dim>(k, 0), b = rotation_axis<dim>(k, 1);
+        // N r x u, but for what an affine part keeps of it.
+        if constexpr (!T::affine || !S::fixed_inertia) torque[k] += m * (inertia[a] * c[b][a] - inertia[b] * c[a][b]);
+        moved[k] += m * dt * (v[a] * v_new[b] - v[b] * v_new[a]);
+      }
+      if constexpr (T::affine) {
+        // With the inertia of the new place: where that is another, so are the energy and the spin of the affine part.
+        for (int d = 0; !S::fixed_inertia && d < dim; ++d) {
+          const Pack cells = (here[d] - grid_.origin(d)) * (1 / grid_.h());
+          inertia[d] = S::inertia(Pack(cells - floor(cells))) * (grid_.h() * grid_.h());
+        }
+        for (int d = 0; d < dim; ++d) {
+          for (int e = 0; e < dim; ++e) {
+            square -= inertia[e] * c[d][e] * c[d][e];
+            store(affine[d][e] + p, c[d][e], count);
+          }
+        }
+        for (int k = 0; !S::fixed_inertia && k < rotations; ++k) {
+          const int a = rotation_axis<dim>(k, 0), b = rotation_axis<dim>(k, 1);
+          torque[k] -= m * (inertia[a] * c[b][a] - inertia[b] * c[a][b]);
+        }
+      }
+      // Never negative but by rounding, and a cold gas has nothing to pay that with. Only a changing inertia can give.
+      if constexpr (!T::affine || S::fixed_inertia) square = max(square, Pack(0.0));
+      const Pack given = 0.5 * m * square;  // [EC-APIC 5]
+      if (loss) store(loss + p, loss_first ? given : load(loss + p) + given, count);
+      lost += given;
+    });
+  });
+  sums.lost = sum(lost);
+  const std::size_t about = dim == 2 ? 2 : 0;
+  for (int k = 0; k < rotations; ++k) {
+    sums.torque[about + static_cast<std::size_t>(k)] = sum(torque[k]);
+    sums.moved[about + static_cast<std::size_t>(k)] = sum(moved[k]);
+  }
+  return sums;
+}
+
+// Weights stay those of where the points stood when they were located.
+template <class G, class S, class T>
+void Mechanics<G, S, T>::keep_places(Body& body, Located& at) const {
+  for (int d = 0; d < dim; ++d) {
+    const double* x = body.points(column::position, d);
+    at.frozen[static_cast<std::size_t>(d)].assign(x, x + body.points.points() + lanes - 1);
+  }
+}
+
+template <class G, class S, class T>
+void Mechanics<G, S, T>::stop_if_too_far(const MotionSums& sums, const Body& body) const {
+  if (sums.too_far < 0) return;
+  for (int p = sums.too_far; p < body.points.points(); ++p) {
+    for (int d = 0; d < dim; ++d) {
+      const double v = body.points(column::velocity, d)[p];
+      if (std::abs(pending_.dt * v) <= grid_.h() && p + 1 < sums.too_far + lanes) continue;
+      throw InadmissibleState("a point moved more than one cell in a step", body.name,
+                              body.id[static_cast<std::size_t>(p)], column::velocity.name(), v);
+    }
+  }
+}
+
+template <class G, class S, class T>
+void Mechanics<G, S, T>::book_motion(const MotionSums& sums, double dt) {
+  for (const Field& field : fields_) {
+    WallAction<dim> action = walls_.extension_impulse(field, field.end);
+    if constexpr (T::increments) {
+      const WallAction<dim> before = walls_.extension_impulse(field, field.start);
+      action.linear -= before.linear;
+      action.angular -= before.angular;
+    }
+    pending_.wall.linear += action.linear;
+    pending_.wall.angular += action.angular;
+  }
+  for (int d = 0; d < dim; ++d) {
+    Account& account = ledger_.momentum[static_cast<std::size_t>(d)];
+    account.book(Flow::walls, pending_.wall.linear[d] + pending_.map_wall.linear[d]);
+    account.book(Flow::body_force, pending_.body[d]);
+  }
+  const std::size_t about = dim == 2 ? 2 : 0;
+  for (int k = 0; k < rotations; ++k) {
+    const std::size_t axis = about + static_cast<std::size_t>(k);
+    Account& account = ledger_.angular_momentum[axis];
+    account.book(Flow::walls, pending_.wall.angular[k] + pending_.map_wall.angular[k]);
+    account.book(Flow::body_force, pending_.body_angular[k]);
+    account.book(Flow::transfer, -sums.torque[axis]);
+    account.book(Flow::integration, sums.moved[axis]);
+  }
+  ledger_.energy.book(Flow::walls, pending_.wall_work + pending_.map_wall_work);
+  ledger_.energy.book(Flow::body_force, pending_.body_work);
+  ledger_.energy.book(Flow::transfer, -pending_.map_loss - sums.lost);
+  ledger_.energy.book(Flow::integration, -pending_.stress_power);
+  ledger_.viscous += pending_.viscous;
+  pistons_.advance(dt);
+  moved_ = true;
+}
+
+template <class G, class S, class T>
+void Mechanics<G, S, T>::move_points(double dt) {
+  settle_power();
+  settle_loss();
+  survey_.reset();
+  MotionSums sums;
+  for (std::size_t b = 0; b < located_.size(); ++b) {
+    Body& body = scene_.bodies[b];
+    keep_places(body, located_[b]);
+    const MotionSums own = sum_over_chunks<MotionSums>(located_[b], [&](const Chunk& chunk) {
+      return gather_motion(body, located_[b], chunk, field_of(b), dt);
+    });
+    stop_if_too_far(own, body);
+    sums += own;
+  }
+  book_motion(sums, dt);
+}
+
+template <class G, class S, class T>
+void Mechanics<G, S, T>::return_transfer_loss() {
+  survey_.reset();
+  for (std::size_t b = 0; b < located_.size(); ++b) {
+    Body& body = scene_.bodies[b];
+    if (!body.points.has(column::transfer_loss)) continue;
+    const double* loss = body.points(column::transfer_loss);
+    const double returned = sum_over_chunks<double>(located_[b], [&](const Chunk& chunk) {
+      body.material->add_heat(body.points, {chunk.first, chunk.last}, loss);
+      double sum = 0;
+      for (int p = chunk.first; p < chunk.last; ++p) sum += loss[p];
+      return sum;
+    });
+    ledger_.energy.book(Flow::transfer, returned);
+  }
+}
+
+template <class G, class S, class T>
+void Mechanics<G, S, T>::move_and_heat_points(double dt) {
+  settle_loss();
+  struct Sums {
+    MotionSums motion;
+    PowerSums power;
+    Survey survey;
+    double stored = 0, returned = 0;
+    Sums& operator+=(const Sums& o) {
+      motion += o.motion;
+      power += o.power;
+      survey += o.survey;
+      stored += o.stored;
+      returned += o.returned;
+      return *this;
+    }
+    Sums operator+(const Sums& o) const { return Sums(*this) += o; }
+  };
+  const bool rates_wanted = rate_of_ != NodalVelocity::midpoint, power_wanted = pending_.power;
+  Sums all;
+  for (std::size_t b = 0; b < located_.size(); ++b) {
+    Body& body = scene_.bodies[b];
+    const double* loss = body.points.has(column::transfer_loss) ? body.points(column::transfer_loss) : nullptr;
+    const Field& field = field_of(b);
+    const Sums own = sum_over_chunks<Sums>(located_[b], [&](const Chunk& chunk) {
+      const PointRange range{chunk.first, chunk.last};
+      Sums sums;
+      if (rates_wanted) find_strain_rates(body, located_[b], chunk, field.midpoint);
+      sums.power.power = stress_power(body, range, dt);
+      sums.power.viscous = body.material->viscous_heat(body.points, range, context(), dt);
+      sums.stored = body.material->advance(body.points, range, context(), dt);  // [EC-APIC 6]
+      sums.motion = gather_motion(body, located_[b], chunk, field, dt);
+      if (loss) {
+        body.material->add_heat(body.points, range, loss);
+        for (int p = range.first; p < range.last; ++p) sums.returned += loss[p];
+      }
+      sums.survey = survey(body, range);
+      return sums;
+    });
+    stop_if_too_far(own.motion, body);
+    all += own;
+  }
+  if (power_wanted) {
+    pending_.stress_power = all.power.power;
+    pending_.viscous = all.power.viscous;
+    pending_.power = false;
+  }
+  book_motion(all.motion, dt);
+  ledger_.energy.book(Flow::integration, all.power.power);
+  ledger_.energy.book(Flow::constitutive, all.stored - all.power.power);
+  ledger_.energy.book(Flow::transfer, all.returned);
+  rate_of_ = NodalVelocity::current;
+  all.survey.totals.grid_mass = grid_mass_;
+  survey_ = all.survey;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,57 @@
+// A few points side by side: one lane each, as many as the instruction set has. Loops over the points of a bin work on
+// packs; the lanes of a last, partial pack beyond `count` hold whatever follows and are neither stored nor summed.
+#pragma once
+
+#include <experimental/simd>
+
+namespace plumbline {
+
+using Pack = std::experimental::native_simd<double>;
+using PackMask = Pack::mask_type;
+inline constexpr int lanes = static_cast<int>(Pack::size());
+
+inline PackMask first_lanes(int count) {
+  return Pack([](auto lane) { return static_cast<double>(lane); }) < static_cast<double>(count);
+}
+
+// `at` must have `lanes` readable values, see Columns.
+inline Pack load(const double* at) { return Pack(at, std::experimental::element_aligned); }
+
+// Stores the first `count` lanes.
+inline void store(double* at, const Pack& value, int count) {
+  if (count >= lanes) {
+    value.copy_to(at, std::experimental::element_aligned);
+  } else {
+    std::experimental::where(first_lanes(count), value).copy_to(at, std::experimental::element_aligned);
+  }
+}
+
+// The first `count` lanes, the others zero.
+inline Pack kept(const Pack& value, int count) {
+  if (count >= lanes) return value;
+  Pack zero = 0.0;
+  std::experimental::where(first_lanes(count), zero) = value;
+  return zero;
+}
+
+inline double sum(const Pack& value) { return std::experimental::reduce(value); }
+
+// Where `mask` holds `a`, else `b`.
+inline Pack choose(const PackMask& mask, const Pack& a, Pack b) {
+  std::experimental::where(mask, b) = a;
+  return b;
+}
+
+// Calls visit(p, count) for packs of points first ... last-1; `count` lanes of each are points.
+template <class Visit>
+[[gnu::always_inline]] inline void for_packs(int first, int last, Visit&& visit) {
+  for (int p = first; p < last; p += lanes) visit(p, last - p < lanes ? last - p : lanes);
+}
+
+// totals[k] = sum of the lanes of packs[k].
+template <int count>
+[[gnu::always_inline]] inline void sum_lanes(const Pack (&packs)[count], double (&totals)[count]) {
+  for (int k = 0; k < count; ++k) totals[k] = sum(packs[k]);
+}
+
+}  // namespace plumbline

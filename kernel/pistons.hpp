@@ -1,0 +1,48 @@
+// Planes that move through the grid with a given velocity and drive the nodes behind them.
+#pragma once
+
+#include <vector>
+
+#include "kernel/scene.hpp"
+#include "kernel/walls.hpp"
+
+namespace plumbline {
+
+template <int dim>
+class Pistons {
+ public:
+  using Vec = Eigen::Matrix<double, dim, 1>;
+
+  explicit Pistons(const Scene& scene) : pistons_(scene.pistons) {}
+
+  bool none() const { return pistons_.empty(); }
+  void advance(double dt) { time_ += dt; }
+  void set_time(double time) { time_ = time; }
+
+  // Gives driven nodes the pistons' normal velocity. Adds the impulse to `action`; returns its work, J.
+  double drive(const Grid<dim>& grid, const VelocityField<dim>& field, std::vector<Vec>& velocity,
+               WallAction<dim>& action) const {
+    double work = 0;
+    for (const Piston& piston : pistons_) {
+      const int d = piston.direction;
+      const double reach = piston.position + piston.velocity * time_ + (piston.side == 0 ? 0.5 : -0.5) * grid.h();
+      field.for_touched(grid, [&](std::size_t i) {
+        const double x = grid.line(grid.index(static_cast<int>(i), d), d);
+        if (piston.side == 0 ? x >= reach : x <= reach) return;
+        Vec impulse = Vec::Zero();
+        impulse[d] = field.mass[i] * (piston.velocity - velocity[i][d]);
+        velocity[i][d] = piston.velocity;
+        action.linear += impulse;
+        action.angular += cross<dim>(grid.position(static_cast<int>(i)), impulse);
+        work += impulse[d] * piston.velocity;
+      });
+    }
+    return work;
+  }
+
+ private:
+  std::vector<Piston> pistons_;
+  double time_ = 0;  // s, since the pistons stood where the scene put them
+};
+
+}  // namespace plumbline
