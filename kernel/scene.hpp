@@ -34,6 +34,8 @@ struct Scene {
   std::string shape = "quadratic";  // linear, quadratic, cubic
   std::string transfer = "apic";    // pic, flip, apic
   DensityMethod density = DensityMethod::grid;
+  double sharpening = 0;     // 0: none, 1: the leading term of the maps' smoothing undone, see sharpening.hpp; [0, 1]
+  double heat_exchange = 0;  // kappa >= 0: heat that points of a compressed gas exchange through the nodes [Exchange 1]
 };
 
 // Names that Scene::shape and Scene::transfer may take, and those of DensityMethod in its order, each with one line.

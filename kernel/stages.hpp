@@ -50,6 +50,12 @@ class Stages {
   // x_p and v_p (and C_p) from the nodal velocities, as the transfer says. [York 3.21, 3.22] [EC-APIC 5]
   virtual void move_points(double dt) = 0;
 
+  // x_p += dt v_p. Points that pass a wall come back as their mirror images.
+  virtual void drift_points(double dt) = 0;
+
+  // v_p (and C_p) from the nodal velocities; points stay where they are. [EC-APIC 5]
+  virtual void kick_points(double dt) = 0;
+
   // v_i = sum_p m_p v_p N_ip / M_i from the updated point velocities and the frozen weights. [York 3.24]
   virtual void map_momentum() = 0;
 
@@ -58,6 +64,9 @@ class Stages {
 
   // Densities by the scene's method, then stresses, with strain rates from a nodal velocity. [York 4.1] [EC-APIC 2, 3]
   virtual void evaluate_stress(NodalVelocity velocity = NodalVelocity::current) = 0;
+
+  // The same `ahead` seconds later, as the strain rates of the start of the step foretell it; nothing is advanced.
+  virtual void predict_stress(double ahead) = 0;
 
   // strain_points, then evaluate_stress.
   void update_stress(double dt, NodalVelocity velocity = NodalVelocity::current) {
@@ -79,6 +88,14 @@ class Stages {
     move_points(dt);
     strain_points(dt, NodalVelocity::midpoint);
     return_transfer_loss();
+  }
+
+  // The same with kick_points and drift_points(drift).
+  virtual void kick_heat_and_drift_points(double dt, double drift) {
+    kick_points(dt);
+    strain_points(dt, NodalVelocity::midpoint);
+    return_transfer_loss();
+    drift_points(drift);
   }
 
   // For methods of lines (Runge-Kutta, implicit): the state, its rate of change where it stands (forces evaluated there),

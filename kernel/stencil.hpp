@@ -66,6 +66,10 @@ class Stencil {
                                                      int step) const {
     spread_along<dim - 1>(g_, base, slope, sums, step);
   }
+  // Adds s grad N: component d to sums[node * step + d].
+  [[gnu::always_inline]] inline void spread_divergence(const Number& s, Number* sums, int step) const {
+    for (int d = 0; d < dim; ++d) spread_product<dim - 1>(d, s, sums + d, step);
+  }
   // The same with N (x_i - x_p)_d in place of dN/dx_d.
   [[gnu::always_inline]] inline void spread_moment(const Number& base, const Number (&slope)[dim], Number* sums,
                                                    int step) const {
@@ -119,6 +123,19 @@ class Stencil {
         Number below[dim];
         for (int k = 0; k < d; ++k) below[k] = n_[d][j] * slope[k];
         spread_along<d - 1>(other, here, below, sums + j * block<d>() * step, step);
+      }
+    }
+  }
+
+  // Adds s N with dN/dx in place of N along `slope`.
+  template <int d>
+  [[gnu::always_inline]] inline void spread_product(int slope, const Number& s, Number* sums, int step) const {
+    for (int j = 0; j < support; ++j) {
+      const Number here = (d == slope ? g_[d][j] : n_[d][j]) * s;
+      if constexpr (d == 0) {
+        sums[j * step] += here;
+      } else {
+        spread_product<d - 1>(slope, here, sums + j * block<d>() * step, step);
       }
     }
   }

@@ -28,7 +28,10 @@ struct VelocityField {
         end(size(grid), Vec::Zero()),
         midpoint(size(grid), Vec::Zero()),
         remapped(size(grid), Vec::Zero()),
-        density(size(grid)) {}
+        straining(size(grid), Vec::Zero()),
+        density(size(grid)),
+        heat(size(grid)),
+        exchange(size(grid)) {}
 
   static std::size_t size(const Grid<dim>& grid) { return static_cast<std::size_t>(grid.node_count()); }
 
@@ -41,7 +44,10 @@ struct VelocityField {
   std::vector<Vec> end;                      // v~_i = v_i + dt f_i / M_i
   std::vector<Vec> midpoint;                 // (v_i + v~_i) / 2
   std::vector<Vec> remapped;                 // v_i from the updated point velocities [York 3.24]
+  std::vector<Vec> straining;                // the nodal velocity whose gradients strain the points, sharpened
   std::vector<double> density;               // M_i / |cell_i|
+  std::vector<double> heat;                  // sum_p m_p e_p N_ip, then E_i, its mean per mass
+  std::vector<double> exchange;              // sum_p m_p N_ip max(0, -div v), then alpha_i
 
   // Calls visit(node) for every touched node of a row.
   template <class Visit>

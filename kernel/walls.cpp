@@ -95,10 +95,15 @@ void Walls<dim>::include_mirrors(std::vector<std::pair<int, int>>& touched) cons
 
 template <int dim>
 void Walls<dim>::fold_mass(VelocityField<dim>& field) const {
+  fold_even(field, field.mass);
+}
+
+template <int dim>
+void Walls<dim>::fold_even(const VelocityField<dim>& field, std::vector<double>& values) const {
   for (int d = 0; d < dim; ++d) {
     for_walls(
         field, d,
-        [&](int g, int m, bool) { field.mass[static_cast<std::size_t>(m)] += field.mass[static_cast<std::size_t>(g)]; },
+        [&](int g, int m, bool) { values[static_cast<std::size_t>(m)] += values[static_cast<std::size_t>(g)]; },
         [](int, bool) {});
   }
 }

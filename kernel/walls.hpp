@@ -26,6 +26,9 @@ class Walls {
   // Adds the ghosts' mass to their mirror nodes; the ghosts keep theirs for the impulse of the map back.
   void fold_mass(VelocityField<dim>& field) const;
 
+  // The same for sums of a scalar.
+  void fold_even(const VelocityField<dim>& field, std::vector<double>& values) const;
+
   // Folds momenta or forces with the signs of velocity and removes what a wall node may not have.
   WallAction<dim> fold(const VelocityField<dim>& field, std::vector<Vec>& values) const;
 

@@ -22,7 +22,8 @@ struct ConvergedGasProblem {
 /// The estimate is Roache's grid convergence index: difference of the two finer meshes over 2^p - 1, times 1.25, with
 /// the order p observed in the mean of the field, no less than 1/2 and no more than theory allows: 1, or 2 without
 /// shocks (P. J. Roache, Verification and Validation in Computational Science and Engineering, 1998, chapter 5). It is
-/// meant as a 95 % interval and is no proof: a value at a point is expected to lie within its bound at 95 % of the gas, a mean always.
+/// meant as a 95 % interval and is no proof: a value at a point is expected to lie within its bound at 95 % of the gas,
+/// a mean always.
 class ConvergedGas {
  public:
   /// About `cells` cells on the finest mesh. Throws ParameterError or std::runtime_error as the solver does.

@@ -3,6 +3,7 @@
 
 #include "cases/gas/gas_case.hpp"
 #include "cases/gas/gas_problem.hpp"
+#include "cases/harness/errors.hpp"
 #include "reference/simple_wave.hpp"
 
 namespace plumbline {
@@ -22,6 +23,11 @@ reference::SimpleWaveProblem wave_of(const Settings& settings) {
 
 GasFlow pulse_flow(const Settings& settings) {
   const auto wave = std::make_shared<const reference::SimpleWave>(wave_of(settings));
+  if (const double breaks = wave->breaking_time().value; settings.number("t_end") >= breaks) {
+    const std::string allowed = "below " + to_text(breaks) + " s";
+    throw UsageError("t_end", to_text(settings.number("t_end")), allowed, {},
+                     "the pulse breaks: t_end must be " + allowed);
+  }
   GasFlow flow;
   flow.gamma = wave->problem().gamma;
   flow.end_time = settings.number("t_end");
@@ -42,7 +48,7 @@ class AcousticPulse final : public Case {
     s.source = "R. Courant, K. O. Friedrichs, Supersonic Flow and Shock Waves, 1948, sections 40 and 41";
     s.claim = "Where nothing jumps the scheme is of second order.";
     s.physics =
-        "A pulse of 0.01 m/s, five times continuously differentiable, runs right through gas at rest (ρ = p = 1). It "
+        "A pulse of 0.001 m/s, five times continuously differentiable, runs right through gas at rest (ρ = p = 1). It "
         "is a simple wave: one entropy, u − 2c/(γ − 1) the same everywhere, each state travelling with its own u + c. "
         "It "
         "steepens a little and would break much later; the end time is before it reaches the wall.\n\n"
@@ -61,7 +67,10 @@ class AcousticPulse final : public Case {
     }
     s.known_limits = {
         "An artificial viscosity linear in h acts on smooth compressions, too: there the scheme is of first order in h "
-        "with a small constant."};
+        "with a small constant.",
+        "Points that moved no longer stand at equal shares of a cell: in a strain of a pressure p the sum of quadratic "
+        "shapes over them is off by about the cube of the strain of their spacing times p/h. At 0.01 m/s that is a "
+        "hundredth of the pulse at 200 cells and does not fall with h; at 0.001 m/s it is a thousand times less."};
     return s;
   }
 
@@ -69,10 +78,10 @@ class AcousticPulse final : public Case {
 
   std::vector<Key> keys() const override {
     return {{.name = "amplitude",
-             .value = 0.01,
+             .value = 0.001,
              .unit = "m/s",
              .low = -0.5,
-             .high = 0.15,
+             .high = 0.5,
              .description = "largest velocity of the pulse at t = 0"},
             {.name = "gamma",
              .value = 1.4,
@@ -84,7 +93,7 @@ class AcousticPulse final : public Case {
              .value = 0.3,
              .unit = "s",
              .low = 0,
-             .high = 0.35,
+             .high = 0.5,
              .low_open = true,
              .description = "end time"}};
   }

@@ -16,23 +16,37 @@ void append(std::vector<Measure>& all, const std::vector<Measure>& more) {
 
 double dot(const Position& a, const Position& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// Rows of a profile in the order of the points' numbers.
+// The points that a profile shows, in the order of their numbers: all, or where there are more than a picture needs, a
+// share of them that no row of points lines up with, since multiples of the golden section fill [0, 1] evenly.
+std::vector<int> shown_points(const Body& body) {
+  constexpr double most = 20000, golden = 0.61803398874989485;
+  const double share = most / static_cast<double>(body.id.size());
+  std::vector<int> shown;
+  for (int p = 0; p < body.points.points(); ++p) {
+    const double place = golden * body.id[static_cast<std::size_t>(p)];
+    if (place - std::floor(place) < share) shown.push_back(p);
+  }
+  std::sort(shown.begin(), shown.end(),
+            [&](int a, int b) { return body.id[static_cast<std::size_t>(a)] < body.id[static_cast<std::size_t>(b)]; });
+  return shown;
+}
+
+// Rows of a profile, one for each of the points shown.
 class ProfileTable {
  public:
-  explicit ProfileTable(const Body& body) : body_(body) {}
+  explicit ProfileTable(std::vector<int> shown) : shown_(std::move(shown)) {}
 
+  // `value` takes the number of the row and the point.
   void add(const std::string& name, const std::string& unit, const std::string& label,
-           const std::function<double(int p)>& value) {
-    ProfileColumn column{name, unit, label, std::vector<double>(body_.id.size())};
-    for (int p = 0; p < body_.points.points(); ++p) {
-      column.values[static_cast<std::size_t>(body_.id[static_cast<std::size_t>(p)])] = value(p);
-    }
+           const std::function<double(std::size_t row, int p)>& value) {
+    ProfileColumn column{name, unit, label, {}};
+    for (std::size_t row = 0; row < shown_.size(); ++row) column.values.push_back(value(row, shown_[row]));
     columns_.push_back(std::move(column));
   }
   std::vector<ProfileColumn> take() { return std::move(columns_); }
 
  private:
-  const Body& body_;
+  std::vector<int> shown_;
   std::vector<ProfileColumn> columns_;
 };
 
@@ -100,6 +114,7 @@ Body GasProblem::body(const Layout& at) const {
   gas->viscosity_linear = settings_.number("viscosity.linear");
   gas->viscosity_quadratic = settings_.number("viscosity.quadratic");
   const PointRule rule{settings_.text("points") == "equal-mass", settings_.number("ppc"), flow_.lines, 1};
+  if (flow_.fill) return flow_.fill(gas, rule, at.grid);
   return fill_gas(gas, box, rule, at.grid);
 }
 
@@ -110,6 +125,8 @@ Scene GasProblem::scene() const {
   scene.shape = settings_.text("shape");
   scene.transfer = settings_.text("transfer");
   scene.density = density_method(settings_.text("density"));
+  scene.sharpening = settings_.number("sharpening");
+  scene.heat_exchange = settings_.number("heat_exchange");
   for (int side : {0, 1}) {
     const auto& piston = flow_.pistons[static_cast<std::size_t>(side)];
     if (!piston) continue;
@@ -155,7 +172,7 @@ GasProblem::Seen GasProblem::seen(const Columns& points, int p, double time) con
   }
   x[axis] -= flow_.frame_velocity * time;
   v[axis] -= flow_.frame_velocity;
-  return {flow_.coordinate(x), flow_.direction(x), v};
+  return {flow_.coordinate(x), flow_.direction(x), v, !flow_.inside || flow_.inside(x)};
 }
 
 // The share of a point inside the space where it is judged. Walls and pistons cut nothing: all is inside.
@@ -178,6 +195,7 @@ std::vector<Measure> GasProblem::measures(const Simulation& simulation) const {
   for (int p = 0; p < points.points(); ++p) {
     const double rho = points(column::density)[p], volume = points(column::mass)[p] / rho;
     const Seen at = seen(points, p, simulation.time());
+    if (!at.inside) continue;
     covered += volume * share_judged(at.coordinate, volume);
     // A wall's own rounding may leave a point a hair beyond it.
     const double hair = 1e-9 * where.length();
@@ -202,6 +220,15 @@ std::vector<Measure> GasProblem::measures(const Simulation& simulation) const {
   append(all, error_norms("velocity", "m/s", velocity));
   append(all, field_norms("pressure", "Pa", pressure));
   append(all, field_norms("energy", "J/kg", energy));
+  if (flow_.exact_error) {
+    const reference::GasFields known = flow_.exact_error();
+    for (Measure& m : all) {
+      if (m.name == "density.L1") m.reference_bound = known.density;
+      if (m.name == "velocity.L1") m.reference_bound = known.velocity;
+      if (m.name == "pressure.L1") m.reference_bound = known.pressure;
+      if (m.name == "energy.L1") m.reference_bound = known.energy;
+    }
+  }
   if (flow_.filled) all.push_back(scalar_measure("coverage", covered / judged_space(), 1.0, 0.0, "1"));
   if (flow_.further) append(all, flow_.further(samples, simulation.time()));
   return all;
@@ -210,29 +237,29 @@ std::vector<Measure> GasProblem::measures(const Simulation& simulation) const {
 Profile GasProblem::profile(const Simulation& simulation) const {
   const Body& body = simulation.scene().bodies.front();
   const Columns& points = body.points;
-  std::vector<Seen> seen_points;
+  const std::vector<int> shown = shown_points(body);
+  std::vector<Seen> rows;
   std::vector<reference::Sample> exact;
-  for (int p = 0; p < points.points(); ++p) {
-    seen_points.push_back(seen(points, p, simulation.time()));
-    exact.push_back(flow_.exact(seen_points.back().coordinate, simulation.time()));
+  for (const int p : shown) {
+    rows.push_back(seen(points, p, simulation.time()));
+    exact.push_back(flow_.exact(rows.back().coordinate, simulation.time()));
   }
-  const auto of = [](const auto& all, int p) -> const auto& { return all[static_cast<std::size_t>(p)]; };
-  const auto along = [&](int p) { return dot(of(seen_points, p).velocity, of(seen_points, p).direction); };
-  ProfileTable table(body);
+  ProfileTable table(shown);
   table.add(flow_.abscissa, "m", flow_.abscissa == "x" ? "position" : "radius",
-            [&](int p) { return of(seen_points, p).coordinate; });
+            [&](std::size_t row, int) { return rows[row].coordinate; });
   const auto plain = [&](const ColumnId& id, const char* label) {
-    table.add(id.name(), id.unit(), label, [&](int p) { return points(id)[p]; });
+    table.add(id.name(), id.unit(), label, [&](std::size_t, int p) { return points(id)[p]; });
   };
   plain(column::mass, "point mass");
   plain(column::density, "density");
-  table.add("velocity", "m/s", "velocity", along);
+  table.add("velocity", "m/s", "velocity",
+            [&](std::size_t row, int) { return dot(rows[row].velocity, rows[row].direction); });
   plain(column::pressure, "pressure");
   plain(column::energy, "specific internal energy");
   table.add("volume", "m^3", "point volume",
-            [&](int p) { return points(column::mass)[p] / points(column::density)[p]; });
+            [&](std::size_t, int p) { return points(column::mass)[p] / points(column::density)[p]; });
   const auto reference_of = [&](const char* name, const char* unit, const char* label, auto member) {
-    table.add(name, unit, label, [&](int p) { return (of(exact, p).*member).value; });
+    table.add(name, unit, label, [&](std::size_t row, int) { return (exact[row].*member).value; });
   };
   reference_of("density_reference", "kg/m^3", "exact density", &reference::Sample::density);
   reference_of("velocity_reference", "m/s", "exact velocity", &reference::Sample::velocity);

@@ -9,6 +9,7 @@
 
 #include "cases/gas/fill.hpp"
 #include "cases/harness/case.hpp"
+#include "reference/gas_problem.hpp"
 #include "reference/riemann.hpp"
 
 namespace plumbline {
@@ -32,11 +33,13 @@ struct GasFlow {
   std::vector<double> jumps;                                   // of the state along the axis, at t = 0
   std::function<reference::GasState(double s)> initial;        // density along the axis alone
   std::function<reference::Sample(double s, double t)> exact;  // t > 0
-  std::function<double(const Position&)> coordinate;           // default: the place along the axis
-  std::function<Position(const Position&)> direction;          // default: along the axis
-  std::string abscissa = "x";                                  // what profiles call the coordinate
-  double gamma = 1.4, viscosity = 0;                           // viscosity: mu, Pa s
-  double end_time = 1;                                         // > 0
+  std::function<reference::GasFields()> exact_error;   // mean |error| of `exact`, where that is known better than by
+                                                       // adding up its bounds
+  std::function<double(const Position&)> coordinate;   // default: the place along the axis
+  std::function<Position(const Position&)> direction;  // default: along the axis
+  std::string abscissa = "x";                          // what profiles call the coordinate
+  double gamma = 1.4, viscosity = 0;                   // viscosity: mu, Pa s
+  double end_time = 1;                                 // > 0
 
   // Gas in the state of the ends is added beyond both ends of the axis, so that nothing that walls do reaches the
   // domain; rounded up to whole cells.
@@ -54,6 +57,11 @@ struct GasFlow {
   // pistons, and no further than the domain where the gas goes on beyond it.
   std::optional<Interval> judged;
   bool filled = true;  // gas fills its space to the end, so that `coverage` means something
+  // Points are judged only where this holds, too; of their place at the end. Default: everywhere.
+  std::function<bool(const Position&)> inside;
+  // Fills the scene with gas. Default: the whole box, as `initial` says.
+  std::function<Body(std::shared_ptr<const IdealGas>, const PointRule&, const GridSpec&)> fill;
+  std::function<void(const Simulation&)> observe;  // after each step
   // Measures beside the norms, of the points where they are judged.
   std::function<std::vector<Measure>(const std::vector<GasSample>& points, double time)> further;
 };
@@ -70,6 +78,9 @@ class GasProblem final : public Problem {
 
   double end_time() const override { return flow_.end_time; }
   Scene scene() const override;
+  void observe(const Simulation& simulation) override {
+    if (flow_.observe) flow_.observe(simulation);
+  }
   std::vector<Measure> measures(const Simulation& simulation) const override;
   Profile profile(const Simulation& simulation) const override;
 
@@ -90,6 +101,7 @@ class GasProblem final : public Problem {
     double coordinate;  // in the moving frame
     Position direction;
     Position velocity;  // in the moving frame
+    bool inside;
   };
   Seen seen(const Columns& points, int p, double time) const;
 

@@ -108,7 +108,6 @@ class Noh final : public Case {
              .value = 0.0,
              .unit = "Pa",
              .low = 0,
-             .high = 1e-3,
              .description = "of the cold gas; the reference has none"},
             {.name = "t_end", .value = end_time, .unit = "s", .low = 0, .low_open = true, .description = "end time"}};
   }

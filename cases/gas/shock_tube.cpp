@@ -3,6 +3,9 @@
 #include <cmath>
 #include <memory>
 
+#include "cases/gas/stick.hpp"
+#include "reference/gas_problem.hpp"
+
 namespace plumbline {
 namespace {
 
@@ -79,6 +82,13 @@ GasFlow tube_flow(const ShockTube& tube) {
   flow.gamma = tube.states.gamma;
   flow.end_time = tube.end_time;
   return flow;
+}
+
+Comparator tube_stick(const ShockTube& tube, const std::vector<double>& cells) {
+  const reference::RiemannSolution exact(tube.states);
+  return finite_volume_stick(
+      reference::riemann_tube(tube.states, tube.diaphragm, tube.end_time, tube.low, tube.high),
+      [&](double x) { return exact.sample((x - tube.diaphragm) / tube.end_time); }, cells);
 }
 
 std::unique_ptr<Problem> shock_tube_problem(const ShockTube& tube, const Settings& settings) {

@@ -27,6 +27,9 @@ ShockTube shock_tube_from(const Settings& settings, const ShockTube& defaults);
 // sqrt(((gamma + 1)/4 u)^2 + c^2) - |u| <= (gamma - 1)/2 |u| + c. gamma <= 3.
 double disturbed_by_wall(const reference::GasState& gas, double gamma, double time);
 
+// The finite-volume stick on the tube, ends left open.
+Comparator tube_stick(const ShockTube& tube, const std::vector<double>& cells);
+
 // The flow of a tube on a line.
 GasFlow tube_flow(const ShockTube& tube);
 // Points, scene and measures of it. Cells are counted along the tube.

@@ -89,6 +89,10 @@ std::vector<CaseGate> TubeCase::gates() const {
   return all;
 }
 
+std::vector<Comparator> TubeCase::comparators(const Settings& settings, const std::vector<double>& cells) const {
+  return {tube_stick(shock_tube_from(settings, about_.tube), cells)};
+}
+
 GateCount TubeCase::gate_count() const { return {8, 8}; }
 
 }  // namespace plumbline

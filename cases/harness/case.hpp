@@ -2,6 +2,7 @@
 // with the reason for each number.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -77,6 +78,18 @@ struct CaseGate {
   std::vector<std::string> also = {};  // further studies it compares with, by StudyResult::sibling
 };
 
+// Another method on the same problem, to show errors beside what they cost. Not judged.
+struct Comparator {
+  struct Level {
+    double cells = 0;
+    std::int64_t steps = 0, cell_steps = 0;
+    double wall_s = 0;                                        // one core
+    std::vector<std::pair<std::string, double>> errors = {};  // by measure, the same at each level
+  };
+  std::string name, title;
+  std::vector<Level> levels = {};
+};
+
 struct GateCount {
   int quick = 0, full = 0;
 };
@@ -96,6 +109,11 @@ class Case {
   virtual GateCount gate_count() const = 0;                // own gates per tier, generic ones of its studies included
   virtual bool any_integrator() const { return false; }    // generic gates for every registered integrator
   virtual std::vector<double> default_levels() const = 0;  // of `converge` without --cells
+  // Run with a study in cells of the default scheme, at its levels, for the problem that the settings describe.
+  virtual std::vector<Comparator> comparators(const Settings& /*settings*/,
+                                              const std::vector<double>& /*cells*/) const {
+    return {};
+  }
 
   // The resolved choices of a run. `typed`: "key=value" as given by --set. Throws UsageError, also where neither cfl
   // nor dt is left set.

@@ -16,6 +16,33 @@ void begin(Hdf5Writer& file, const std::string& kind, const Provenance& provenan
   file.text("/provenance", to_json(provenance).dump());
 }
 
+// /comparator/<name>: a table of levels.
+void write_comparator(Hdf5Writer& file, const Comparator& comparator) {
+  const std::string group = "/comparator/" + comparator.name;
+  const auto column = [&](const std::string& name, auto read) {
+    std::vector<double> values;
+    for (const Comparator::Level& at : comparator.levels) values.push_back(static_cast<double>(read(at)));
+    file.numbers(group + "/" + name, values);
+  };
+  column("cells", [](const Comparator::Level& at) { return at.cells; });
+  column("steps", [](const Comparator::Level& at) { return at.steps; });
+  column("cell_steps", [](const Comparator::Level& at) { return at.cell_steps; });
+  column("wall_s", [](const Comparator::Level& at) { return at.wall_s; });
+  for (std::size_t k = 0; !comparator.levels.empty() && k < comparator.levels.front().errors.size(); ++k) {
+    column(comparator.levels.front().errors[k].first, [k](const Comparator::Level& at) { return at.errors[k].second; });
+  }
+  file.attribute(group, "title", comparator.title);
+}
+
+// Of a study in cells of the default scheme as it is; other studies would repeat the same table.
+std::vector<Comparator> comparators_of(const StudyResult& study) {
+  const bool main = study.plan.vary == Vary::cells && study.plan.scheme == "default" && study.plan.overrides.empty();
+  if (!main || study.levels.empty()) return {};
+  std::vector<double> cells;
+  for (const StudyLevel& at : study.levels) cells.push_back(at.value);
+  return study.entry->comparators(study.levels.front().run.settings, cells);
+}
+
 }  // namespace
 
 ResultsFolder::ResultsFolder(std::string path) : path_(std::move(path)) {
@@ -82,6 +109,7 @@ void ResultsFolder::write_study(StudyResult& study, const std::vector<JudgedGate
   file.text("/fit", document["measures"].dump());
   file.text("/gates", document["gates"].dump());
   file.text("/catalog", catalog_entry(*study.entry).dump());
+  for (const Comparator& comparator : comparators_of(study)) write_comparator(file, comparator);
   file.commit();
 }
 

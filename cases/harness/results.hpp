@@ -22,6 +22,7 @@ class ResultsFolder {
   // The name of a run's file: case, scheme, cells and the hash of the settings.
   static std::string run_name(const RunResult& run);
 
+  // With a table /comparator/<name> for each of the case's comparators, which run now.
   void write_study(StudyResult& study, const std::vector<JudgedGate>& gates, const Provenance& provenance) const;
   static std::string study_name(const StudyResult& study);
 

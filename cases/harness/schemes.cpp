@@ -56,7 +56,7 @@ std::string scheme_source(const std::string& scheme) {
   return scheme == "york1997" ? "York 1997, SAND97-1893" : "kernel/README.md";
 }
 
-// Gas: the energy-conserving step. Membrane: symplectic stress update, because a stress evaluated at the start of the
+// Gas: the energy-conserving leapfrog. Membrane: symplectic stress update, because a stress evaluated at the start of the
 // step and strained with the midpoint velocity amplifies an elastic oscillation by 1 + (omega dt)^2 / 4 a step.
 std::vector<Key> kind_keys(Kind kind) {
   const bool gas = kind == Kind::gas;
@@ -69,7 +69,7 @@ std::vector<Key> kind_keys(Kind kind) {
        .description = "cells along the case's reference length"},
       choice("shape", "quadratic", names(shapes()), "shape functions"),
       choice("transfer", "apic", names(transfers()), "what goes back and forth between points and grid"),
-      choice("integrator", gas ? "energy" : "musl", integrator_names(), "time integrator"),
+      choice("integrator", gas ? "leapfrog" : "musl", integrator_names(), "time integrator"),
       {.name = "cfl",
        .value = gas ? 0.3 : 0.5,
        .low = 0,
@@ -100,7 +100,11 @@ std::vector<Key> kind_keys(Kind kind) {
                     .description = "shift of the grid in cells"});
     keys.push_back(choice("density", "grid", names(densities()), "how points get their density"));
     keys.push_back(choice("points", "equal-mass", {"equal-mass", "equal-volume"}, "what all points have alike"));
-    keys.push_back(number("viscosity.linear", 0.2, "1", 0, infinite, false, "c_L of the artificial viscosity"));
+    keys.push_back(number("sharpening", 1.0, "1", 0, 1, false,
+                          "how much of the maps' smoothing of forces and strain rates is undone on the nodes"));
+    keys.push_back(number("heat_exchange", 1.0, "1", 0, infinite, false,
+                          "kappa: how fast points of a gas under compression share their heat"));
+    keys.push_back(number("viscosity.linear", 0.0, "1", 0, infinite, false, "c_L of the artificial viscosity"));
     keys.push_back(number("viscosity.quadratic", 0.5, "1", 0, infinite, false, "c_Q of the artificial viscosity"));
   }
   return keys;
@@ -115,6 +119,8 @@ std::vector<Override> scheme_choices(const std::string& scheme, Kind kind) {
   if (kind == Kind::gas) {
     york.insert(york.end(), {{"density", "quadratic"},
                              {"points", "equal-volume"},
+                             {"sharpening", 0.0},
+                             {"heat_exchange", 0.0},
                              {"viscosity.linear", 1.0},
                              {"viscosity.quadratic", 1.0}});
   }

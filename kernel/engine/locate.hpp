@@ -20,6 +20,7 @@ Mechanics<G, S, T>::Mechanics(Scene& scene, Ledger& ledger, const EngineOptions&
       grid_(scene.grid),
       walls_(grid_),
       pistons_(scene),
+      sharpening_(grid_, scene.sharpening * S::blur),
       inverse_volume_(inverse_cell_volumes<S>(grid_)),
       counts_(static_cast<std::size_t>(grid_.node_count())) {
   for (int d = 0; d < dim; ++d) gravity_[d] = scene.gravity[static_cast<std::size_t>(d)];
@@ -100,13 +101,14 @@ template <class G, class S, class T>
 bool Mechanics<G, S, T>::sort_points(Body& body, Located& at) {
   if (body.chain || std::is_sorted(at.lowest.begin(), at.lowest.end())) return false;
   sort_by_bin(at.lowest, body.id, counts_, order_);
-  std::vector<ColumnId> stale{column::transfer_loss, column::pressure};
+  std::vector<ColumnId> stale{column::transfer_loss};
   if (scene_.density != DensityMethod::continuity) stale.push_back(column::density);
   if (options_.evaluates_stress_first) {
     stale.push_back(column::strain_rate);
     if (body.material->has_density()) {
       stale.push_back(column::stress);
       stale.push_back(column::volume);
+      stale.push_back(column::pressure);
     }
   }
   body.points.reorder(order_, stale, options_.threads);

@@ -12,6 +12,7 @@
 #include "kernel/pack.hpp"
 #include "kernel/parallel.hpp"
 #include "kernel/pistons.hpp"
+#include "kernel/sharpening.hpp"
 #include "kernel/stencil.hpp"
 #include "kernel/summation.hpp"
 #include "kernel/transfers/transfers.hpp"
@@ -35,12 +36,16 @@ class Mechanics final : public Engine {
   void map_forces() override;
   void advance_momentum(double dt) override;
   void move_points(double dt) override;
+  void drift_points(double dt) override;
+  void kick_points(double dt) override;
   void map_momentum() override;
   void strain_points(double dt, NodalVelocity velocity) override;
   void evaluate_stress(NodalVelocity velocity) override;
+  void predict_stress(double ahead) override;
   bool reverse_cooling() override;
   void return_transfer_loss() override;
   void move_and_heat_points(double dt) override;
+  void kick_heat_and_drift_points(double dt, double drift) override;
   State state() const override;
   void set_state(const State& state) override;
   State rate() override;
@@ -66,6 +71,17 @@ class Mechanics final : public Engine {
   using Print = Footprint<dim>;
   using Turn = std::array<double, 3>;  // about x, y, z
 
+  // Nodal arrays that gather_start reads; null: that part is not wanted.
+  struct Wanted {
+    const std::vector<Vec>* loss = nullptr;   // nodal velocity of the map
+    const std::vector<Vec>* rates = nullptr;  // nodal velocity that strains
+    const std::vector<double>* density = nullptr;
+    bool none() const { return !loss && !rates && !density; }
+  };
+  struct RateColumns {
+    double* at[Geometry::strains];
+    bool isotropic;
+  };
   // What the engine knows of a body beside its columns.
   struct Located {
     std::size_t field = 0;
@@ -76,7 +92,8 @@ class Mechanics final : public Engine {
   struct MotionSums {
     double lost = 0;
     Turn torque{}, moved{};
-    int too_far = -1;  // first point that moved more than a cell
+    Turn reflected{}, reflected_turn{};  // momenta given by walls that sent points back
+    int too_far = -1;                    // first point that moved more than a cell
     MotionSums& operator+=(const MotionSums& o);
     friend MotionSums operator+(MotionSums a, const MotionSums& b) { return a += b; }
   };
@@ -93,6 +110,7 @@ class Mechanics final : public Engine {
     WallAction<dim> wall, map_wall;
     Vec body = Vec::Zero();
     Spin<dim> body_angular = Spin<dim>::Zero();
+    Spin<dim> sharpening_turn = Spin<dim>::Zero();
     double wall_work = 0, map_wall_work = 0, body_work = 0, stress_power = 0, map_loss = 0, viscous = 0, dt = 0;
     bool power = false;  // advance_momentum has been called and its stress power is not yet summed
     bool loss = false;   // the map's loss is not yet summed
@@ -107,8 +125,8 @@ class Mechanics final : public Engine {
     friend PowerSums operator+(PowerSums a, const PowerSums& b) { return a += b; }
   };
 
-  MaterialContext context() const {
-    return {dim, grid_.h(), scene_.density == DensityMethod::continuity, scene_.density == DensityMethod::grid};
+  MaterialContext context(double ahead = 0) const {
+    return {dim, grid_.h(), scene_.density == DensityMethod::continuity, ahead, scene_.density == DensityMethod::grid};
   }
   const std::vector<Vec>& nodal(const Field& field, NodalVelocity which) const;
   Field& field_of(std::size_t body) { return fields_[located_[body].field]; }
@@ -141,18 +159,26 @@ class Mechanics final : public Engine {
     Vec base;
   };
   BinVelocity bin_velocity(const Print& print, const std::vector<Vec>& velocity) const;
+  RateColumns rate_columns(Body& body) const;
+  template <class Component>
+  void store_strain_rates(const RateColumns& rates, const PackStencil& weights, const Pack& radius, int p, int count,
+                          Component&& u) const;
   template <class Visit>
   static void for_stencil_nodes(const Print& print, Visit&& visit);
 
   // --- one chunk of one body
   void scatter_mass_and_momentum(const Body& body, const Located& at, const Chunk& chunk, Field& field, bool with_mass,
                                  bool with_momentum) const;
-  double find_map_loss(Body& body, const Located& at, const Chunk& chunk, const Field& field) const;
-  void find_strain_rates(Body& body, const Located& at, const Chunk& chunk, const std::vector<Vec>& velocity) const;
-  void find_volumes(Body& body, const Located& at, const Chunk& chunk, const Field& field) const;
+  double gather_start(Body& body, const Located& at, const Chunk& chunk, const Wanted& wanted) const;
+  template <bool isotropic, bool exchange>
+  double scatter_forces(const Body& body, const Located& at, const Chunk& chunk, Field& field) const;
   double scatter_forces(const Body& body, const Located& at, const Chunk& chunk, Field& field) const;
   double stress_power(const Body& body, PointRange range, double dt) const;
-  MotionSums gather_motion(Body& body, const Located& at, const Chunk& chunk, const Field& field, double dt) const;
+  // drift: how long the points then move with the velocity they got; none: over dt with the grid's.
+  MotionSums gather_motion(Body& body, const Located& at, const Chunk& chunk, const Field& field, double dt,
+                           std::optional<double> drift, const std::vector<Vec>* straining, bool exchange) const;
+  void reflect(Body& body, PointRange range, MotionSums& sums) const;
+  void reflect_point(Body& body, int p, int d, double wall, MotionSums& sums) const;
   Survey survey(const Body& body, PointRange range) const;
 
   // --- one body or all
@@ -161,6 +187,12 @@ class Mechanics final : public Engine {
   void touch(const Located& at, Field& field) const;
   void keep_places(Body& body, Located& at) const;
   void solve_velocity(Field& field, std::vector<Vec>& velocity) const;
+  const std::vector<Vec>& straining_velocity(Field& field, NodalVelocity which) const;
+  void solve_exchange(Field& field, double dt) const;
+  void evaluate_stress_ahead(NodalVelocity velocity, double ahead);
+  void gather_all_motion(double dt, std::optional<double> drift);
+  void finish_points(double dt, std::optional<double> drift);
+  bool exchanges_heat(const Body& body) const { return scene_.heat_exchange > 0 && body.material->takes_heat(); }
   void find_grid_density(Field& field) const;
   void map_own_mass(Body& body, Located& at, Field& field);
   void find_all_strain_rates(NodalVelocity which);
@@ -180,6 +212,7 @@ class Mechanics final : public Engine {
   Grid<dim> grid_;
   Walls<dim> walls_;
   Pistons<dim> pistons_;
+  Sharpening<dim> sharpening_;
   Vec gravity_;
   std::vector<Field> fields_;
   std::vector<Located> located_;

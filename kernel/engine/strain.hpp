@@ -6,39 +6,108 @@
 
 namespace plumbline {
 
+// Strain rates of a pack from the jets of the velocity components. [York 3.23]
 template <class G, class S, class T>
-void Mechanics<G, S, T>::find_strain_rates(Body& body, const Located& at, const Chunk& chunk,
-                                           const std::vector<Vec>& velocity) const {
+template <class Component>
+[[gnu::always_inline]] inline void Mechanics<G, S, T>::store_strain_rates(const RateColumns& rates,
+                                                                          const PackStencil& weights, const Pack& radius,
+                                                                          int p, int count, Component&& u) const {
+  Pack gradient[dim][dim], hoop_rate = 0.0;
+  for (int d = 0; d < dim; ++d) {
+    const auto jet = weights.gather_array([&](int k) { return u(k, d); });
+    for (int e = 0; e < dim; ++e) gradient[d][e] = jet.gradient[e];
+    if constexpr (G::axisymmetric) {
+      if (d == 0) hoop_rate = jet.value / radius;
+    }
+  }
+  if (rates.isotropic) {
+    Pack divergence = gradient[0][0] + hoop_rate;
+    for (int d = 1; d < dim; ++d) divergence += gradient[d][d];
+    store(rates.at[0] + p, divergence, count);
+    return;
+  }
+  Pack rate[G::strains];
+  G::strain(gradient, hoop_rate, rate);
+  for (int k = 0; k < G::strains; ++k) store(rates.at[k] + p, rate[k], count);
+}
+
+template <class G, class S, class T>
+auto Mechanics<G, S, T>::rate_columns(Body& body) const -> RateColumns {
+  RateColumns rates;
+  rates.isotropic = body.material->isotropic();
+  for (int k = 0; k < G::strains; ++k) rates.at[k] = body.points(column::strain_rate, rates.isotropic ? 0 : k);
+  return rates;
+}
+
+// What the points of a chunk take from the grid of the start of the step.
+//   loss     sum_p m_p A_p with A_p = sum_i N_ip |v_p + C_p (x_i - x_p) - v_i|^2 / 2, returned, as the sum of three terms
+//            that are never negative: what v_p and C_p differ by from the grid's, and what of the grid's velocity is not
+//            affine [EC-APIC 1]
+//   rates    strain rates of a nodal velocity [York 3.23]
+//   density  V_p = m_p / rho_p, rho_p = sum_i N_ip rho_i [EC-APIC 2]
+template <class G, class S, class T>
+double Mechanics<G, S, T>::gather_start(Body& body, const Located& at, const Chunk& chunk, const Wanted& wanted) const {
   const auto x = places(body, at);
-  const bool isotropic = body.material->isotropic();
-  double* rates[G::strains];
-  for (int k = 0; k < G::strains; ++k) rates[k] = body.points(column::strain_rate, isotropic ? 0 : k);
+  const double* mass = body.points(column::mass);
+  const double *velocity[dim], *affine[dim][dim] = {};
+  for (int d = 0; d < dim; ++d) {
+    velocity[d] = body.points(column::velocity, d);
+    for (int e = 0; T::affine && e < dim; ++e) affine[d][e] = body.points(column::affine, d * dim + e);
+  }
+  double* loss = body.points.has(column::transfer_loss) ? body.points(column::transfer_loss) : nullptr;
+  double* volume = body.points(column::volume);
+  const RateColumns rates = rate_columns(body);
+  Pack total = 0.0;
   for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
-    double u[nodes][dim];
+    BinVelocity start;
+    double strained[nodes][dim], rho[nodes];
+    if (wanted.loss) start = bin_velocity(print, *wanted.loss);
     for_stencil_nodes(print, [&](int k, std::size_t i) {
-      for (int d = 0; d < dim; ++d) u[k][d] = velocity[i][d];
+      for (int d = 0; wanted.rates && d < dim; ++d) strained[k][d] = (*wanted.rates)[i][d];
+      if (wanted.density) rho[k] = (*wanted.density)[i];
     });
     for_packs(first, last, [&](int p, int count) {
       const PackStencil weights = stencil(x, anchor, p);
-      Pack gradient[dim][dim], hoop_rate = 0.0;
+      if (wanted.rates) {
+        store_strain_rates(rates, weights, load(x[0] + p), p, count, [&](int k, int d) { return strained[k][d]; });
+      }
+      if (wanted.density) {
+        const Pack density = weights.gather_array([&](int k) { return rho[k]; }).value;
+        store(volume + p, load(mass + p) / density, count);
+      }
+      if (!wanted.loss) return;
+      Pack inertia[dim];
+      for (int d = 0; d < dim; ++d) inertia[d] = weights.inertia(d);
+      Pack spread = weights.gather_array([&](int k) { return start.square[k]; }).value, apart = 0.0;
       for (int d = 0; d < dim; ++d) {
-        const auto jet = weights.gather_array([&](int k) { return u[k][d]; });
-        for (int e = 0; e < dim; ++e) gradient[d][e] = jet.gradient[e];
-        if constexpr (G::axisymmetric) {
-          if (d == 0) hoop_rate = jet.value / load(x[0] + p);
+        const auto u = weights.gather_array([&](int k) { return start.u[k][d]; });
+        const Pack off = load(velocity[d] + p) - start.base[d] - u.value;
+        apart += off * off;
+        spread -= u.value * u.value;
+        if constexpr (T::affine) {
+          for (int e = 0; e < dim; ++e) {
+            const Pack twist = load(affine[d][e] + p) - u.affine[e];
+            apart += inertia[e] * twist * twist;
+            spread -= inertia[e] * u.affine[e] * u.affine[e];
+          }
         }
       }
-      if (isotropic) {
-        Pack divergence = gradient[0][0] + hoop_rate;
-        for (int d = 1; d < dim; ++d) divergence += gradient[d][d];
-        store(rates[0] + p, divergence, count);
-      } else {
-        Pack rate[G::strains];
-        G::strain(gradient, hoop_rate, rate);  // [York 3.23]
-        for (int k = 0; k < G::strains; ++k) store(rates[k] + p, rate[k], count);
-      }
+      const Pack lost = 0.5 * load(mass + p) * (apart + max(spread, Pack(0.0)));
+      if (loss) store(loss + p, lost, count);
+      total += kept(lost, count);
     });
   });
+  return sum(total);
+}
+
+// The nodal velocity whose gradients strain the points: sharpened as the accelerations are. [Sharpening 1]
+template <class G, class S, class T>
+auto Mechanics<G, S, T>::straining_velocity(Field& field, NodalVelocity which) const -> const std::vector<Vec>& {
+  const std::vector<Vec>& velocity = nodal(field, which);
+  if (sharpening_.none()) return velocity;
+  sharpening_.apply(field, velocity, field.straining, options_.threads);
+  walls_.extend(field, field.straining);
+  return field.straining;
 }
 
 template <class G, class S, class T>
@@ -46,9 +115,9 @@ void Mechanics<G, S, T>::find_all_strain_rates(NodalVelocity which) {
   if (which == NodalVelocity::current) which = current_;
   if (which == rate_of_) return;
   for (std::size_t b = 0; b < located_.size(); ++b) {
-    const std::vector<Vec>& velocity = nodal(field_of(b), which);
+    const std::vector<Vec>& velocity = straining_velocity(field_of(b), which);
     for_chunks(located_[b],
-               [&](const Chunk& chunk) { find_strain_rates(scene_.bodies[b], located_[b], chunk, velocity); });
+               [&](const Chunk& chunk) { gather_start(scene_.bodies[b], located_[b], chunk, {.rates = &velocity}); });
   }
   rate_of_ = which;
 }
@@ -138,25 +207,9 @@ void Mechanics<G, S, T>::find_grid_density(Field& field) const {
   walls_.extend_even(field, field.density);
 }
 
-// V_p = m_p / rho_p, rho_p = sum_i N_ip rho_i. [EC-APIC 2]
-template <class G, class S, class T>
-void Mechanics<G, S, T>::find_volumes(Body& body, const Located& at, const Chunk& chunk, const Field& field) const {
-  const auto x = places(body, at);
-  const double* mass = body.points(column::mass);
-  double* volume = body.points(column::volume);
-  for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
-    double rho[nodes];
-    for_stencil_nodes(print, [&](int k, std::size_t i) { rho[k] = field.density[i]; });
-    for_packs(first, last, [&](int p, int count) {
-      const Pack density = stencil(x, anchor, p).gather_array([&](int k) { return rho[k]; }).value;
-      store(volume + p, load(mass + p) / density, count);
-    });
-  });
-}
-
 // Densities by the scene's method, then stresses; where the grid's mass of this step is the body's own, it serves.
 template <class G, class S, class T>
-void Mechanics<G, S, T>::evaluate_stress(NodalVelocity velocity) {
+void Mechanics<G, S, T>::evaluate_stress_ahead(NodalVelocity velocity, double ahead) {
   settle_power();
   survey_.reset();
   if (velocity == NodalVelocity::current) velocity = current_;
@@ -178,30 +231,40 @@ void Mechanics<G, S, T>::evaluate_stress(NodalVelocity velocity) {
     if (has_density && !grid_density && scene_.density != DensityMethod::continuity) {
       cell_density<dim>(grid_, body.points, scene_.density == DensityMethod::quadratic);
     }
-    const std::vector<Vec>& nodal_velocity = nodal(field_of(b), velocity);
     const bool rates_wanted = velocity != rate_of_, loss_wanted = pending_.loss;
-    const bool frozen = moved_;
+    const std::vector<Vec>& nodal_velocity =
+        rates_wanted ? straining_velocity(field_of(b), velocity) : field_of(b).start;
+    const bool elsewhere_wanted = grid_density && moved_;
+    Wanted wanted;
+    if (loss_wanted) wanted.loss = &field_of(b).start;
+    if (rates_wanted) wanted.rates = &nodal_velocity;
+    if (grid_density && !elsewhere_wanted) wanted.density = &field->density;
     pending_.map_loss += sum_over_chunks<double>(located_[b], [&](const Chunk& chunk) {
-      double lost = 0;
-      if (loss_wanted) lost = find_map_loss(body, located_[b], chunk, field_of(b));
-      if (rates_wanted) find_strain_rates(body, located_[b], chunk, nodal_velocity);
-      if (grid_density && !frozen) find_volumes(body, *at, chunk, *field);
-      if (!grid_density || !frozen) {
-        body.material->evaluate_stress(body.points, {chunk.first, chunk.last}, context());
-      }
+      const double lost = wanted.none() ? 0.0 : gather_start(body, located_[b], chunk, wanted);
+      if (!elsewhere_wanted) body.material->evaluate_stress(body.points, {chunk.first, chunk.last}, context(ahead));
       return lost;
     });
-    if (grid_density && frozen) {
+    if (elsewhere_wanted) {
       moved_ = false;  // weights of where the points stand now
       for_chunks(elsewhere, [&](const Chunk& chunk) {
-        find_volumes(body, elsewhere, chunk, *field);
-        body.material->evaluate_stress(body.points, {chunk.first, chunk.last}, context());
+        gather_start(body, elsewhere, chunk, {.density = &field->density});
+        body.material->evaluate_stress(body.points, {chunk.first, chunk.last}, context(ahead));
       });
       moved_ = true;
     }
   }
   rate_of_ = velocity;
   pending_.loss = false;
+}
+
+template <class G, class S, class T>
+void Mechanics<G, S, T>::evaluate_stress(NodalVelocity velocity) {
+  evaluate_stress_ahead(velocity, 0);
+}
+
+template <class G, class S, class T>
+void Mechanics<G, S, T>::predict_stress(double ahead) {
+  evaluate_stress_ahead(NodalVelocity::start, ahead);  // [Leapfrog 2]
 }
 
 template <class G, class S, class T>

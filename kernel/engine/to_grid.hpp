@@ -89,53 +89,12 @@ void Mechanics<G, S, T>::map_mass_and_momentum() {
   current_ = NodalVelocity::start;
 }
 
-// sum_p m_p A_p with A_p = sum_i N_ip |v_p + C_p (x_i - x_p) - v_i|^2 / 2, as the sum of three terms that are never
-// negative: what v_p and C_p differ by from the grid's, and what of the grid's velocity is not affine. [EC-APIC 1]
-template <class G, class S, class T>
-double Mechanics<G, S, T>::find_map_loss(Body& body, const Located& at, const Chunk& chunk, const Field& field) const {
-  const auto x = places(body, at);
-  const double* mass = body.points(column::mass);
-  const double *velocity[dim], *affine[dim][dim] = {};
-  for (int d = 0; d < dim; ++d) {
-    velocity[d] = body.points(column::velocity, d);
-    for (int e = 0; T::affine && e < dim; ++e) affine[d][e] = body.points(column::affine, d * dim + e);
-  }
-  double* loss = body.points.has(column::transfer_loss) ? body.points(column::transfer_loss) : nullptr;
-  Pack total = 0.0;
-  for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
-    const BinVelocity bin = bin_velocity(print, field.start);
-    for_packs(first, last, [&](int p, int count) {
-      const PackStencil weights = stencil(x, anchor, p);
-      Pack inertia[dim];
-      for (int d = 0; d < dim; ++d) inertia[d] = weights.inertia(d);
-      Pack spread = weights.gather_array([&](int k) { return bin.square[k]; }).value, apart = 0.0;
-      for (int d = 0; d < dim; ++d) {
-        const auto u = weights.gather_array([&](int k) { return bin.u[k][d]; });
-        const Pack off = load(velocity[d] + p) - bin.base[d] - u.value;
-        apart += off * off;
-        spread -= u.value * u.value;
-        if constexpr (T::affine) {
-          for (int e = 0; e < dim; ++e) {
-            const Pack twist = load(affine[d][e] + p) - u.affine[e];
-            apart += inertia[e] * twist * twist;
-            spread -= inertia[e] * u.affine[e] * u.affine[e];
-          }
-        }
-      }
-      const Pack lost = 0.5 * load(mass + p) * (apart + max(spread, Pack(0.0)));
-      if (loss) store(loss + p, lost, count);
-      total += kept(lost, count);
-    });
-  });
-  return sum(total);
-}
-
 template <class G, class S, class T>
 void Mechanics<G, S, T>::settle_loss() {
   if (!pending_.loss) return;
   for (std::size_t b = 0; b < located_.size(); ++b) {
     pending_.map_loss += sum_over_chunks<double>(located_[b], [&](const Chunk& chunk) {
-      return find_map_loss(scene_.bodies[b], located_[b], chunk, field_of(b));
+      return gather_start(scene_.bodies[b], located_[b], chunk, {.loss = &field_of(b).start});
     });
   }
   pending_.loss = false;
@@ -160,47 +119,86 @@ void Mechanics<G, S, T>::map_momentum() {
 }
 
 // -sum_p V_p sigma_p grad N_ip [York 3.17] [EC-APIC 4]; returns what hoop stress adds to the radial momentum, N.
+// exchange: also sum_p m_p e_p N_ip and sum_p m_p N_ip max(0, -div v). [Exchange 1]
 template <class G, class S, class T>
+template <bool isotropic, bool exchange>
 double Mechanics<G, S, T>::scatter_forces(const Body& body, const Located& at, const Chunk& chunk, Field& field) const {
+  constexpr int strains = isotropic ? 1 : G::strains, normals = isotropic ? 1 : G::normals;
+  constexpr int parts = dim + (exchange ? 2 : 0);
   const auto x = places(body, at);
-  const double* volume = body.points(column::volume);
-  const bool isotropic = body.material->isotropic();
-  const double* stress[G::strains];
-  for (int k = 0; k < G::strains; ++k) stress[k] = body.points(column::stress, isotropic ? 0 : k);
+  const double *volume = body.points(column::volume), *mass = body.points(column::mass);
+  const double* energy = exchange ? body.points(column::energy) : nullptr;
+  const double *stress[strains], *rate[strains];
+  for (int k = 0; k < strains; ++k) {
+    stress[k] = body.points(column::stress, k);
+    rate[k] = body.points(column::strain_rate, k);
+  }
   Pack hoop_force = 0.0;
   for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
-    Pack sums[nodes * dim];
+    Pack sums[nodes * parts];
     for (Pack& s : sums) s = 0.0;
     for_packs(first, last, [&](int p, int count) {
       const PackStencil weights = stencil(x, anchor, p);
-      const Pack v = kept(load(volume + p), count);
-      Pack flux[dim][dim], s[G::strains];
-      if (isotropic) {
-        const Pack pressure = -v * load(stress[0] + p);
-        for (int d = 0; d < dim; ++d) {
-          for (int e = 0; e < dim; ++e) flux[d][e] = d == e ? pressure : Pack(0.0);
-        }
-        for (Pack& component : s) component = pressure;
-      } else {
-        for (int k = 0; k < G::strains; ++k) s[k] = -v * load(stress[k] + p);
-        G::flux(s, flux);
+      const Pack v = kept(-load(volume + p), count);
+      Pack s[strains];
+      for (int k = 0; k < strains; ++k) s[k] = v * load(stress[k] + p);
+      if constexpr (G::axisymmetric) {
+        const Pack hoop = kept(s[isotropic ? 0 : 2] / load(x[0] + p), count);
+        hoop_force += hoop;
+        weights.spread(hoop, sums, parts);
       }
-      for (int d = 0; d < dim; ++d) {
-        Pack hoop = 0.0;
-        if constexpr (G::axisymmetric) {
-          if (d == 0) {
-            hoop = kept(s[G::hoop] / load(x[0] + p), count);
-            hoop_force += hoop;
-          }
-        }
-        weights.spread_gradient(hoop, flux[d], sums + d, dim);
+      if constexpr (isotropic) {
+        weights.spread_divergence(s[0], sums, parts);
+      } else {
+        Pack flux[dim][dim];
+        G::flux(s, flux);
+        for (int d = 0; d < dim; ++d) weights.spread_gradient(Pack(0.0), flux[d], sums + d, parts);
+      }
+      if constexpr (exchange) {
+        const Pack m = kept(load(mass + p), count);
+        Pack divergence = load(rate[0] + p);
+        for (int k = 1; k < normals; ++k) divergence += load(rate[k] + p);
+        weights.spread(m * load(energy + p), sums + dim, parts);
+        weights.spread(m * max(-divergence, Pack(0.0)), sums + dim + 1, parts);
       }
     });
-    add_to_nodes<dim>(print, sums, [&](std::size_t i, const double* total) {
+    add_to_nodes<parts>(print, sums, [&](std::size_t i, const double* total) {
       for (int d = 0; d < dim; ++d) field.force[i][d] += total[d];
+      if constexpr (exchange) {
+        field.heat[i] += total[dim];
+        field.exchange[i] += total[dim + 1];
+      }
     });
   });
   return sum(hoop_force);
+}
+
+template <class G, class S, class T>
+double Mechanics<G, S, T>::scatter_forces(const Body& body, const Located& at, const Chunk& chunk, Field& field) const {
+  const bool exchange = exchanges_heat(body);
+  if (body.material->isotropic()) {
+    return exchange ? scatter_forces<true, true>(body, at, chunk, field)
+                    : scatter_forces<true, false>(body, at, chunk, field);
+  }
+  return exchange ? scatter_forces<false, true>(body, at, chunk, field)
+                  : scatter_forces<false, false>(body, at, chunk, field);
+}
+
+// E_i = sum_p m_p e_p N_ip / M_i, alpha_i = min(1, kappa dt sum_p m_p N_ip max(0, -div v) / M_i). [Exchange 1]
+template <class G, class S, class T>
+void Mechanics<G, S, T>::solve_exchange(Field& field, double dt) const {
+  walls_.fold_even(field, field.heat);
+  walls_.fold_even(field, field.exchange);
+  field.for_touched(
+      grid_,
+      [&](std::size_t i) {
+        const double share = field.mass[i] > least_mass ? 1 / field.mass[i] : 0.0;
+        field.heat[i] *= share;
+        field.exchange[i] = std::min(1.0, scene_.heat_exchange * dt * field.exchange[i] * share);
+      },
+      options_.threads);
+  walls_.extend_even(field, field.heat);
+  walls_.extend_even(field, field.exchange);
 }
 
 template <class G, class S, class T>
@@ -208,13 +206,20 @@ void Mechanics<G, S, T>::map_forces() {
   settle_pending_strain();
   hoop_force_ = 0;
   for (Field& field : fields_) {
-    field.for_touched(grid_, [&](std::size_t i) { field.force[i].setZero(); }, options_.threads);
+    field.for_touched(
+        grid_,
+        [&](std::size_t i) {
+          field.force[i].setZero();
+          field.heat[i] = field.exchange[i] = 0;
+        },
+        options_.threads);
   }
   for (std::size_t b = 0; b < located_.size(); ++b) {
     const Located& at = located_[b];
     std::vector<double> hoop(G::axisymmetric ? at.bins.chunks().size() : 0);
     for_chunks_writing_nodes(at, [&](const Chunk& chunk) {
-      const double force = scatter_forces(scene_.bodies[b], at, chunk, field_of(b));
+      const Body& body = scene_.bodies[b];
+      const double force = scatter_forces(body, at, chunk, field_of(b));
       if (G::axisymmetric) hoop[static_cast<std::size_t>(&chunk - at.bins.chunks().data())] = force;
     });
     hoop_force_ += pairwise_sum(hoop.data(), hoop.size());
@@ -239,6 +244,7 @@ void Mechanics<G, S, T>::advance_momentum(double dt) {
   pending_.wall = {};
   pending_.body.setZero();
   pending_.body_angular.setZero();
+  pending_.sharpening_turn.setZero();
   pending_.body_work = pending_.wall_work = 0;
   for (Field& field : fields_) {
     add_body_force(field, dt);
@@ -249,8 +255,22 @@ void Mechanics<G, S, T>::advance_momentum(double dt) {
         grid_,
         [&](std::size_t i) {
           const double m = field.mass[i];
-          const Vec dv = m > least_mass ? Vec(dt / m * field.force[i]) : Vec(Vec::Zero());
-          field.end[i] = field.start[i] + dv;  // [York 3.19, 3.20]
+          field.end[i] = m > least_mass ? Vec(field.force[i] / m) : Vec(Vec::Zero());  // [York 3.19]
+        },
+        options_.threads);
+    if (!sharpening_.none()) {
+      sharpening_.apply(field, field.end, field.midpoint, options_.threads);  // [Sharpening 1]
+      const SharpeningAction<dim> added = sharpening_.action(field, field.end);
+      pending_.wall.linear += dt * added.walls.linear;
+      pending_.wall.angular += dt * added.walls.angular;
+      pending_.sharpening_turn += dt * added.turn;
+    }
+    const std::vector<Vec>& acceleration = sharpening_.none() ? field.end : field.midpoint;
+    field.for_touched(
+        grid_,
+        [&](std::size_t i) {
+          const Vec dv = dt * acceleration[i];
+          field.end[i] = field.start[i] + dv;  // [York 3.20]
           field.midpoint[i] = field.start[i] + 0.5 * dv;
         },
         options_.threads);
@@ -261,9 +281,11 @@ void Mechanics<G, S, T>::advance_momentum(double dt) {
       WallAction<dim> counted;
       pistons_.drive(grid_, field, field.midpoint, counted);
     }
+    if (scene_.heat_exchange > 0) solve_exchange(field, dt);
     if (gravity_.isZero(0)) continue;
+    const std::vector<Vec>& straining = straining_velocity(field, NodalVelocity::midpoint);
     field.for_touched(
-        grid_, [&](std::size_t i) { pending_.body_work += dt * field.own_mass[i] * gravity_.dot(field.midpoint[i]); });
+        grid_, [&](std::size_t i) { pending_.body_work += dt * field.own_mass[i] * gravity_.dot(straining[i]); });
   }
   pending_.wall.linear[0] += dt * hoop_force_;
   current_ = NodalVelocity::end;

@@ -13,15 +13,22 @@ auto Mechanics<G, S, T>::MotionSums::operator+=(const MotionSums& o) -> MotionSu
   for (std::size_t k = 0; k < 3; ++k) {
     torque[k] += o.torque[k];
     moved[k] += o.moved[k];
+    reflected[k] += o.reflected[k];
+    reflected_turn[k] += o.reflected_turn[k];
   }
   if (too_far < 0) too_far = o.too_far;
   return *this;
 }
 
+// straining: also the strain rates of this nodal velocity. exchange: also e_p += sum_i N_ip alpha_i (E_i - e_p), which
+// conserves sum_p m_p e_p node by node, and leaves no energy negative: each becomes a mean of what points have. [Exchange 1]
 template <class G, class S, class T>
 auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Chunk& chunk, const Field& field,
-                                       double dt) const -> MotionSums {
+                                       double dt, std::optional<double> drift, const std::vector<Vec>* straining,
+                                       bool exchange) const -> MotionSums {
   Columns& points = body.points;
+  const RateColumns rates = rate_columns(body);
+  double* energy = exchange ? points(column::energy) : nullptr;
   const auto x = places(body, at);
   const double* mass = points(column::mass);
   double* loss = points.has(column::transfer_loss) ? points(column::transfer_loss) : nullptr;
@@ -36,6 +43,14 @@ auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Chun
   const bool loss_first = loss && T::increments;
   for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
     const BinVelocity end = bin_velocity(print, field.end);
+    double strained[nodes][dim], alpha[nodes], heat[nodes], most_exchange = 0;
+    for_stencil_nodes(print, [&](int k, std::size_t i) {
+      for (int d = 0; straining && d < dim; ++d) strained[k][d] = (*straining)[i][d];
+      if (!exchange) return;
+      alpha[k] = field.exchange[i];
+      heat[k] = alpha[k] * field.heat[i];
+      most_exchange = std::max(most_exchange, alpha[k]);
+    });
     double change[nodes][dim], change_square[nodes];
     if constexpr (T::increments) {
       for_stencil_nodes(print, [&](int k, std::size_t i) {
@@ -48,6 +63,13 @@ auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Chun
     }
     for_packs(first, last, [&](int p, int count) {
       const PackStencil weights = stencil(x, anchor, p);
+      if (straining) {
+        store_strain_rates(rates, weights, load(x[0] + p), p, count, [&](int k, int d) { return strained[k][d]; });
+      }
+      if (most_exchange > 0) {
+        const Pack share = weights.gather_array([&](int k) { return alpha[k]; }).value, e = load(energy + p);
+        store(energy + p, e + (weights.gather_array([&](int k) { return heat[k]; }).value - share * e), count);
+      }
       const Pack m = kept(load(mass + p), count);
       Pack v[dim], v_new[dim], c[dim][dim], inertia[dim], here[dim];
       for (int d = 0; d < dim; ++d) {
@@ -76,7 +98,7 @@ auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Chun
       }
       PackMask too_far = first_lanes(0);
       for (int d = 0; d < dim; ++d) {
-        const Pack step = dt * v[d];
+        const Pack step = drift ? *drift * v_new[d] : dt * v[d];
         too_far = too_far || !(abs(step) <= grid_.h());
         store(velocity[d] + p, v_new[d], count);
         here[d] += step;
@@ -87,7 +109,7 @@ auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Chun
         const int a = rotation_axis<dim>(k, 0), b = rotation_axis<dim>(k, 1);
         // N r x u, but for what an affine part keeps of it.
         if constexpr (!T::affine || !S::fixed_inertia) torque[k] += m * (inertia[a] * c[b][a] - inertia[b] * c[a][b]);
-        moved[k] += m * dt * (v[a] * v_new[b] - v[b] * v_new[a]);
+        if (!drift) moved[k] += m * dt * (v[a] * v_new[b] - v[b] * v_new[a]);
       }
       if constexpr (T::affine) {
         // With the inertia of the new place: where that is another, so are the energy and the spin of the affine part.
@@ -120,6 +142,66 @@ auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Chun
     sums.moved[about + static_cast<std::size_t>(k)] = sum(moved[k]);
   }
   return sums;
+}
+
+// Points beyond a wall change places with their mirror images. [EC-APIC walls]
+template <class G, class S, class T>
+void Mechanics<G, S, T>::reflect(Body& body, PointRange range, MotionSums& sums) const {
+  Columns& points = body.points;
+  for (int d = 0; d < dim; ++d) {
+    for (int side = 0; side < 2; ++side) {
+      if (grid_.wall(d, side) == Wall::free) continue;
+      const double sign = side == 0 ? 1 : -1;
+      const double wall = grid_.origin(d) + (side == 0 ? 0 : grid_.cells(d) * grid_.h());
+      const double beyond = wall - sign * on_side * grid_.h();
+      const double* x = points(column::position, d);
+      for_packs(range.first, range.last, [&](int p, int count) {
+        if (none_of(sign * (load(x + p) - beyond) < 0.0 && first_lanes(count))) return;
+        for (int k = p; k < p + count; ++k) {
+          if (sign * (x[k] - beyond) < 0) reflect_point(body, k, d, wall, sums);
+        }
+      });
+    }
+  }
+}
+
+template <class G, class S, class T>
+void Mechanics<G, S, T>::reflect_point(Body& body, int p, int d, double wall, MotionSums& sums) const {
+  Columns& points = body.points;
+  const int side = wall > grid_.origin(d) + 0.5 * grid_.h() ? 1 : 0;
+  const bool no_slip = grid_.wall(d, side) == Wall::no_slip;
+  const double m = points(column::mass)[p];
+  Vec x, v;
+  Eigen::Matrix<double, dim, dim> c = Eigen::Matrix<double, dim, dim>::Zero();
+  const auto momenta = [&](double factor) {
+    for (int k = 0; k < dim; ++k) {
+      x[k] = points(column::position, k)[p];
+      v[k] = points(column::velocity, k)[p];
+      for (int e = 0; T::affine && e < dim; ++e) c(k, e) = points(column::affine, k * dim + e)[p];
+    }
+    Spin<dim> turn = cross<dim>(x, v);
+    for (int k = 0; T::affine && k < rotation_count<dim>; ++k) {
+      const int a = rotation_axis<dim>(k, 0), b = rotation_axis<dim>(k, 1);
+      const auto inertia = [&](int e) {
+        const double cells = grid_.logical(x[e], e);
+        return S::inertia(cells - std::floor(cells)) * grid_.h() * grid_.h();
+      };
+      turn[k] += inertia(a) * c(b, a) - inertia(b) * c(a, b);
+    }
+    const std::size_t about = dim == 2 ? 2 : 0;
+    for (int k = 0; k < dim; ++k) sums.reflected[static_cast<std::size_t>(k)] += factor * m * v[k];
+    for (int k = 0; k < rotations; ++k) {
+      sums.reflected_turn[about + static_cast<std::size_t>(k)] += factor * m * turn[k];
+    }
+  };
+  momenta(-1);
+  points(column::position, d)[p] = 2 * wall - x[d];
+  for (int k = 0; k < dim; ++k) {
+    const double sign = no_slip || k == d ? -1 : 1;
+    points(column::velocity, k)[p] = sign * v[k];
+    for (int e = 0; T::affine && e < dim; ++e) points(column::affine, k * dim + e)[p] = (e == d ? -sign : sign) * c(k, e);
+  }
+  momenta(1);
 }
 
 // Weights stay those of where the points stood when they were located.
@@ -158,17 +240,18 @@ void Mechanics<G, S, T>::book_motion(const MotionSums& sums, double dt) {
   }
   for (int d = 0; d < dim; ++d) {
     Account& account = ledger_.momentum[static_cast<std::size_t>(d)];
-    account.book(Flow::walls, pending_.wall.linear[d] + pending_.map_wall.linear[d]);
+    const double reflected = sums.reflected[static_cast<std::size_t>(d)];
+    account.book(Flow::walls, pending_.wall.linear[d] + pending_.map_wall.linear[d] + reflected);
     account.book(Flow::body_force, pending_.body[d]);
   }
   const std::size_t about = dim == 2 ? 2 : 0;
   for (int k = 0; k < rotations; ++k) {
     const std::size_t axis = about + static_cast<std::size_t>(k);
     Account& account = ledger_.angular_momentum[axis];
-    account.book(Flow::walls, pending_.wall.angular[k] + pending_.map_wall.angular[k]);
+    account.book(Flow::walls, pending_.wall.angular[k] + pending_.map_wall.angular[k] + sums.reflected_turn[axis]);
     account.book(Flow::body_force, pending_.body_angular[k]);
     account.book(Flow::transfer, -sums.torque[axis]);
-    account.book(Flow::integration, sums.moved[axis]);
+    account.book(Flow::integration, sums.moved[axis] + pending_.sharpening_turn[k]);
   }
   ledger_.energy.book(Flow::walls, pending_.wall_work + pending_.map_wall_work);
   ledger_.energy.book(Flow::body_force, pending_.body_work);
@@ -181,6 +264,16 @@ void Mechanics<G, S, T>::book_motion(const MotionSums& sums, double dt) {
 
 template <class G, class S, class T>
 void Mechanics<G, S, T>::move_points(double dt) {
+  gather_all_motion(dt, {});
+}
+
+template <class G, class S, class T>
+void Mechanics<G, S, T>::kick_points(double dt) {
+  gather_all_motion(dt, 0.0);
+}
+
+template <class G, class S, class T>
+void Mechanics<G, S, T>::gather_all_motion(double dt, std::optional<double> drift) {
   settle_power();
   settle_loss();
   survey_.reset();
@@ -189,12 +282,46 @@ void Mechanics<G, S, T>::move_points(double dt) {
     Body& body = scene_.bodies[b];
     keep_places(body, located_[b]);
     const MotionSums own = sum_over_chunks<MotionSums>(located_[b], [&](const Chunk& chunk) {
-      return gather_motion(body, located_[b], chunk, field_of(b), dt);
+      return gather_motion(body, located_[b], chunk, field_of(b), dt, drift, nullptr, false);
     });
     stop_if_too_far(own, body);
     sums += own;
   }
   book_motion(sums, dt);
+}
+
+template <class G, class S, class T>
+void Mechanics<G, S, T>::drift_points(double dt) {
+  survey_.reset();
+  MotionSums sums;
+  for (std::size_t b = 0; b < located_.size(); ++b) {
+    Body& body = scene_.bodies[b];
+    const MotionSums own = sum_over_chunks<MotionSums>(located_[b], [&](const Chunk& chunk) {
+      MotionSums one;
+      for (int d = 0; d < dim; ++d) {
+        double* x = body.points(column::position, d);
+        const double* v = body.points(column::velocity, d);
+        for_packs(chunk.first, chunk.last, [&](int p, int count) {
+          const Pack step = dt * load(v + p);
+          if (one.too_far < 0 && any_of(!(abs(step) <= grid_.h()) && first_lanes(count))) one.too_far = p;
+          store(x + p, load(x + p) + step, count);  // [Leapfrog 1]
+        });
+      }
+      reflect(body, {chunk.first, chunk.last}, one);
+      return one;
+    });
+    pending_.dt = dt;
+    stop_if_too_far(own, body);
+    sums += own;
+  }
+  for (int d = 0; d < dim; ++d) {
+    const auto k = static_cast<std::size_t>(d);
+    if (sums.reflected[k] != 0) ledger_.momentum[k].book(Flow::walls, sums.reflected[k]);
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (sums.reflected_turn[k] != 0) ledger_.angular_momentum[k].book(Flow::walls, sums.reflected_turn[k]);
+  }
+  moved_ = true;
 }
 
 template <class G, class S, class T>
@@ -216,6 +343,16 @@ void Mechanics<G, S, T>::return_transfer_loss() {
 
 template <class G, class S, class T>
 void Mechanics<G, S, T>::move_and_heat_points(double dt) {
+  finish_points(dt, {});
+}
+
+template <class G, class S, class T>
+void Mechanics<G, S, T>::kick_heat_and_drift_points(double dt, double drift) {
+  finish_points(dt, drift);
+}
+
+template <class G, class S, class T>
+void Mechanics<G, S, T>::finish_points(double dt, std::optional<double> drift) {
   settle_loss();
   struct Sums {
     MotionSums motion;
@@ -238,18 +375,22 @@ void Mechanics<G, S, T>::move_and_heat_points(double dt) {
     Body& body = scene_.bodies[b];
     const double* loss = body.points.has(column::transfer_loss) ? body.points(column::transfer_loss) : nullptr;
     const Field& field = field_of(b);
+    const std::vector<Vec>& midpoint =
+        rates_wanted ? straining_velocity(field_of(b), NodalVelocity::midpoint) : field.midpoint;
+    const bool exchange = exchanges_heat(body);
     const Sums own = sum_over_chunks<Sums>(located_[b], [&](const Chunk& chunk) {
       const PointRange range{chunk.first, chunk.last};
       Sums sums;
-      if (rates_wanted) find_strain_rates(body, located_[b], chunk, field.midpoint);
+      sums.motion =
+          gather_motion(body, located_[b], chunk, field, dt, drift, rates_wanted ? &midpoint : nullptr, exchange);
       sums.power.power = stress_power(body, range, dt);
       sums.power.viscous = body.material->viscous_heat(body.points, range, context(), dt);
       sums.stored = body.material->advance(body.points, range, context(), dt);  // [EC-APIC 6]
-      sums.motion = gather_motion(body, located_[b], chunk, field, dt);
       if (loss) {
         body.material->add_heat(body.points, range, loss);
         for (int p = range.first; p < range.last; ++p) sums.returned += loss[p];
       }
+      if (drift) reflect(body, range, sums.motion);
       sums.survey = survey(body, range);
       return sums;
     });

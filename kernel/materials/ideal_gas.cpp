@@ -72,6 +72,9 @@ struct Loops {
     return stress;
   }
 
+  // The energy after isentropic compression, e' = -(gamma - 1) e div v, to first order; never negative. [Leapfrog 2]
+  static Pack ahead(const Pack& e, const Pack& z) { return choose(z < 0.0, e * (1.0 - z), e / (1.0 + z)); }
+
   static double advance(Columns& points, PointRange range, bool continuity, double dt) {
     const Reading rate(points, column::strain_rate), stress(points, column::stress);
     const double *volume = points(column::volume), *mass = points(column::mass);
@@ -91,12 +94,15 @@ struct Loops {
     const Reading rate(points, column::strain_rate);
     const Writing stresses(points, column::stress);
     const double *mass = points(column::mass), *energy = points(column::energy), *density = points(column::density);
-    double* volume = points(column::volume);
+    double *volume = points(column::volume), *pressure = points(column::pressure);
     for_packs(range.first, range.last, [&](int p, int count) {
-      const Pack m = load(mass + p), e = load(energy + p);
+      const Tensor d = rate[p];
+      const Pack m = load(mass + p), e = ahead(load(energy + p), (gas.gamma - 1) * context.ahead * d.trace());
       const Pack rho = context.volume_given ? m / load(volume + p) : load(density + p);
       if (!context.volume_given) store(volume + p, m / rho, count);
-      stresses.set(p, stress(gas, rate[p], rho, e, (gas.gamma - 1) * rho * e, context.h), count);  // [York 4.4]
+      const Pack p_now = (gas.gamma - 1) * rho * e;  // [York 4.4]
+      store(pressure + p, p_now, count);
+      stresses.set(p, stress(gas, d, rho, e, p_now, context.h), count);
     });
   }
 
@@ -104,9 +110,10 @@ struct Loops {
     const Reading rate(points, column::strain_rate);
     const Writing stresses(points, column::stress);
     const double *mass = points(column::mass), *energy = points(column::energy), *volume = points(column::volume);
+    const double* pressures = points(column::pressure);
     bool changed = false;
     for_packs(range.first, range.last, [&](int p, int count) {
-      const Pack e = load(energy + p), rho = load(mass + p) / load(volume + p), pressure = (gas.gamma - 1) * rho * e;
+      const Pack e = load(energy + p), rho = load(mass + p) / load(volume + p), pressure = load(pressures + p);
       const Tensor d = rate[p], old = stresses[p];
       const PackMask cools = viscous_part(old, pressure).dot(d) < 0.0 && first_lanes(count);
       if (none_of(cools)) return;
@@ -118,13 +125,12 @@ struct Loops {
     return changed;
   }
 
-  static double viscous_heat(const IdealGas& gas, const Columns& points, PointRange range, double dt) {
+  static double viscous_heat(const Columns& points, PointRange range, double dt) {
     const Reading rate(points, column::strain_rate), stress(points, column::stress);
-    const double *mass = points(column::mass), *energy = points(column::energy), *volume = points(column::volume);
+    const double *volume = points(column::volume), *pressure = points(column::pressure);
     Pack total = 0.0;
     for_packs(range.first, range.last, [&](int p, int count) {
-      const Pack v = load(volume + p), pressure = (gas.gamma - 1) * load(mass + p) / v * load(energy + p);
-      total += kept(dt * v * viscous_part(stress[p], pressure).dot(rate[p]), count);
+      total += kept(dt * load(volume + p) * viscous_part(stress[p], load(pressure + p)).dot(rate[p]), count);
     });
     return sum(total);
   }
@@ -190,7 +196,7 @@ bool IdealGas::reverse_cooling(Columns& points, PointRange range, const Material
 double IdealGas::viscous_heat(const Columns& points, PointRange range, const MaterialContext&,
                               double dt) const {
   if (!viscous()) return 0;
-  return with_loops(points, [&](auto loops) { return loops.viscous_heat(*this, points, range, dt); });
+  return with_loops(points, [&](auto loops) { return loops.viscous_heat(points, range, dt); });
 }
 
 void IdealGas::add_heat(Columns& points, PointRange range, const double* heat) const {

@@ -13,6 +13,7 @@ struct MaterialContext {
   int dim = 1;                      // 1, 2 or 3
   double h = 1;                     // cell size, m; the length of an artificial viscosity
   bool continuity_density = false;  // rho follows div v point by point [York 4.7]
+  double ahead = 0;                 // s; stresses are those that the strain rates lead to after this time
   bool volume_given = false;        // the volume column holds m_p / rho_p already; else the material sets it
 };
 
@@ -53,7 +54,7 @@ class Material {
   virtual std::vector<const ColumnId*> internal_variables(const MaterialContext& context) const = 0;
   virtual std::vector<double> rates(const Columns& points, const MaterialContext& context) const = 0;
 
-  // Sets stress (and volume, tangent) from the internal variables and the strain_rate column.
+  // Sets stress (and pressure, volume, tangent) from the internal variables and the strain_rate column.
   virtual void evaluate_stress(Columns& points, PointRange range, const MaterialContext& context) const = 0;
 
   // Where viscous stress would cool (negative power with the strain_rate column), sets it from that column.

@@ -75,7 +75,13 @@ double UniaxialMembrane::advance(Columns& points, PointRange range, const Materi
 void UniaxialMembrane::evaluate_stress(Columns& points, PointRange range, const MaterialContext& context) const {
   const double* strain = points(column::strain);
   double* xx = points(column::stress);
-  const auto tension = [&](int p) { return carries(strain[p]) ? youngs_modulus * strain[p] : 0.0; };  // [York 5.5]
+  const auto tension = [&](int p) {
+    double eps = strain[p];
+    if (context.ahead != 0) {
+      eps += context.ahead * (context.dim == 1 ? points(column::strain_rate)[p] : tangential_rate(points, p));
+    }
+    return carries(eps) ? youngs_modulus * eps : 0.0;  // [York 5.5]
+  };
   if (context.dim == 1) {
     for (int p = range.first; p < range.last; ++p) xx[p] = tension(p);
     return;

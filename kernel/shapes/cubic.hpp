@@ -8,6 +8,7 @@ namespace plumbline {
 struct Cubic {
   static constexpr int support = 4, first = -1, ghosts = 1;
   static constexpr bool fixed_inertia = true;
+  static constexpr double blur = 1.0 / 6;  // theta of S(k) = 1 - theta k^2 h^2 + ...: half the variance of the shape [Sharpening 1]
 
   // The node below the point, and the distance above it in cells: 0 <= local <= 1.
   static int anchor(double x, int cells, double& local) {

@@ -10,6 +10,7 @@ struct Linear {
   static constexpr int first = 0;               // lowest node of the support, relative to the anchor node
   static constexpr int ghosts = 0;              // node layers beyond a wall that a point inside can reach
   static constexpr bool fixed_inertia = false;  // D depends on where the point stands in its cell
+  static constexpr double blur = 1.0 / 12;  // theta of S(k) = 1 - theta k^2 h^2 + ...: half the variance of the shape [Sharpening 1]
 
   // The anchor node of a point at `x` (in cells from the first node line, 0 <= x <= cells), and its local coordinate.
   static int anchor(double x, int cells, double& local) {

@@ -1,6 +1,7 @@
 // The step written straight from the printed equations, as slowly as can be: every node meets every point,
 // weights come from the distance between them, and nothing is shared with the kernel but the scene it starts
-// from. Free sides only.
+// from. Free sides only. All vectors and tensors have three components: x, y, z, or r, z and the hoop direction of an
+// axisymmetric scene, whose points may stand at negative radii as the mirror images of others.
 #pragma once
 
 #include <Eigen/Dense>
@@ -14,21 +15,21 @@
 namespace plumbline {
 
 struct NaivePoint {
-  Eigen::Vector2d x = Eigen::Vector2d::Zero(), v = Eigen::Vector2d::Zero();
-  Eigen::Matrix2d c = Eigen::Matrix2d::Zero(), stress = Eigen::Matrix2d::Zero();
+  Eigen::Vector3d x = Eigen::Vector3d::Zero(), v = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d c = Eigen::Matrix3d::Zero(), stress = Eigen::Matrix3d::Zero();
   double m = 0, volume = 0, density = 0, energy = 0, pressure = 0, strain = 0, loss = 0;
 };
 
 struct NaiveNode {
-  Eigen::Vector2d x = Eigen::Vector2d::Zero(), momentum = x, force = x;
-  Eigen::Vector2d start = x, end = x, middle = x, again = x;
-  double m = 0;
+  Eigen::Vector3d x = Eigen::Vector3d::Zero(), momentum = x, force = x;
+  Eigen::Vector3d start = x, end = x, middle = x, again = x;
+  double m = 0, volume = 0;
 };
 
 class NaiveStep {
  public:
-  using Vec = Eigen::Vector2d;
-  using Mat = Eigen::Matrix2d;
+  using Vec = Eigen::Vector3d;
+  using Mat = Eigen::Matrix3d;
   enum class Of { start, end, middle, again };
 
   std::vector<NaivePoint> points;
@@ -47,6 +48,7 @@ class NaiveStep {
       for (int d = 0; d < dim_; ++d) {
         point.x[d] = from(column::position, d)[p];
         point.v[d] = from(column::velocity, d)[p];
+        gravity_[d] = scene.gravity[static_cast<std::size_t>(d)];
       }
       point.m = from(column::mass)[p];
       point.volume = from(column::volume)[p];
@@ -54,13 +56,7 @@ class NaiveStep {
       if (gas_) point.energy = from(column::energy)[p];
       if (membrane_) point.strain = from(column::strain)[p];
     }
-    for (int j = dim_ == 1 ? 0 : -2; j <= (dim_ == 1 ? 0 : scene.grid.cells[1] + 2); ++j) {
-      for (int i = -2; i <= scene.grid.cells[0] + 2; ++i) {
-        NaiveNode node;
-        node.x = Vec(scene.grid.origin[0] + i * h_, scene.grid.origin[1] + j * h_);
-        nodes_.push_back(node);
-      }
-    }
+    make_nodes();
     locate();
     densities();
     for (std::size_t p = 0; p < points.size(); ++p) points[p].stress = stress_of(p, Mat::Zero());
@@ -96,7 +92,54 @@ class NaiveStep {
     set_stress(integrator == "usl" ? Of::end : Of::again);
   }
 
+  // Densities and pressures where the points stand now.
+  void refresh() {
+    densities();
+    for (NaivePoint& point : points) point.pressure = (gas_->gamma - 1) * point.density * point.energy;  // [York 4.4]
+  }
+
  private:
+  struct Pair {
+    std::size_t point, node;
+    double n;
+    Vec g;
+  };
+
+  bool rings() const { return scene_.grid.axisymmetric; }
+
+  void make_nodes() {
+    int low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+    for (int d = 0; d < dim_; ++d) {
+      low[d] = -2;
+      high[d] = scene_.grid.cells[static_cast<std::size_t>(d)] + 2;
+    }
+    for (int k = low[2]; k <= high[2]; ++k) {
+      for (int j = low[1]; j <= high[1]; ++j) {
+        for (int i = low[0]; i <= high[0]; ++i) {
+          NaiveNode node;
+          const int index[3] = {i, j, k};
+          for (int d = 0; d < dim_; ++d) {
+            node.x[d] = scene_.grid.origin[static_cast<std::size_t>(d)] + index[d] * h_;
+          }
+          node.volume = (rings() ? radial_volume(node.x[0]) : h_) * std::pow(h_, dim_ - 1);
+          nodes_.push_back(node);
+        }
+      }
+    }
+  }
+  // Integral of N |r|, by Boole's rule on half cells: exact for these pieces of degree four. The axis, if there is one,
+  // is a node line.
+  double radial_volume(double centre) const {
+    double sum = 0;
+    for (int piece = -4; piece < 4; ++piece) {
+      const double weights[5] = {7, 32, 12, 32, 7};
+      for (int k = 0; k < 5; ++k) {
+        const double u = piece / 2.0 + k / 8.0;
+        sum += weights[k] / 90 * (h_ / 2) * spline(u) * std::abs(centre + u * h_);
+      }
+    }
+    return sum;
+  }
   double spline(double u) const {
     const double a = std::abs(u);
     if (scene_.shape == "linear") return std::max(0.0, 1 - a);
@@ -109,6 +152,7 @@ class NaiveStep {
     if (scene_.shape == "quadratic") return a < 0.5 ? -2 * u : a < 1.5 ? -sign * (1.5 - a) : 0;
     return a < 1 ? -2 * u + 1.5 * a * u : a < 2 ? -sign * 0.5 * (2 - a) * (2 - a) : 0;
   }
+  bool apart(const Vec& x, const NaiveNode& node) const { return (x - node.x).cwiseAbs().maxCoeff() >= 2.001 * h_; }
   double weight(const Vec& x, const NaiveNode& node) const {
     double n = 1;
     for (int d = 0; d < dim_; ++d) n *= spline((x[d] - node.x[d]) / h_);
@@ -125,29 +169,34 @@ class NaiveStep {
   // D = sum N r r^T of the place x.
   Mat inertia(const Vec& x) const {
     Mat d = Mat::Zero();
-    for (const NaiveNode& node : nodes_) d += weight(x, node) * (node.x - x) * (node.x - x).transpose();
+    for (const NaiveNode& node : nodes_) {
+      if (!apart(x, node)) d += weight(x, node) * (node.x - x) * (node.x - x).transpose();
+    }
     return d;
   }
   template <class Visit>
   void for_pairs(Visit&& visit) {
-    for (std::size_t p = 0; p < points.size(); ++p) {
-      for (std::size_t i = 0; i < nodes_.size(); ++i) {
-        const std::size_t k = p * nodes_.size() + i;
-        if (n_[k] != 0 || !g_[k].isZero(0)) visit(points[p], nodes_[i], n_[k], g_[k]);
-      }
+    for (const Pair& k : pairs_) visit(points[k.point], nodes_[k.node], k.n, k.g);
+  }
+  template <class Visit>
+  void for_nodes_of(std::size_t p, Visit&& visit) const {
+    for (std::size_t k = first_pair_[p]; k < first_pair_[p + 1]; ++k) {
+      visit(nodes_[pairs_[k].node], pairs_[k].n, pairs_[k].g);
     }
   }
 
   void locate() {
-    n_.resize(points.size() * nodes_.size());
-    g_.resize(n_.size());
+    pairs_.clear();
+    first_pair_.assign(1, 0);
     at_.clear();
     for (std::size_t p = 0; p < points.size(); ++p) {
       at_.push_back(points[p].x);
       for (std::size_t i = 0; i < nodes_.size(); ++i) {
-        n_[p * nodes_.size() + i] = weight(points[p].x, nodes_[i]);
-        g_[p * nodes_.size() + i] = gradient(points[p].x, nodes_[i]);
+        if (apart(points[p].x, nodes_[i])) continue;
+        const Pair pair{p, i, weight(points[p].x, nodes_[i]), gradient(points[p].x, nodes_[i])};
+        if (pair.n != 0 || !pair.g.isZero(0)) pairs_.push_back(pair);
       }
+      first_pair_.push_back(pairs_.size());
     }
   }
   const Vec& frozen(const NaivePoint& point) const { return at_[static_cast<std::size_t>(&point - points.data())]; }
@@ -171,9 +220,11 @@ class NaiveStep {
 
   void forces() {
     for (NaiveNode& node : nodes_)
-      node.force = node.m * Vec(scene_.gravity[0], dim_ == 1 ? 0 : scene_.gravity[1]);  // [York 3.18]
-    for_pairs(
-        [&](NaivePoint& p, NaiveNode& i, double, const Vec& g) { i.force -= p.volume * p.stress * g; });  // [York 3.17]
+      node.force = node.m * gravity_;  // [York 3.18]
+    for_pairs([&](NaivePoint& p, NaiveNode& i, double n, const Vec& g) {
+      i.force -= p.volume * p.stress * g;                                              // [York 3.17]
+      if (rings()) i.force[0] -= p.volume * p.stress(2, 2) * n / frozen(p)[0];  // hoop stress pulls inwards
+    });
     forces_known_ = true;
   }
 
@@ -191,9 +242,7 @@ class NaiveStep {
       Vec v = Vec::Zero(), change = Vec::Zero();
       Mat moment = Mat::Zero(), b = Mat::Zero(), l = Mat::Zero();
       double square = 0, change_square = 0;
-      for (std::size_t k = 0; k < nodes_.size(); ++k) {
-        const NaiveNode& i = nodes_[k];
-        const double n = n_[p * nodes_.size() + k];
+      for_nodes_of(p, [&](const NaiveNode& i, double n, const Vec& g) {
         const Vec r = i.x - at_[p], dv = i.end - i.start;
         v += n * i.end;
         change += n * dv;
@@ -201,14 +250,14 @@ class NaiveStep {
         change_square += n * dv.squaredNorm();
         b += n * i.end * r.transpose();
         moment += n * r * r.transpose();
-        l += i.end * g_[p * nodes_.size() + k].transpose();
-      }
+        l += i.end * g.transpose();
+      });
       point.x += dt * v;  // [York 3.21]
       const bool flip = scene_.transfer == "flip", affine = scene_.transfer == "apic";
       point.v = flip ? Vec(point.v + change) : v;  // [York 3.22] [EC-APIC 5]
       double kept = flip ? change.squaredNorm() : v.squaredNorm();
       if (affine) {
-        if (dim_ == 1) moment(1, 1) = 1;
+        for (int d = dim_; d < 3; ++d) moment(d, d) = 1;
         point.c = scene_.shape == "linear" ? l : Mat(b * moment.inverse());  // [EC-APIC 5]
         kept += (point.c * inertia(point.x) * point.c.transpose()).trace();
       }
@@ -216,7 +265,7 @@ class NaiveStep {
       transfer -= point.loss;
     }
     for (NaiveNode& node : nodes_) {
-      body_work += dt * node.m * Vec(scene_.gravity[0], dim_ == 1 ? 0 : scene_.gravity[1]).dot(node.middle);
+      body_work += dt * node.m * gravity_.dot(node.middle);
     }
   }
 
@@ -231,11 +280,11 @@ class NaiveStep {
 
   Mat strain_rate(std::size_t p, Of which) const {
     Mat l = Mat::Zero();
-    for (std::size_t k = 0; k < nodes_.size(); ++k) {
-      const NaiveNode& i = nodes_[k];
+    for_nodes_of(p, [&](const NaiveNode& i, double n, const Vec& g) {
       const Vec& v = which == Of::start ? i.start : which == Of::end ? i.end : which == Of::middle ? i.middle : i.again;
-      l += v * g_[p * nodes_.size() + k].transpose();
-    }
+      l += v * g.transpose();
+      if (rings()) l(2, 2) += n * v[0] / at_[p][0];
+    });
     return (l + l.transpose()) / 2;  // [York 3.23]
   }
 
@@ -287,12 +336,15 @@ class NaiveStep {
     if (scene_.density == DensityMethod::grid) {
       std::vector<double> mass(nodes_.size(), 0.0);
       for (const NaivePoint& point : points) {
-        for (std::size_t i = 0; i < nodes_.size(); ++i) mass[i] += point.m * weight(point.x, nodes_[i]);
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+          if (!apart(point.x, nodes_[i])) mass[i] += point.m * weight(point.x, nodes_[i]);
+        }
       }
       for (NaivePoint& point : points) {
         point.density = 0;
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
-          point.density += weight(point.x, nodes_[i]) * mass[i] / std::pow(h_, dim_);  // [EC-APIC 2]
+          if (apart(point.x, nodes_[i])) continue;
+          point.density += weight(point.x, nodes_[i]) * mass[i] / nodes_[i].volume;  // [EC-APIC 2]
         }
       }
     }
@@ -308,7 +360,7 @@ class NaiveStep {
 
   // Means of the angles of the adjoining segments. [York 7.1]
   Vec tangent(std::size_t p) const {
-    if (dim_ == 1) return Vec(1, 0);
+    if (dim_ == 1) return Vec(1, 0, 0);
     const std::size_t n = points.size();
     const bool open = !membrane_->closed;
     const auto angle = [&](std::size_t from) {
@@ -318,7 +370,7 @@ class NaiveStep {
     const double before = open && p == 0 ? angle(0) : angle(p + n - 1),
                  after = open && p == n - 1 ? angle(n - 2) : angle(p);
     const double turn = std::remainder(after - before, 2 * std::numbers::pi);
-    return Vec(std::cos(before + turn / 2), std::sin(before + turn / 2));
+    return Vec(std::cos(before + turn / 2), std::sin(before + turn / 2), 0);
   }
 
   Mat stress_of(std::size_t p, const Mat& e) {
@@ -336,9 +388,8 @@ class NaiveStep {
     const double closing = div < 0 ? h_ * std::abs(div) : 0;
     const double q = point.density * (gas_->viscosity_linear * c * closing +
                                       gas_->viscosity_quadratic * closing * closing);  // [York 4.11]
-    Mat one = Mat::Identity();
-    if (dim_ == 1) one(1, 1) = 0;
-    return 2 * gas_->viscosity * e - (2.0 / 3 * gas_->viscosity * div + point.pressure + q) * one;  // [York 4.1]
+    return 2 * gas_->viscosity * e -
+           (2.0 / 3 * gas_->viscosity * div + point.pressure + q) * Mat::Identity();  // [York 4.1]
   }
 
   // Where the viscous stress takes heat out over the midpoint velocity, it is taken from that velocity.
@@ -361,8 +412,10 @@ class NaiveStep {
   const IdealGas* gas_;
   const UniaxialMembrane* membrane_;
   std::vector<NaiveNode> nodes_;
-  std::vector<double> n_;  // N_ip, point by point
-  std::vector<Vec> g_, at_, tangent_of_;
+  Vec gravity_ = Vec::Zero();
+  std::vector<Pair> pairs_;  // points and the nodes they reach, point by point
+  std::vector<std::size_t> first_pair_;
+  std::vector<Vec> at_, tangent_of_;
   bool forces_known_ = false;
   double stored_first_ = 0;
 };

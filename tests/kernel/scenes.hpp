@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -18,8 +19,19 @@
 
 namespace plumbline::scenes {
 
-using Place = std::array<double, 2>;
-using WallTable = std::array<std::array<Wall, 2>, 2>;
+using Place = std::array<double, 3>;
+using WallTable = decltype(GridSpec::walls);
+
+// The four geometries.
+enum class Space { line, plane, axisymmetric, solid };
+inline constexpr Space spaces[] = {Space::line, Space::plane, Space::axisymmetric, Space::solid};
+inline constexpr int dim_of(Space space) { return space == Space::line ? 1 : space == Space::solid ? 3 : 2; }
+inline constexpr Space space_of(int dim) { return dim == 1 ? Space::line : dim == 3 ? Space::solid : Space::plane; }
+inline Space space_of(const GridSpec& grid) { return grid.axisymmetric ? Space::axisymmetric : space_of(grid.dim); }
+inline std::ostream& operator<<(std::ostream& out, Space space) {
+  constexpr const char* names[] = {"line", "plane", "axisymmetric", "solid"};
+  return out << names[static_cast<int>(space)];
+}
 
 // Uniform numbers, the same with every standard library.
 class Random {
@@ -33,43 +45,50 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-inline WallTable walls(Wall x_low, Wall x_high, Wall y_low = Wall::free, Wall y_high = Wall::free) {
-  return {{{x_low, x_high}, {y_low, y_high}}};
+inline WallTable walls(Wall x_low, Wall x_high, Wall y_low = Wall::free, Wall y_high = Wall::free,
+                       Wall z_low = Wall::free, Wall z_high = Wall::free) {
+  return {{{x_low, x_high}, {y_low, y_high}, {z_low, z_high}}};
 }
-inline WallTable walls_everywhere(Wall kind) { return walls(kind, kind, kind, kind); }
+inline WallTable walls_everywhere(Wall kind) { return walls(kind, kind, kind, kind, kind, kind); }
 
-inline GridSpec line(int cells, double h, WallTable sides = walls_everywhere(Wall::free)) {
+inline GridSpec box(Space space, std::array<int, 3> cells, double h, WallTable sides = walls_everywhere(Wall::free)) {
   GridSpec grid;
-  grid.cells = {cells, 1};
+  grid.dim = dim_of(space);
+  grid.axisymmetric = space == Space::axisymmetric;
+  for (int d = 0; d < grid.dim; ++d) grid.cells[d] = cells[d];
   grid.h = h;
   grid.walls = sides;
   return grid;
 }
+inline GridSpec line(int cells, double h, WallTable sides = walls_everywhere(Wall::free)) {
+  return box(Space::line, {cells, 1, 1}, h, sides);
+}
 inline GridSpec plane(int columns, int rows, double h, WallTable sides = walls_everywhere(Wall::free)) {
-  GridSpec grid = line(columns, h, sides);
-  grid.dim = 2;
-  grid.cells = {columns, rows};
-  return grid;
+  return box(Space::plane, {columns, rows, 1}, h, sides);
 }
 
 // per_cell points a cell and direction in the cells first <= cell < last, evenly spaced, rows of growing x.
-inline std::vector<Place> lattice(const GridSpec& grid, int per_cell, std::array<int, 2> first,
-                                  std::array<int, 2> last) {
+inline std::vector<Place> lattice(const GridSpec& grid, int per_cell, std::array<int, 3> first,
+                                  std::array<int, 3> last) {
   std::vector<Place> places;
-  const double d = grid.h / per_cell;
-  const auto at = [&](int k, int direction) { return grid.origin[direction] + (k + 0.5) * d; };
-  if (grid.dim == 1) {
-    for (int i = first[0] * per_cell; i < last[0] * per_cell; ++i) places.push_back({at(i, 0), 0.0});
-    return places;
+  const double spacing = grid.h / per_cell;
+  std::array<int, 3> low{0, 0, 0}, high{1, 1, 1};
+  for (int d = 0; d < grid.dim; ++d) {
+    low[d] = first[d] * per_cell;
+    high[d] = last[d] * per_cell;
   }
-  for (int j = first[1] * per_cell; j < last[1] * per_cell; ++j) {
-    for (int i = first[0] * per_cell; i < last[0] * per_cell; ++i) places.push_back({at(i, 0), at(j, 1)});
+  const auto at = [&](int k, int d) { return d < grid.dim ? grid.origin[d] + (k + 0.5) * spacing : 0.0; };
+  for (int k = low[2]; k < high[2]; ++k) {
+    for (int j = low[1]; j < high[1]; ++j) {
+      for (int i = low[0]; i < high[0]; ++i) places.push_back({at(i, 0), at(j, 1), at(k, 2)});
+    }
   }
   return places;
 }
 inline std::vector<Place> lattice(const GridSpec& grid, int per_cell) {
-  return lattice(grid, per_cell, {0, 0}, grid.cells);
+  return lattice(grid, per_cell, {0, 0, 0}, grid.cells);
 }
+// m^dim; in an axisymmetric scene the area of a ring's section.
 inline double lattice_volume(const GridSpec& grid, int per_cell) { return std::pow(grid.h / per_cell, grid.dim); }
 
 // Every place moved by up to `amplitude` in each direction.
@@ -83,33 +102,40 @@ inline std::vector<Place> jittered(std::vector<Place> places, double amplitude, 
 
 struct GasState {
   double density = 1, energy = 1;
-  Place velocity{0, 0};
+  Place velocity{0, 0, 0};
 };
 using GasField = std::function<GasState(const Place&)>;
 
-// Each point has the volume `volume` and the mass that the field's density gives it there.
-inline Body gas_body(const IdealGas& gas, int dim, const std::vector<Place>& places, double volume,
+// Each point has the volume `volume` and the mass that the field's density gives it there. In an axisymmetric scene a
+// point is a ring and `volume` its section: per radian the volume is |r| times that.
+inline Body gas_body(const IdealGas& gas, Space space, const std::vector<Place>& places, double volume,
                      const GasField& field) {
-  Body body = make_body("gas", std::make_shared<IdealGas>(gas), static_cast<int>(places.size()), dim);
+  const bool rings = space == Space::axisymmetric;
+  Body body = make_body("gas", std::make_shared<IdealGas>(gas), static_cast<int>(places.size()), dim_of(space), rings);
   for (std::size_t p = 0; p < places.size(); ++p) {
     const GasState state = field(places[p]);
-    for (int d = 0; d < dim; ++d) {
+    const double own = rings ? volume * std::abs(places[p][0]) : volume;
+    for (int d = 0; d < dim_of(space); ++d) {
       body.points(column::position, d)[p] = places[p][d];
       body.points(column::velocity, d)[p] = state.velocity[d];
     }
-    body.points(column::mass)[p] = state.density * volume;
-    body.points(column::volume)[p] = volume;
+    body.points(column::mass)[p] = state.density * own;
+    body.points(column::volume)[p] = own;
     body.points(column::density)[p] = state.density;
     body.points(column::energy)[p] = state.energy;
   }
   return body;
+}
+inline Body gas_body(const IdealGas& gas, int dim, const std::vector<Place>& places, double volume,
+                     const GasField& field) {
+  return gas_body(gas, space_of(dim), places, volume, field);
 }
 
 inline Body membrane_body(const UniaxialMembrane& law, int dim, const std::vector<Place>& places, double volume,
                           const std::function<Place(const Place&)>& velocity = {}) {
   Body body = make_body("membrane", std::make_shared<UniaxialMembrane>(law), static_cast<int>(places.size()), dim);
   for (std::size_t p = 0; p < places.size(); ++p) {
-    const Place v = velocity ? velocity(places[p]) : Place{0, 0};
+    const Place v = velocity ? velocity(places[p]) : Place{0, 0, 0};
     for (int d = 0; d < dim; ++d) {
       body.points(column::position, d)[p] = places[p][d];
       body.points(column::velocity, d)[p] = v[d];
@@ -121,7 +147,7 @@ inline Body membrane_body(const UniaxialMembrane& law, int dim, const std::vecto
 }
 
 inline Scene scene_of(const GridSpec& grid, std::vector<Body> bodies, const std::string& shape,
-                      const std::string& transfer, Place gravity = {0, 0}) {
+                      const std::string& transfer, Place gravity = {0, 0, 0}) {
   Scene scene;
   scene.grid = grid;
   scene.bodies = std::move(bodies);
@@ -131,36 +157,77 @@ inline Scene scene_of(const GridSpec& grid, std::vector<Body> bodies, const std:
   return scene;
 }
 
-// A gas with all there is: random velocities, uneven places and energies, both viscosities, walls and a free
-// surface.
-inline Scene rough_gas(int dim, const std::string& shape, const std::string& transfer, Place gravity = {3, -9}) {
+inline IdealGas rough_law() {
   IdealGas gas;
   gas.viscosity = 0.01;
   gas.viscosity_linear = 0.2;
   gas.viscosity_quadratic = 0.5;
-  const GridSpec grid = dim == 1 ? line(9, 0.1, walls(Wall::symmetry, Wall::free))
-                                 : plane(6, 7, 0.1, walls(Wall::symmetry, Wall::no_slip, Wall::no_slip, Wall::free));
-  const auto places = jittered(lattice(grid, 3, {0, 0}, {6, 4}), 0.012, dim);
+  return gas;
+}
+// Without physical viscosity: its stress is a pressure, one component.
+inline IdealGas inviscid_law() {
+  IdealGas gas = rough_law();
+  gas.viscosity = 0;
+  return gas;
+}
+
+inline constexpr Place rough_gravity{3, -9, 0}, no_gravity{0, 0, 0};
+
+// A gas with all there is: random velocities, uneven places and energies, both viscosities, walls and a free
+// surface. The low side in x is the axis of an axisymmetric scene.
+inline Scene rough_gas(Space space, const std::string& shape, const std::string& transfer,
+                       Place gravity = rough_gravity, const IdealGas& gas = rough_law()) {
+  const int dim = dim_of(space), per_cell = dim == 3 ? 2 : 3;
+  const Wall s = Wall::symmetry, n = Wall::no_slip, f = Wall::free;
+  const GridSpec grid = dim == 1   ? line(9, 0.1, walls(s, f))
+                        : dim == 2 ? box(space, {6, 7, 1}, 0.1, walls(s, n, n, f))
+                                   : box(space, {4, 5, 4}, 0.1, walls(s, n, n, f, f, s));
+  const auto filled = dim == 3 ? lattice(grid, per_cell, {0, 0, 1}, {4, 3, 4})
+                               : lattice(grid, per_cell, {0, 0, 0}, {6, 4, 1});
+  const auto places = jittered(filled, 0.012, dim);
   Random random(7);
   const auto field = [&](const Place&) {
     GasState state;
     state.density = random(0.5, 1.5);
     state.energy = random(1, 2);
-    state.velocity = {random(-0.4, 0.4), random(-0.4, 0.4)};
+    state.velocity = {random(-0.4, 0.4), random(-0.4, 0.4), 0};
+    if (dim == 3) state.velocity[2] = random(-0.4, 0.4);
     return state;
   };
-  return scene_of(grid, {gas_body(gas, dim, places, lattice_volume(grid, 3), field)}, shape, transfer, gravity);
+  return scene_of(grid, {gas_body(gas, space, places, lattice_volume(grid, per_cell), field)}, shape, transfer,
+                  gravity);
+}
+inline Scene rough_gas(int dim, const std::string& shape, const std::string& transfer, Place gravity = rough_gravity) {
+  return rough_gas(space_of(dim), shape, transfer, gravity);
 }
 
 // The same in empty space: no walls, room to all sides, and node lines half a cell off the edges, so that no
-// point starts a cell of its own, where a node of next to no mass would be thrown about.
-inline Scene rough_gas_in_space(int dim, const std::string& shape, const std::string& transfer,
-                                Place gravity = {3, -9}) {
-  Scene scene = rough_gas(dim, shape, transfer, gravity);
+// point starts a cell of its own, where a node of next to no mass would be thrown about. An axisymmetric scene stands
+// five cells off the axis.
+inline Scene rough_gas_in_space(Space space, const std::string& shape, const std::string& transfer,
+                                Place gravity = rough_gravity, const IdealGas& gas = rough_law()) {
+  Scene scene = rough_gas(space, shape, transfer, gravity, gas);
+  const int dim = dim_of(space);
   scene.grid.walls = walls_everywhere(Wall::free);
-  scene.grid.origin = {-0.25, dim == 1 ? 0.0 : -0.25};
-  scene.grid.cells = {11, dim == 1 ? 1 : 9};
+  for (int d = 0; d < dim; ++d) {
+    scene.grid.origin[d] = -0.25;
+    scene.grid.cells[d] = d == 0 && dim < 3 ? 11 : 9;
+  }
+  if (dim == 3) scene.grid.origin[2] = -0.15;
+  if (space == Space::axisymmetric) {
+    Columns& points = scene.bodies[0].points;
+    scene.grid.origin[0] += 0.5;
+    for (int p = 0; p < points.points(); ++p) {
+      double& r = points(column::position)[p];
+      for (const ColumnId* id : {&column::mass, &column::volume}) points(*id)[p] *= (r + 0.5) / r;
+      r += 0.5;
+    }
+  }
   return scene;
+}
+inline Scene rough_gas_in_space(int dim, const std::string& shape, const std::string& transfer,
+                                Place gravity = rough_gravity) {
+  return rough_gas_in_space(space_of(dim), shape, transfer, gravity);
 }
 
 // Some integrator, shape and transfer that work together.
@@ -190,6 +257,14 @@ inline std::vector<double> by_id(const Body& body, const ColumnId& id, int compo
   return values;
 }
 
+// The densities that a step computes with, m_p / V_p, in the same order.
+inline std::vector<double> densities_in_use(const Body& body) {
+  std::vector<double> rho = by_id(body, column::mass);
+  const std::vector<double> volume = by_id(body, column::volume);
+  for (std::size_t p = 0; p < rho.size(); ++p) rho[p] /= volume[p];
+  return rho;
+}
+
 inline std::vector<const ColumnId*> all_columns() {
   return {&column::position,    &column::velocity, &column::affine,       &column::mass,   &column::volume,
           &column::strain_rate, &column::stress,   &column::density,      &column::energy, &column::pressure,
@@ -212,8 +287,26 @@ inline bool same_bits(const Body& a, const Body& b) {
 inline void expect_ledger_closes(const Ledger& ledger, double tolerance) {
   EXPECT_LE(ledger.mass.relative_drift(false), tolerance);
   for (const Account& momentum : ledger.momentum) EXPECT_LE(momentum.relative_drift(true), tolerance);
-  EXPECT_LE(ledger.angular_momentum.relative_drift(true), tolerance);
+  for (const Account& angular : ledger.angular_momentum) EXPECT_LE(angular.relative_drift(true), tolerance);
   EXPECT_LE(ledger.energy.relative_drift(false), tolerance);
+}
+
+// Every flow, store and residual of two accounts, bit for bit.
+inline void expect_same_account(const Account& a, const Account& b) {
+  EXPECT_EQ(a.store(), b.store());
+  EXPECT_EQ(a.residual(), b.residual());
+  EXPECT_EQ(a.largest_residual(), b.largest_residual());
+  EXPECT_EQ(a.booked(), b.booked());
+  for (int f = 0; f < flow_count; ++f) EXPECT_EQ(a.flow(static_cast<Flow>(f)), b.flow(static_cast<Flow>(f)));
+}
+inline void expect_same_ledger(const Ledger& a, const Ledger& b) {
+  expect_same_account(a.mass, b.mass);
+  expect_same_account(a.energy, b.energy);
+  for (std::size_t d = 0; d < 3; ++d) {
+    expect_same_account(a.momentum[d], b.momentum[d]);
+    expect_same_account(a.angular_momentum[d], b.angular_momentum[d]);
+  }
+  EXPECT_EQ(a.viscous, b.viscous);
 }
 
 }  // namespace plumbline::scenes

@@ -114,7 +114,7 @@ TEST(Stages, MuslIsOfFirstOrder) { expect_order(spring(), "musl", 0.05, 1); }
 TEST(Stages, StatesAreReadAndSetExactly) {
   Scene scene = scenes::rough_gas(2, "quadratic", "flip");
   Ledger ledger;
-  const auto engine = make_engine(scene, ledger, false);
+  const auto engine = make_engine(scene, ledger, {});
   engine->initialise();
   const Columns before = scene.bodies[0].points;
   const State state = engine->state();
@@ -128,14 +128,13 @@ TEST(Stages, StatesAreReadAndSetExactly) {
 
 // The rate of a free fall: dx/dt = v, dv/dt = b, de/dt = 0, wherever the points stand. [York 3.18, 3.21, 3.22]
 TEST(Stages, RateOfAFreeFall) {
-  Scene scene = scenes::rough_gas_in_space(2, "quadratic", "flip");
-  scene.bodies[0].material = std::make_shared<IdealGas>();
+  Scene scene = scenes::rough_gas_in_space(scenes::Space::plane, "quadratic", "flip", scenes::rough_gravity, {});
   Columns& points = scene.bodies[0].points;
   const int n = points.points();
   for (int d = 0; d < 2; ++d) std::fill_n(points(column::velocity, d), n, 0.5 + d);
   std::fill_n(points(column::energy), n, 0.0);
   Ledger ledger;
-  const auto engine = make_engine(scene, ledger, false);
+  const auto engine = make_engine(scene, ledger, {});
   engine->initialise();
   const State rate = engine->rate();
   const double expected[5] = {0.5, 1.5, 3, -9, 0};
@@ -147,7 +146,7 @@ TEST(Stages, RateOfAFreeFall) {
 TEST(Stages, RatesWantFlip) {
   Scene scene = scenes::rough_gas(1, "quadratic", "apic");
   Ledger ledger;
-  const auto engine = make_engine(scene, ledger, false);
+  const auto engine = make_engine(scene, ledger, {});
   engine->initialise();
   EXPECT_THROW(engine->rate(), std::logic_error);
 }

@@ -54,6 +54,13 @@ TEST(ConvergedGas, EstimatesItsErrorHonestlyOnRiemannProblems) {
   }
 }
 
+// A captured shock is two or three cells wide; a cell ahead of it is as wide as at the start.
+TEST(ConvergedGas, FindsTheShockWithinThreeCells) {
+  const ConvergedGas gas({sod_tube().gas(), 0, 1, {}, {}}, 400);
+  const double shock = 0.5 + 0.143 * RiemannSolution(sod_tube().problem).right_wave().head.value;
+  EXPECT_NEAR(gas.steepest(), shock, 3.0 / 400);
+}
+
 TEST(ConvergedGas, EstimatesItsErrorHonestlyBesideAVacuum) {
   ConvergedGasProblem slab = gas_expansion_reference(0.38, 0.005);
   slab.gas.dimension = 1;  // the plane has an exact solution

@@ -55,7 +55,8 @@ TEST(FiniteVolume, MakesTheErrorsOnSodsProblemThatTheSchemeIsKnownFor) {
 }
 
 // A captured jump costs its height times a number of cells, so order 1; a contact spreads as the cube root of the
-// number of steps and has 2/3 (second-order scheme); rounded fan corners and the trivial fan of test 2 allow no less than 1/2.
+// number of steps and has 2/3 (second-order scheme); rounded fan corners and the trivial fan of test 2 allow no less
+// than 1/2.
 // Wave speeds [Toro 10.59, 10.60] from each branch of the pressure estimate [Toro 9.20, 9.32, 9.42].
 TEST(FiniteVolume, ConvergesOnTorosTestsAndStaysPositive) {
   for (const RiemannTube& tube : toro_tubes()) {

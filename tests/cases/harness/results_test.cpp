@@ -130,6 +130,38 @@ TEST(StudyFile, HoldsLevelsGatesAndCatalog) {
   EXPECT_EQ(read(file, "/fit"), Json::object());
 }
 
+// A comparator's table has a row for each level of the study; only studies in cells of the plain default have one.
+TEST(StudyFile, HasTheComparatorsTable) {
+  Toy with;
+  with.comparators = [](const Settings& settings, const std::vector<double>& cells) {
+    Comparator stick{"stick", "another method"};
+    for (const double n : cells) stick.levels.push_back({n, 3, static_cast<long>(3 * n), 0.5, {{"error", 1 / n}}});
+    stick.levels.back().errors[0].second += settings.number("weight");
+    return std::vector<Comparator>{stick};
+  };
+  const ToyCase entry(with);
+  StudyResult study = toy_study();
+  study.entry = &entry;
+  study.levels.push_back({8, 0.125, toy_run({{"cells", 8.0}}), {}});
+  const TemporaryFolder folder;
+  const ResultsFolder results(folder.path());
+  results.write_study(study, {}, Provenance{});
+  const std::string file = folder / study.file;
+  EXPECT_EQ(read_hdf5_numbers(file, "/comparator/stick/cells"), (std::vector<double>{4, 8}));
+  EXPECT_EQ(read_hdf5_numbers(file, "/comparator/stick/steps"), (std::vector<double>{3, 3}));
+  EXPECT_EQ(read_hdf5_numbers(file, "/comparator/stick/cell_steps"), (std::vector<double>{12, 24}));
+  EXPECT_EQ(read_hdf5_numbers(file, "/comparator/stick/wall_s"), (std::vector<double>{0.5, 0.5}));
+  EXPECT_EQ(read_hdf5_numbers(file, "/comparator/stick/error"), (std::vector<double>{0.25, 1.125}));
+  for (const auto& change : std::vector<std::function<void(StudyPlan&)>>{
+           [](StudyPlan& p) { p.vary = Vary::dt; }, [](StudyPlan& p) { p.scheme = "york1997"; },
+           [](StudyPlan& p) { p.overrides = {{"ppc", 2.0}}; }}) {
+    StudyResult other = study;
+    change(other.plan);
+    results.write_study(other, {}, Provenance{});
+    EXPECT_TRUE(read_hdf5_numbers(folder / other.file, "/comparator/stick/cells").empty());
+  }
+}
+
 TEST(StudyName, TellsStudiesApart) {
   StudyResult other = toy_study();
   other.levels.push_back({8, 0.125, toy_run({{"cells", 8.0}}), {}});

@@ -31,6 +31,7 @@ struct Toy {
   GateCount count = {};
   bool any_integrator = false;
   std::vector<double> levels = {4, 8};
+  std::function<std::vector<Comparator>(const Settings&, const std::vector<double>&)> comparators = {};
 };
 
 class ToyProblem final : public Problem {
@@ -104,6 +105,9 @@ class ToyCase final : public Case {
   GateCount gate_count() const override { return toy_.count; }
   bool any_integrator() const override { return toy_.any_integrator; }
   std::vector<double> default_levels() const override { return toy_.levels; }
+  std::vector<Comparator> comparators(const Settings& settings, const std::vector<double>& cells) const override {
+    return toy_.comparators ? toy_.comparators(settings, cells) : std::vector<Comparator>{};
+  }
 
  private:
   Toy toy_;

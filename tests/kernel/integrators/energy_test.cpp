@@ -33,12 +33,14 @@ TEST(EnergyConserving, RefusesWhatCannotWork) {
 // Total energy itself, not only the residual, stays: 200 steps of a violent gas between walls, to 1e-13 of the
 // total, which is the square root of 200 x 3000 roundings of the largest terms with a factor of ten to spare.
 // [EC-APIC 6]
-TEST(EnergyConserving, ConservesEnergyBetweenWalls) {
+void expect_conserved_energy(scenes::Space space, const IdealGas& gas) {
   for (const char* shape : {"quadratic", "cubic"}) {
     for (const char* transfer : {"pic", "apic"}) {
       for (Wall kind : {Wall::symmetry, Wall::no_slip}) {
-        Scene scene = scenes::rough_gas(2, shape, transfer, {0, 0});
+        SCOPED_TRACE(testing::Message() << shape << ' ' << transfer << ' ' << static_cast<int>(kind));
+        Scene scene = scenes::rough_gas(space, shape, transfer, scenes::no_gravity, gas);
         scene.grid.walls = scenes::walls_everywhere(kind);
+        if (scene.grid.axisymmetric) scene.grid.walls[0][0] = Wall::symmetry;  // the axis
         Simulation run(scene, "energy", {0.3, {}});
         double worst = 0;
         for (int k = 0; k < 200; ++k) {
@@ -54,6 +56,22 @@ TEST(EnergyConserving, ConservesEnergyBetweenWalls) {
       }
     }
   }
+}
+TEST(EnergyConserving, ConservesEnergyBetweenWallsOnALine) {
+  expect_conserved_energy(scenes::Space::line, scenes::rough_law());
+  expect_conserved_energy(scenes::Space::line, scenes::inviscid_law());
+}
+TEST(EnergyConserving, ConservesEnergyBetweenWallsInThePlane) {
+  expect_conserved_energy(scenes::Space::plane, scenes::rough_law());
+  expect_conserved_energy(scenes::Space::plane, scenes::inviscid_law());
+}
+TEST(EnergyConserving, ConservesEnergyBetweenWallsOfRings) {
+  expect_conserved_energy(scenes::Space::axisymmetric, scenes::rough_law());
+  expect_conserved_energy(scenes::Space::axisymmetric, scenes::inviscid_law());
+}
+TEST(EnergyConserving, ConservesEnergyBetweenWallsInSpace) {
+  expect_conserved_energy(scenes::Space::solid, scenes::rough_law());
+  expect_conserved_energy(scenes::Space::solid, scenes::inviscid_law());
 }
 
 // With gravity, the total changes by its work alone.
@@ -108,7 +126,7 @@ Scene about_to_turn(const IdealGas& gas) {
 
 double heat_of_one_step(Scene scene, bool reverse, bool& reversed) {
   Ledger ledger;
-  const auto engine = make_engine(scene, ledger, true);
+  const auto engine = make_engine(scene, ledger, {.keep_loss = true});
   const double dt = 0.02;
   engine->initialise();
   engine->locate_points();
@@ -141,10 +159,9 @@ TEST(EnergyConserving, ReversesCooling) {
 
 // Step by step, whatever the gas does, viscosity gives heat. [EC-APIC viscous heat]
 TEST(EnergyConserving, ViscosityAlwaysHeats) {
-  for (int dim : {1, 2}) {
+  for (scenes::Space space : scenes::spaces) {
     for (const IdealGas& gas : {viscous(0.02, 0, 0), viscous(0.3, 0, 0), viscous(0, 0.2, 0.5), viscous(0.01, 1, 1)}) {
-      Scene scene = scenes::rough_gas(dim, "quadratic", "apic", {0, 0});
-      scene.bodies[0].material = std::make_shared<IdealGas>(gas);
+      Scene scene = scenes::rough_gas(space, "quadratic", "apic", scenes::no_gravity, gas);
       scene.grid.walls = scenes::walls_everywhere(Wall::symmetry);
       Simulation run(scene, "energy", {0.5, {}});
       double before = 0;

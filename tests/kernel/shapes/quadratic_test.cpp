@@ -18,7 +18,7 @@ TEST(Quadratic, ReachesNoFurtherThanItsGhosts) { expect_reach<Quadratic>(); }
 // others.
 TEST(Quadratic, MakesYorksNineNodeFunctions) {
   double c[3], e[3];
-  Quadratic::weights(0, c);
+  Quadratic::weights(0.0, c);
   EXPECT_DOUBLE_EQ(c[1] * c[1], 9.0 / 16);
   for (int k : {0, 2}) {
     EXPECT_DOUBLE_EQ(c[k] * c[1], 3.0 / 32);

@@ -1,0 +1,185 @@
+// Sedov's blast: energy set free on an axis or at a point of cold gas.
+#include "reference/sedov.hpp"
+
+#include <memory>
+
+#include "cases/gas/gas_case.hpp"
+#include "cases/gas/radial.hpp"
+#include "cases/gas/shock_front.hpp"
+
+namespace plumbline {
+namespace {
+
+constexpr double domain = 1.2;     // m
+constexpr double deposit = 2;      // cells: the energy is set free within this radius
+constexpr const char* sketch =
+    R"svg(<svg viewBox="0 0 360 150" role="img" aria-label="A blast wave runs outwards from the centre; nearly all gas is in a thin shell behind it">
+<g stroke="currentColor" stroke-width="1.5" fill="none"><path d="M110 10v125h200"/><path d="M110 45a90 90 0 0 1 90 90" stroke-dasharray="4 3"/><path d="M176 69l25 -25m-9 1l9 -1l-1 9"/></g>
+<path d="M110 45a90 90 0 0 1 90 90h-15a75 75 0 0 0 -75 -75z" fill="currentColor" opacity=".4"/><path d="M110 135v-75a75 75 0 0 1 75 75z" fill="currentColor" opacity=".06"/>
+<g fill="currentColor" font-size="12"><text x="114" y="128">hot, thin</text><text x="212" y="149">R(t)</text><text x="240" y="60">cold, at rest</text></g></svg>)svg";
+
+struct SedovText {
+  std::string name, title, of, energy_of;
+  int dimension;
+  double energy;
+};
+
+// All energy in the points within `radius` of the centre, the same for each unit of their mass. Their momentum is zero.
+void set_free(Body& body, const RadialGeometry& geometry, double radius, double energy, double gamma) {
+  Columns& points = body.points;
+  std::vector<int> inside;
+  double mass = 0;
+  for (int p = 0; p < points.points(); ++p) {
+    Position x{};
+    for (int d = 0; d < geometry.dim; ++d) x[static_cast<std::size_t>(d)] = points(column::position, d)[p];
+    if (radius_of(geometry, x) > radius) continue;
+    inside.push_back(p);
+    mass += points(column::mass)[p];
+  }
+  for (const int p : inside) {
+    points(column::energy)[p] += energy / mass;
+    points(column::pressure)[p] = (gamma - 1) * points(column::density)[p] * points(column::energy)[p];  // [York 4.4]
+  }
+}
+
+std::vector<Measure> blast_measures(const reference::Sedov& exact, const std::vector<GasSample>& points, double h,
+                                    double time) {
+  double peak = 0;
+  for (const GasSample& p : points) peak = larger(peak, p.density);
+  const double ahead = exact.problem().density;
+  const reference::Bounded radius = exact.shock_radius(time), behind = exact.behind(time).density;
+  return {scalar_measure("shock_position", shock_place(points, h, (ahead + peak) / 2), radius.value, radius.bound, "m"),
+          scalar_measure("peak_density", peak, behind.value, behind.bound, "kg/m^3")};
+}
+
+GasFlow blast_flow(int dimension, const Settings& settings) {
+  const RadialGeometry geometry = radial_geometry(dimension, settings.text("geometry"));
+  reference::SedovProblem problem;
+  problem.dimension = dimension;
+  problem.gamma = settings.number("gamma");
+  problem.energy = settings.number("energy");
+  const auto exact = std::make_shared<const reference::Sedov>(problem);
+  GasFlow flow;
+  flow.cells_along = domain;
+  set_geometry(flow, geometry, domain, settings);
+  flow.gamma = problem.gamma;
+  flow.end_time = exact->time_of_radius(settings.number("shock_radius"));
+  flow.judged = Interval{0, domain};
+  flow.initial = [problem, p = settings.number("pressure")](double) {
+    return reference::GasState{problem.density, 0, p};
+  };
+  flow.exact = [exact](double r, double t) { return exact->sample(r, t); };
+  const double h = cell_size(flow, settings), energy = problem.energy * share_of_whole(geometry, h);
+  flow.fill = [geometry, energy, problem, state = flow.initial(0)](std::shared_ptr<const IdealGas> gas,
+                                                                   const PointRule& rule, const GridSpec& grid) {
+    GasBox box;
+    for (std::size_t d = 0; d < static_cast<std::size_t>(grid.dim); ++d) box.high[d] = grid.h * grid.cells[d];
+    box.state = [state](const Position&) { return GasAt{state.density, {}, state.pressure}; };
+    Body body = fill_gas(std::move(gas), box, rule, grid);
+    set_free(body, geometry, deposit * grid.h, energy, problem.gamma);
+    return body;
+  };
+  flow.further = [exact, geometry, h](const std::vector<GasSample>& points, double time) {
+    std::vector<Measure> all = blast_measures(*exact, points, h, time);
+    all.push_back(coverage_within(geometry, points, domain, h));
+    return all;
+  };
+  return flow;
+}
+
+class SedovCase final : public Case {
+ public:
+  explicit SedovCase(SedovText text) : text_(std::move(text)), registered_(this) {}
+
+  Statement statement() const override {
+    Statement s;
+    s.name = text_.name;
+    s.title = text_.title;
+    s.source =
+        "L. I. Sedov, Similarity and Dimensional Methods in Mechanics, 1959, chapter IV; J. R. Kamm, F. X. Timmes, "
+        "LA-UR-07-2849, 2007";
+    s.claim = "The blast wave stands within one cell of its place, from nothing but the energy set free.";
+    s.physics =
+        "Energy is set free " + text_.of +
+        " of cold gas at rest, γ = 1.4. A shock runs outwards, R ∝ t^(2/(d+2)), and sweeps nearly all gas into a thin "
+        "shell behind it: six times the density at the shock, next to nothing at the centre, where the gas is as hot "
+        "as it is thin. The only number that sets the shock's place is the energy; a scheme that loses or makes some "
+        "misses it.\n\n"
+        "The energy is given to the points within two cells of the centre, the same for each unit of mass: about the "
+        "smallest region whose pressure a kernel of three cells still sees as round. The similarity solution has it "
+        "in a point; what the region's size changes dies out as the swept mass outgrows the region's own, (2h/R)^d.\n\n"
+        "`shock_position` is the outermost place at which the density passes halfway between the gas at rest and the "
+        "densest point: the middle of the numerical shock, wherever its peak has got to. On coarse meshes the peak is "
+        "cut off (`peak_density`), because density falls to half of it within R/20.\n\n"
+        "Near vacuum: the gas that was heated first expands to a density near zero. Points of it are few and far "
+        "apart: less than one in a cell, near the centre. They are as many as they were; grid density there is that "
+        "of single points.\n\n"
+        "Specific energy is infinite at the exact centre: its norms say little and no gate uses them.";
+    s.equations = gas_equations();
+    s.equations.push_back("E = α(d, γ) ρ R^(d+2)/t²");
+    s.sketch = sketch;
+    s.cells_along = "a radius of 1.2 m";
+    s.reference_name = "sedov";
+    s.reference_text = "The similarity solution in closed form by a parameter; α by quadrature.";
+    s.reference_bound = "Computed: quadrature, residual of the root, and rounding carried through.";
+    s.theory_orders = {{"density.L1", 1, "the shock is spread over a number of cells"},
+                       {"shock_position", 1, "a share of a cell; the region that holds the energy adds (2h/R)^d"},
+                       {"peak_density", 1, "what a kernel averages of a profile that falls linearly behind the shock"}};
+    s.known_limits = {"Gas at the centre is resolved by the few points that were there at the start."};
+    return s;
+  }
+
+  Kind kind() const override { return Kind::gas; }
+
+  std::vector<Key> keys() const override {
+    return {geometry_key(text_.dimension),
+            {.name = "gamma",
+             .value = 1.4,
+             .low = 1.1,
+             .high = 3,
+             .description = "ratio of specific heats"},
+            {.name = "energy",
+             .value = text_.energy,
+             .unit = text_.dimension == 2 ? "J/m" : "J",
+             .low = 0,
+             .low_open = true,
+             .description = text_.energy_of},
+            {.name = "pressure",
+             .value = 0.0,
+             .unit = "Pa",
+             .low = 0,
+             .high = 1e-3,
+             .description = "of the cold gas; the reference has none"},
+            {.name = "shock_radius",
+             .value = 1.0,
+             .unit = "m",
+             .low = 0.1,
+             .high = 1.1,
+             .description = "where the exact shock is at the end"}};
+  }
+
+  std::vector<Override> points_and_end(const std::string& scheme) const override {
+    return scheme == "york1997" ? york_points(scheme) : std::vector<Override>{{"ppc", 2.0}};
+  }
+  void derive(Settings& settings, const std::string& scheme) const override { york_step(settings, scheme); }
+  std::unique_ptr<Problem> problem(const Settings& settings) const override {
+    return gas_problem(blast_flow(text_.dimension, settings), settings);
+  }
+  std::vector<double> default_levels() const override { return {30, 42, 60, 84, 120}; }
+  std::vector<StudyPlan> studies() const override { return {}; }
+  std::vector<CaseGate> gates() const override { return {}; }
+  GateCount gate_count() const override { return {0, 0}; }
+
+ private:
+  SedovText text_;
+  RegisterCase registered_;
+};
+
+// Energies of Kamm and Timmes's size: alpha rho, so that the shock is at 1 m after 1 s.
+const SedovCase cylindrical{{"sedov-cylindrical", "Sedov's blast from an axis", "on an axis",
+                             "set free per length of the whole axis", 2, 0.9840740}};
+const SedovCase spherical{{"sedov-spherical", "Sedov's blast from a point", "at a point",
+                           "set free, in the whole sphere", 3, 0.8510719}};
+
+}  // namespace
+}  // namespace plumbline

@@ -1,0 +1,138 @@
+// The smoothing of the maps undone on the nodes. A map by shape functions damps the wave number k of a force, and of the
+// velocity whose gradient strains a point, by S(k) = 1 - theta k^2 h^2 + ...; Q = 1 + theta M^-1 K, K the graph Laplacian
+// of the nodes' masses, undoes the leading term:
+//   (Q u)_i = u_i + theta / M_i sum_j K_ij (u_i - u_j),  K_ij = 2 M_i M_j / (M_i + M_j),  j the neighbours along the axes.
+// K is symmetric: sum_i M_i (Q a)_i = sum_i M_i a_i, and Q is self-adjoint under M, so that forces through Q do exactly
+// the work that strains through Q give back. Across a wall the mirror images are the neighbours. [Sharpening 1]
+#pragma once
+
+#include <vector>
+
+#include "kernel/walls.hpp"
+
+namespace plumbline {
+
+// What sharpening accelerations adds to the momenta by walls, whose nodes cannot follow, and to the angular momentum.
+template <int dim>
+struct SharpeningAction {
+  WallAction<dim> walls;
+  Spin<dim> turn = Spin<dim>::Zero();
+};
+
+template <int dim>
+class Sharpening {
+ public:
+  using Vec = Eigen::Matrix<double, dim, 1>;
+  // theta: 1/12 linear, 1/8 quadratic, 1/6 cubic shapes; 0: Q is the identity.
+  Sharpening(const Grid<dim>& grid, double theta) : grid_(grid), theta_(theta) {}
+
+  bool none() const { return theta_ == 0; }
+
+  // to = Q from, on the touched nodes that are not ghosts of a wall.
+  void apply(const VelocityField<dim>& field, const std::vector<Vec>& from, std::vector<Vec>& to, int threads) const {
+    for_each_piece(grid_.rows(), threads, [&](int row) {
+      if (ghost_row(row)) return;
+      for_own_nodes(field, row, [&](int i) {
+        const auto at = static_cast<std::size_t>(i);
+        Vec sum = Vec::Zero();
+        for_neighbours(field, row, i, [&](int j, int d, bool mirrored, double share) {
+          Vec other = from[static_cast<std::size_t>(j)];
+          if (mirrored) other = image(other, i, d);
+          sum += share * (from[at] - other);
+        });
+        to[at] = from[at] + theta_ * sum;
+      });
+    });
+  }
+
+  // What Q adds to sum_i M_i a_i and sum_i x_i x M_i a_i.
+  SharpeningAction<dim> action(const VelocityField<dim>& field, const std::vector<Vec>& from) const {
+    SharpeningAction<dim> all;
+    for (int row = 0; row < grid_.rows(); ++row) {
+      if (ghost_row(row)) continue;
+      for_own_nodes(field, row, [&](int i) {
+        const auto at = static_cast<std::size_t>(i);
+        for_neighbours(field, row, i, [&](int j, int d, bool mirrored, double share) {
+          if (mirrored) return;
+          const Vec pull = theta_ * share * field.mass[at] * (from[at] - from[static_cast<std::size_t>(j)]);
+          all.turn += cross<dim>(grid_.position(i), pull);
+          if (!on_wall(j, d)) return;
+          // The node on the wall takes what is even of the other half; what is odd the wall takes.
+          const Vec held = held_by(pull, j, d);
+          all.walls.linear += held;
+          all.walls.angular += cross<dim>(grid_.position(j), held);
+          all.turn -= cross<dim>(grid_.position(j), held);
+        });
+      });
+    }
+    return all;
+  }
+
+ private:
+  bool walled(int d, int side) const { return grid_.wall(d, side) != Wall::free; }
+  int first(int) const { return Grid<dim>::ghosts; }
+  int last(int d) const { return grid_.nodes(d) - 1 - Grid<dim>::ghosts; }
+  bool on_wall(int node, int d) const {
+    const int k = grid_.index(node, d);
+    return (k == first(d) && walled(d, 0)) || (k == last(d) && walled(d, 1));
+  }
+  bool ghost_row(int row) const {
+    if constexpr (dim > 1) {
+      for (int d = 1; d < dim; ++d) {
+        const int k = grid_.row_index(row, d);
+        if ((k < first(d) && walled(d, 0)) || (k > last(d) && walled(d, 1))) return true;
+      }
+    }
+    return false;
+  }
+  template <class Visit>
+  void for_own_nodes(const VelocityField<dim>& field, int row, Visit&& visit) const {
+    auto [from, to] = field.touched[static_cast<std::size_t>(row)];
+    if (walled(0, 0)) from = std::max(from, first(0));
+    if (walled(0, 1)) to = std::min(to, last(0) + 1);
+    for (int i = from; i < to; ++i) visit(row * grid_.row_length() + i);
+  }
+  // The value beyond a wall of direction d that mirrors `value`, seen from the node i on it.
+  Vec image(Vec value, int i, int d) const {
+    const int side = grid_.index(i, d) == first(d) && walled(d, 0) ? 0 : 1;
+    if (grid_.wall(d, side) == Wall::no_slip) return -value;
+    value[d] = -value[d];
+    return value;
+  }
+  Vec held_by(const Vec& value, int node, int d) const { return 0.5 * (value - image(value, node, d)); }
+
+  // visit(neighbour, direction, whether it stands for a mirror image, K_ij / M_i).
+  template <class Visit>
+  void for_neighbours(const VelocityField<dim>& field, int row, int i, Visit&& visit) const {
+    const int length = grid_.row_length(), column = i - row * length;
+    for (int d = 0; d < dim; ++d) {
+      const int k = d == 0 ? column : grid_.row_index(row, d);
+      const double weight = (k == first(d) && walled(d, 0)) || (k == last(d) && walled(d, 1)) ? 2 : 1;
+      const double mass = weight * field.mass[static_cast<std::size_t>(i)];
+      if (!(mass > least_mass)) continue;
+      for (int side = 0; side < 2; ++side) {
+        bool mirrored = false;
+        int step = side == 0 ? -1 : 1;
+        if (walled(d, side) && k == (side == 0 ? first(d) : last(d))) {
+          mirrored = true;
+          step = -step;
+        }
+        const int there = k + step;
+        if (there < 0 || there >= grid_.nodes(d)) continue;
+        const int row_there = d == 0 ? row : row + step * (grid_.stride(d) / length);
+        const int column_there = d == 0 ? there : column;
+        const auto [from, to] = field.touched[static_cast<std::size_t>(row_there)];
+        if (column_there < from || column_there >= to) continue;
+        const int j = row_there * length + column_there;
+        const double share = (there == first(d) && walled(d, 0)) || (there == last(d) && walled(d, 1)) ? 2 : 1;
+        const double other = share * field.mass[static_cast<std::size_t>(j)];
+        if (other > least_mass) visit(j, d, mirrored, 2 * other / (mass + other));
+      }
+    }
+  }
+
+  Grid<dim> grid_;
+  double theta_;
+};
+
+}  // namespace plumbline
