@@ -14,7 +14,7 @@ namespace plumbline {
 // [EC-APIC 2] Three Gauss points on half cells are exact for cubic shapes.
 template <class Shape, int dim>
 std::vector<double> line_volumes(const Grid<dim>& grid, int d) {
-  constexpr int beyond = 2;  // cells that a node on an open side reaches
+  constexpr int beyond = 3;  // cells that a ghost node of an open side reaches
   const bool radial = grid.axisymmetric() && d == 0;
   const bool walled[2] = {grid.wall(d, 0) != Wall::free, grid.wall(d, 1) != Wall::free};
   const double low = walled[0] ? 0 : -beyond, high = grid.cells(d) + (walled[1] ? 0 : beyond);

@@ -19,7 +19,8 @@ class Pistons {
   void advance(double dt) { time_ += dt; }
   void set_time(double time) { time_ = time; }
 
-  // Gives driven nodes the pistons' normal velocity. Adds the impulse to `action`; returns its work, J.
+  // Gives driven nodes the pistons' normal velocity. Adds the impulse to `action`; returns its work, J. Walls' ghosts are to
+  // be extended afterwards.
   double drive(const Grid<dim>& grid, const VelocityField<dim>& field, std::vector<Vec>& velocity,
                WallAction<dim>& action) const {
     double work = 0;
@@ -29,6 +30,7 @@ class Pistons {
       field.for_touched(grid, [&](std::size_t i) {
         const double x = grid.line(grid.index(static_cast<int>(i), d), d);
         if (piston.side == 0 ? x >= reach : x <= reach) return;
+        if (mirrored(grid, static_cast<int>(i))) return;
         Vec impulse = Vec::Zero();
         impulse[d] = field.mass[i] * (piston.velocity - velocity[i][d]);
         velocity[i][d] = piston.velocity;
@@ -41,6 +43,16 @@ class Pistons {
   }
 
  private:
+  // Ghosts of walls have given their mass to their mirrors.
+  static bool mirrored(const Grid<dim>& grid, int node) {
+    for (int d = 0; d < dim; ++d) {
+      const int k = grid.index(node, d);
+      if (k < Grid<dim>::ghosts && grid.wall(d, 0) != Wall::free) return true;
+      if (k > grid.nodes(d) - 1 - Grid<dim>::ghosts && grid.wall(d, 1) != Wall::free) return true;
+    }
+    return false;
+  }
+
   std::vector<Piston> pistons_;
   double time_ = 0;  // s, since the pistons stood where the scene put them
 };

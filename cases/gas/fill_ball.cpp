@@ -165,13 +165,17 @@ std::vector<Sector> sectors(const RadialGeometry& geometry, double radius, doubl
   return all;
 }
 
-std::vector<Part> shells(const GasBall& ball, double gamma, const PointRule& rule, double h) {
+// One line of rings above another; the flow is the same at all heights.
+std::vector<Sector> lines(double height, int count) {
+  std::vector<Sector> all;
+  for (int k = 0; k < count; ++k) all.push_back({{1, 0, 0}, height / count});
+  return all;
+}
+
+std::vector<Part> shells(const GasBall& ball, double gamma, const std::function<double(double)>& per_length, double h,
+                         int lines_a_cell) {
   const RadialGeometry& geometry = ball.geometry;
-  const double centre = ball.initial(0).density;
-  // Points of one mass, rho s^d, stand s = (mass/rho)^(1/d) apart.
-  const auto per_length = [&](double r) {
-    return std::max(rule.ppc * std::pow(ball.initial(r).density / centre, 1.0 / geometry.dim), rule.least) / h;
-  };
+  const int on_height = static_cast<int>(std::lround(slice_height(h) / h)) * lines_a_cell;
   std::vector<Part> parts;
   for (const Interval& shell : equal_shares({0, ball.radius}, per_length)) {
     double volume = 0, mass = 0, heat = 0, moment = 0;
@@ -183,19 +187,34 @@ std::vector<Part> shells(const GasBall& ball, double gamma, const PointRule& rul
       heat += state.pressure * dv / (gamma - 1);  // [York 4.4]
       moment += r * state.density * dv;
     });
-    for (const Sector& sector : sectors(geometry, shell.middle(), shell.length())) {
-      Part part{volume * sector.angle, mass * sector.angle, heat * sector.angle, {}};
-      for (std::size_t d = 0; d < 3; ++d) part.moment[d] = moment * sector.direction[d];
+    const std::vector<Sector> all = geometry.slice ? lines(slice_height(h), on_height)
+                                                   : sectors(geometry, shell.middle(), shell.length());
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      Part part{volume * all[k].angle, mass * all[k].angle, heat * all[k].angle, {}};
+      for (std::size_t d = 0; d < 3; ++d) part.moment[d] = moment * all[k].direction[d];
+      if (geometry.slice) {
+        part.moment[0] *= all[k].angle;
+        part.moment[1] = part.mass * slice_height(h) * (static_cast<double>(k) + 0.5) / on_height;
+      }
       parts.push_back(part);
     }
   }
   return parts;
 }
 
+// Points a length along the radius.
+std::function<double(double)> points_per_length(const GasBall& ball, const PointRule& rule, double h) {
+  if (ball.spacing) return [&ball](double r) { return 1 / ball.spacing(r); };
+  // Points of one mass, rho s^d, stand s = (mass/rho)^(1/d) apart.
+  return [&ball, rule, h, centre = ball.initial(0).density](double r) {
+    return std::max(rule.ppc * std::pow(ball.initial(r).density / centre, 1.0 / ball.geometry.dim), rule.least) / h;
+  };
+}
+
 }  // namespace
 
 Body fill_ball(std::shared_ptr<const IdealGas> gas, const GasBall& ball, const PointRule& rule, const GridSpec& grid) {
-  if (ball.geometry.slice) {
+  if (ball.geometry.slice && !ball.spacing) {
     GasBox box;
     box.high = {ball.radius, slice_height(grid.h), 0};
     box.state = [&](const Position& x) {
@@ -205,10 +224,11 @@ Body fill_ball(std::shared_ptr<const IdealGas> gas, const GasBall& ball, const P
     return fill_gas(std::move(gas), box, rule, grid);
   }
   const double gamma = gas->gamma;
-  const bool on_lattice = ball.uniform || !rule.equal_mass;
-  return body_of(std::move(gas),
-                 on_lattice ? lattice(ball, gamma, grid.h / rule.ppc) : shells(ball, gamma, rule, grid.h),
-                 ball.geometry);
+  const bool on_lattice = !ball.spacing && (ball.uniform || !rule.equal_mass);
+  const std::vector<Part> parts =
+      on_lattice ? lattice(ball, gamma, grid.h / rule.ppc)
+                 : shells(ball, gamma, points_per_length(ball, rule, grid.h), grid.h, rule.lines);
+  return body_of(std::move(gas), parts, ball.geometry);
 }
 
 }  // namespace plumbline

@@ -19,6 +19,7 @@ struct GasBall {
 //   equal mass                     concentric shells, each cut into sectors about as wide as it is thick, points spread
 //                                  so that each has the mass of one at the centre; where that would leave less than
 //                                  `least` a cell along a direction, that many, and lighter ones.
+//   `spacing` given                the same shells with this distance of points, whatever masses come out
 // In a slice of rings: intervals along the radius as fill_gas() has them. Rings are per radian: with equal spacing their
 // masses go with the distance from the axis, in all layouts.
 // A point stands at the centre of mass of its part and has its mass and internal energy; so sums over the points are the

@@ -79,9 +79,11 @@ GasProblem::Layout GasProblem::layout() const {
   }
   const int below = whole_cells(flow_.margin[0], h), above = whole_cells(flow_.margin[1], h);
   at.gas = {flow_.low[axis] - below * h, flow_.high[axis] + above * h};
-  const double travel = flow_.frame_velocity * flow_.end_time;
-  const int empty_below = whole_cells(flow_.space[0] + std::max(0.0, -travel), h);
-  const int empty_above = whole_cells(flow_.space[1] + std::max(0.0, travel), h);
+  const auto travel = [&](std::size_t side) {
+    return (flow_.frame_velocity + flow_.pistons[side].value_or(0.0)) * flow_.end_time;
+  };
+  const int empty_below = whole_cells(flow_.space[0] + std::max(0.0, -travel(0)), h);
+  const int empty_above = whole_cells(flow_.space[1] + std::max(0.0, travel(1)), h);
   grid.cells[axis] += below + above + empty_below + empty_above + (offset > 0 ? 1 : 0);
   grid.origin[axis] = at.gas.from - empty_below * h - offset * h;
   if (empty_below == 0) at.gas.from = grid.origin[axis];

@@ -1,8 +1,11 @@
 // Sedov's blast: energy set free on an axis or at a point of cold gas.
 #include "reference/sedov.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
+#include "cases/gas/fill_ball.hpp"
 #include "cases/gas/gas_case.hpp"
 #include "cases/gas/radial.hpp"
 #include "cases/gas/shock_front.hpp"
@@ -70,12 +73,16 @@ GasFlow blast_flow(int dimension, const Settings& settings) {
   };
   flow.exact = [exact](double r, double t) { return exact->sample(r, t); };
   const double h = cell_size(flow, settings), energy = problem.energy * share_of_whole(geometry, h);
-  flow.fill = [geometry, energy, problem, state = flow.initial(0)](std::shared_ptr<const IdealGas> gas,
+  const bool graded = settings.text("layout") == "graded";
+  flow.fill = [=, end = settings.number("shock_radius"), state = flow.initial(0)](std::shared_ptr<const IdealGas> gas,
                                                                    const PointRule& rule, const GridSpec& grid) {
-    GasBox box;
-    for (std::size_t d = 0; d < static_cast<std::size_t>(grid.dim); ++d) box.high[d] = grid.h * grid.cells[d];
-    box.state = [state](const Position&) { return GasAt{state.density, {}, state.pressure}; };
-    Body body = fill_gas(std::move(gas), box, rule, grid);
+    GasBall ball{geometry, domain, [state](double) { return state; }, true, {}};
+    if (graded) {
+      ball.spacing = [=, gamma = problem.gamma, least = 1e-6 * domain](double r) {
+        return grid.h / rule.ppc * std::min(1.0, gamma / (gamma - 1) * std::pow(std::max(r, least) / end, 1 / gamma));
+      };
+    }
+    Body body = fill_ball(std::move(gas), ball, rule, grid);
     set_free(body, geometry, deposit * grid.h, energy, problem.gamma);
     return body;
   };
@@ -150,6 +157,10 @@ class SedovCase final : public Case {
              .low = 0,
              .high = 1e-3,
              .description = "of the cold gas; the reference has none"},
+            {.name = "layout",
+             .value = "graded",
+             .choices = {"graded", "lattice"},
+             .description = "points close together near the centre, or of one mass everywhere"},
             {.name = "shock_radius",
              .value = 1.0,
              .unit = "m",

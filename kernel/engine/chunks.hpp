@@ -99,13 +99,16 @@ template <int components, class Add>
   for_stencil_nodes(print, [&](int k, std::size_t i) { add(i, total + k * components); });
 }
 
-// Relative velocities, because what the maps lose is a difference of squares.
+// Relative to the middle node's, because what the maps lose is a difference of squares; a node at the stencil's edge could
+// be all but massless and fast.
 template <class G, class S, class T>
 [[gnu::always_inline]] inline auto Mechanics<G, S, T>::bin_velocity(const Print& print,
                                                                     const std::vector<Vec>& velocity) const
     -> BinVelocity {
   BinVelocity bin;
-  bin.base = velocity[static_cast<std::size_t>(print.lowest)];
+  int middle = print.lowest;
+  for (int d = 0; d < dim; ++d) middle += support / 2 * print.stride[d];
+  bin.base = velocity[static_cast<std::size_t>(middle)];
   for_stencil_nodes(print, [&](int k, std::size_t i) {
     bin.square[k] = 0;
     for (int d = 0; d < dim; ++d) {

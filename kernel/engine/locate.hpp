@@ -38,15 +38,27 @@ Mechanics<G, S, T>::Mechanics(Scene& scene, Ledger& ledger, const EngineOptions&
     if (!first_of_field) alone_[at.field] = false;
     at.lowest.resize(static_cast<std::size_t>(body.points.points()));
     located_.push_back(std::move(at));
-    const int strains = body.material->isotropic() ? 1 : G::strains;
-    if (body.points.points() > 0 && body.points.components(column::stress) != strains) {
-      throw std::invalid_argument("body " + body.name + " has " +
-                                  std::to_string(body.points.components(column::stress)) +
-                                  " stress components; its material and the grid's geometry want " +
-                                  std::to_string(strains));
-    }
+    refuse_other_geometry(body);
     if (T::affine) body.points.add(column::affine, dim * dim);
     if (options.keep_loss && body.material->takes_heat()) body.points.add(column::transfer_loss);
+  }
+}
+
+// A body made for another dimension or geometry would be read beyond its columns.
+template <class G, class S, class T>
+void Mechanics<G, S, T>::refuse_other_geometry(const Body& body) {
+  if (body.points.points() == 0) return;
+  const auto expect = [&](const ColumnId& id, int components) {
+    const int found = body.points.components(id);
+    if (found == components) return;
+    throw std::invalid_argument("body " + body.name + " has " + std::to_string(found) + " components of " + id.name() +
+                                "; its material and the grid's geometry want " + std::to_string(components));
+  };
+  expect(column::position, dim);
+  expect(column::velocity, dim);
+  expect(column::stress, body.material->isotropic() ? 1 : G::strains);
+  if (body.chain && (dim > 2 || G::axisymmetric)) {
+    throw std::invalid_argument("body " + body.name + ": a chain of membrane points lives on a line or in the plane");
   }
 }
 

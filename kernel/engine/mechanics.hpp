@@ -182,12 +182,14 @@ class Mechanics final : public Engine {
   Survey survey(const Body& body, PointRange range) const;
 
   // --- one body or all
+  static void refuse_other_geometry(const Body& body);
   void place(Body& body, Located& at) const;
   bool sort_points(Body& body, Located& at);
   void touch(const Located& at, Field& field) const;
   void keep_places(Body& body, Located& at) const;
   void solve_velocity(Field& field, std::vector<Vec>& velocity) const;
   const std::vector<Vec>& straining_velocity(Field& field, NodalVelocity which) const;
+  double drive(const Field& field, std::vector<Vec>& velocity, WallAction<dim>& action) const;
   void solve_exchange(Field& field, double dt) const;
   void evaluate_stress_ahead(NodalVelocity velocity, double ahead);
   void gather_all_motion(double dt, std::optional<double> drift);

@@ -53,6 +53,15 @@ void Mechanics<G, S, T>::solve_velocity(Field& field, std::vector<Vec>& velocity
   walls_.extend(field, velocity);
 }
 
+// What pistons do to nodal velocities; returns their work, J.
+template <class G, class S, class T>
+double Mechanics<G, S, T>::drive(const Field& field, std::vector<Vec>& velocity, WallAction<dim>& action) const {
+  if (pistons_.none()) return 0;
+  const double work = pistons_.drive(grid_, field, velocity, action);
+  walls_.extend(field, velocity);
+  return work;
+}
+
 template <class G, class S, class T>
 void Mechanics<G, S, T>::map_mass_and_momentum() {
   grid_mass_ = 0;
@@ -79,7 +88,7 @@ void Mechanics<G, S, T>::map_mass_and_momentum() {
     walls_.fold_mass(field);
     WallAction<dim> action = walls_.fold(field, field.momentum);
     solve_velocity(field, field.start);
-    if (!pistons_.none()) pending_.map_wall_work += pistons_.drive(grid_, field, field.start, action);
+    pending_.map_wall_work += drive(field, field.start, action);
     if constexpr (!T::increments) {
       pending_.map_wall.linear += action.linear;
       pending_.map_wall.angular += action.angular;
@@ -112,7 +121,7 @@ void Mechanics<G, S, T>::map_momentum() {
     walls_.fold(field, field.momentum);
     solve_velocity(field, field.remapped);  // [York 3.24]
     WallAction<dim> not_kept;
-    if (!pistons_.none()) pistons_.drive(grid_, field, field.remapped, not_kept);
+    drive(field, field.remapped, not_kept);
   }
   current_ = NodalVelocity::remapped;
   if (rate_of_ == NodalVelocity::remapped) rate_of_ = NodalVelocity::current;
@@ -276,11 +285,9 @@ void Mechanics<G, S, T>::advance_momentum(double dt) {
         options_.threads);
     walls_.extend(field, field.end);
     walls_.extend(field, field.midpoint);
-    if (!pistons_.none()) {
-      pending_.wall_work += pistons_.drive(grid_, field, field.end, pending_.wall);
-      WallAction<dim> counted;
-      pistons_.drive(grid_, field, field.midpoint, counted);
-    }
+    pending_.wall_work += drive(field, field.end, pending_.wall);
+    WallAction<dim> counted;
+    drive(field, field.midpoint, counted);
     if (scene_.heat_exchange > 0) solve_exchange(field, dt);
     if (gravity_.isZero(0)) continue;
     const std::vector<Vec>& straining = straining_velocity(field, NodalVelocity::midpoint);

@@ -129,6 +129,60 @@ TEST(LedgerOfARun, ClosesForEveryCombination) {
   }
 }
 
+// The same for a gas in every geometry, with the angular momenta about all axes.
+TEST(LedgerOfARun, ClosesInEveryGeometry) {
+  for (const scenes::Combination& c : scenes::working_combinations()) {
+    for (scenes::Space space : scenes::spaces) {
+      for (const IdealGas& gas : {scenes::rough_law(), scenes::inviscid_law()}) {
+        SCOPED_TRACE(testing::Message() << space << ", " << c);
+        const scenes::Place gravity{3, -9, space == scenes::Space::solid ? 5.0 : 0.0};
+        Simulation run(scenes::rough_gas(space, c.shape, c.transfer, gravity, gas), c.integrator, {0.2, {}});
+        for (int k = 0; k < 10; ++k) {
+          run.step(1);
+          scenes::expect_ledger_closes(run.ledger(), 1e-13);
+        }
+      }
+    }
+  }
+}
+
+// In empty space without forces a gas keeps its momenta, and with APIC its angular momenta about all axes; rings keep
+// theirs along the axis alone. [EC-APIC 1, 5]
+TEST(LedgerOfARun, MomentaStayInSpace) {
+  for (const char* shape : {"quadratic", "cubic"}) {
+    for (scenes::Space space : scenes::spaces) {
+      Simulation run(scenes::rough_gas_in_space(space, shape, "apic", scenes::no_gravity), "energy", {0.2, {}});
+      for (int k = 0; k < 10; ++k) run.step(1);
+      const Ledger& ledger = run.ledger();
+      const bool rings = space == scenes::Space::axisymmetric;
+      for (std::size_t d = rings ? 1 : 0; d < 3; ++d) {
+        EXPECT_NEAR(ledger.momentum[d].store(), ledger.momentum[d].initial(), 1e-14 * ledger.momentum[d].scale());
+      }
+      for (const Account& turning : ledger.angular_momentum) {
+        EXPECT_NEAR(turning.store(), turning.initial(), 1e-14 * turning.scale());
+      }
+      const std::size_t axes = space == scenes::Space::solid ? 3 : space == scenes::Space::plane ? 1 : 0;
+      std::size_t turning = 0;
+      for (const Account& account : ledger.angular_momentum) turning += account.store() != 0;
+      EXPECT_EQ(turning, axes);
+    }
+  }
+}
+
+TEST(LedgerOfARun, NamesTheAccountsOfItsGeometry) {
+  const auto names = [](int dim, bool axisymmetric) {
+    std::vector<std::string> all;
+    for (const auto& [name, account] : Ledger().accounts(dim, axisymmetric)) all.push_back(name);
+    return all;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names(1, false), (Names{"mass", "momentum_x", "energy"}));
+  EXPECT_EQ(names(2, false), (Names{"mass", "momentum_x", "momentum_y", "angular_momentum", "energy"}));
+  EXPECT_EQ(names(2, true), (Names{"mass", "momentum_x", "momentum_y", "energy"}));
+  EXPECT_EQ(names(3, false), (Names{"mass", "momentum_x", "momentum_y", "momentum_z", "angular_momentum_x",
+                                    "angular_momentum_y", "angular_momentum_z", "energy"}));
+}
+
 TEST(LedgerOfARun, ClosesForEveryDensityAndWall) {
   for (DensityMethod method :
        {DensityMethod::cell, DensityMethod::quadratic, DensityMethod::continuity, DensityMethod::grid}) {

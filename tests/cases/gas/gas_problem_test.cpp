@@ -117,6 +117,7 @@ TEST(GasProblem, AMovingFrameIsJudgedInItsOwn) {
   flow.frame_velocity = 10;
   flow.margin = {0.3, 0.3};
   flow.pistons = {0.25, 0.25};
+  flow.space = {0.05, 0.05};
   flow.end_time = 0.02;
   const auto [measures, profile] = run(flow, settings());
   for (const char* name : {"density.L1", "velocity.L1", "pressure.L1"}) EXPECT_LT(error(measures, name), 1e-3) << name;

@@ -98,6 +98,25 @@ TEST(ScalarMeasure, KeepsValueReferenceAndBound) {
   EXPECT_TRUE(std::isnan(scalar_measure("period", nan, 1, 0, "s").error));
 }
 
+// A field's norms are those of its errors, and a NaN among them is not lost.
+TEST(ErrorNorms, AreThoseOfTheFieldWithTheseErrors) {
+  const std::vector<FieldSample> field{{1, 0, 2, 1.5, 0.1}, {3, 1, -1, -3, 0.2}};
+  const std::vector<ErrorSample> errors{{1, 0.5, 1.5, 0.1}, {3, 2, 3, 0.2}};
+  const auto a = field_norms("u", "m/s", field), b = error_norms("u", "m/s", errors);
+  ASSERT_EQ(b.size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(a[k].name, b[k].name);
+    EXPECT_EQ(a[k].error, b[k].error);
+    EXPECT_EQ(a[k].scale, b[k].scale);
+    EXPECT_EQ(a[k].reference_bound, b[k].reference_bound);
+  }
+  EXPECT_DOUBLE_EQ(b[0].error, (0.5 + 3 * 2) / 4);
+  EXPECT_DOUBLE_EQ(b[1].error, std::sqrt((0.25 + 3 * 4) / 4));
+  EXPECT_EQ(b[2].error, 2);
+  for (const Measure& m : error_norms("u", "m/s", std::vector<ErrorSample>{{1, nan, 1, 0}, {1, 1, 1, 0}}))
+    EXPECT_TRUE(std::isnan(m.error)) << m.name;
+}
+
 TEST(ProfileColumns, AreFoundByName) {
   Profile profile;
   profile.columns = {{"x", "m", "position", {1, 2}}, {"density", "kg/m^3", "density", {3, 4}}};

@@ -2,6 +2,7 @@
 #include "cases/harness/results.hpp"
 
 #include <gtest/gtest.h>
+#include <hdf5.h>
 
 #include <regex>
 #include <set>
@@ -22,6 +23,23 @@ RunResult toy_run(const std::vector<Override>& overrides = {}) {
   run.wall_s = 1;  // the one number that differs from run to run
   run.file = ResultsFolder::run_name(run);
   return run;
+}
+
+// The numbers at a path; none if the file has no such path.
+std::vector<double> read_hdf5_numbers(const std::string& file, const std::string& path) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  const hid_t handle = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t data = H5Dopen2(handle, path.c_str(), H5P_DEFAULT);
+  std::vector<double> values;
+  if (data >= 0) {
+    const hid_t space = H5Dget_space(data);
+    values.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+    EXPECT_GE(H5Dread(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
+    H5Sclose(space);
+    H5Dclose(data);
+  }
+  H5Fclose(handle);
+  return values;
 }
 
 Json read(const std::string& file, const std::string& path) { return Json::parse(read_hdf5_text(file, path)); }
@@ -152,9 +170,11 @@ TEST(StudyFile, HasTheComparatorsTable) {
   EXPECT_EQ(read_hdf5_numbers(file, "/comparator/stick/cell_steps"), (std::vector<double>{12, 24}));
   EXPECT_EQ(read_hdf5_numbers(file, "/comparator/stick/wall_s"), (std::vector<double>{0.5, 0.5}));
   EXPECT_EQ(read_hdf5_numbers(file, "/comparator/stick/error"), (std::vector<double>{0.25, 1.125}));
-  for (const auto& change : std::vector<std::function<void(StudyPlan&)>>{
-           [](StudyPlan& p) { p.vary = Vary::dt; }, [](StudyPlan& p) { p.scheme = "york1997"; },
-           [](StudyPlan& p) { p.overrides = {{"ppc", 2.0}}; }}) {
+  for (const auto& change : std::vector<std::function<void(StudyPlan&)>>{[](StudyPlan& p) { p.vary = Vary::dt; },
+                                                                         [](StudyPlan& p) { p.scheme = "york1997"; },
+                                                                         [](StudyPlan& p) {
+                                                                           p.overrides = {{"ppc", 2.0}};
+                                                                         }}) {
     StudyResult other = study;
     change(other.plan);
     results.write_study(other, {}, Provenance{});

@@ -14,8 +14,7 @@ constexpr DensityMethod by_mass[] = {DensityMethod::cell, DensityMethod::quadrat
 constexpr double rounding = 2e-14;
 
 GridSpec walled(int dim, Wall kind) {
-  return dim == 1 ? scenes::line(6, 0.25, scenes::walls_everywhere(kind))
-                  : scenes::plane(6, 5, 0.25, scenes::walls_everywhere(kind));
+  return scenes::box(scenes::space_of(dim), {6, 5, 4}, 0.25, scenes::walls_everywhere(kind));
 }
 
 Scene gas_scene(const GridSpec& grid, int per_cell, const std::string& shape, const scenes::GasField& field) {
@@ -36,7 +35,7 @@ std::vector<double> densities_of(Scene scene, DensityMethod method) {
 
 // Walls or not inside, a gas that fills walled cells evenly has one density. [York 4.5, 4.6] [EC-APIC 2]
 TEST(Density, AUniformGasIsUniformUpToTheWalls) {
-  for (int dim : {1, 2}) {
+  for (int dim : {1, 2, 3}) {
     for (Wall kind : {Wall::symmetry, Wall::no_slip}) {
       for (DensityMethod method : by_mass) {
         for (const Choice& shape : shapes()) {
@@ -52,13 +51,26 @@ TEST(Density, AUniformGasIsUniformUpToTheWalls) {
   }
 }
 
+// Rings of one density in cells up to the axis: the mean radius of even points is that of their cell. [York 4.5]
+TEST(Density, CellsOfRingsHaveTheDensityOfTheirRings) {
+  const GridSpec grid = scenes::box(scenes::Space::axisymmetric, {6, 5, 1}, 0.25, scenes::walls_everywhere(Wall::symmetry));
+  for (int per_cell : {1, 2, 3}) {
+    const Scene scene = scenes::scene_of(
+        grid,
+        {scenes::gas_body({}, scenes::Space::axisymmetric, scenes::lattice(grid, per_cell),
+                          scenes::lattice_volume(grid, per_cell), [](auto&) { return scenes::GasState{1.7}; })},
+        "linear", "flip");
+    for (double rho : densities_of(scene, DensityMethod::cell)) EXPECT_NEAR(rho, 1.7, rounding);
+  }
+}
+
 // A ramp rho = 1 + x + y/2: cells take its value at their centre, [York 4.5] as the mean of its points, [York
 // 4.6] because symmetric weights keep a linear field; nodes keep it for the same reason and shapes interpolate
 // it, [EC-APIC 2].
 TEST(Density, ARampAwayFromTheEdges) {
-  for (int dim : {1, 2}) {
-    const GridSpec grid = dim == 1 ? scenes::line(8, 0.25) : scenes::plane(8, 8, 0.25);
-    const auto ramp = [&](const scenes::Place& x) { return 1 + x[0] + (dim == 2 ? x[1] / 2 : 0); };
+  for (int dim : {1, 2, 3}) {
+    const GridSpec grid = scenes::box(scenes::space_of(dim), {8, 8, 8}, 0.25);
+    const auto ramp = [](const scenes::Place& x) { return 1 + x[0] + x[1] / 2 - x[2] / 4; };
     const auto places = scenes::lattice(grid, 2);
     for (const Choice& shape : shapes()) {
       for (DensityMethod method : by_mass) {
