@@ -1,6 +1,5 @@
 #include "kernel/bins.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace plumbline {
@@ -45,25 +44,70 @@ void Bins::close_chunk(int first_bin, int last_bin, int block) {
   open_block_ = block;
 }
 
-void sort_by_bin(std::span<const int> lowest, std::span<const int> id, std::vector<int>& counts,
-                 std::vector<int>& order) {
-  const std::size_t points = lowest.size();
-  order.resize(points);
-  for (const int node : lowest) ++counts[static_cast<std::size_t>(node)];
+void BinSort::place_from_counts() {
   int sum = 0;
-  for (int& count : counts) sum += std::exchange(count, sum);
-  for (std::size_t p = 0; p < points; ++p) {
-    order[static_cast<std::size_t>(counts[static_cast<std::size_t>(lowest[p])]++)] = static_cast<int>(p);
+  for (std::size_t node = 0; node < next_.size(); ++node) {
+    const int count = next_[node];
+    start_[node] = next_[node] = sum;
+    sum += count;
   }
-  // Within a bin by id, so that the order depends on where points stand and not on how they came there.
-  const auto node_at = [&](std::size_t k) { return lowest[static_cast<std::size_t>(order[k])]; };
-  const auto id_at = [&](std::size_t k) { return id[static_cast<std::size_t>(order[k])]; };
-  for (std::size_t k = 1; k < points; ++k) {
-    for (std::size_t j = k; j > 0 && node_at(j) == node_at(j - 1) && id_at(j) < id_at(j - 1); --j) {
-      std::swap(order[j], order[j - 1]);
+}
+
+// Within a bin by id, so that the order depends on where points stand and not on how they came there.
+void BinSort::insert(int point, int node, std::span<const int> id) {
+  const auto at = static_cast<std::size_t>(node);
+  const auto id_of = [&](int p) { return id[static_cast<std::size_t>(p)]; };
+  int k = next_[at]++;
+  for (; k > start_[at] && id_of(order_[static_cast<std::size_t>(k - 1)]) > id_of(point); --k) {
+    order_[static_cast<std::size_t>(k)] = order_[static_cast<std::size_t>(k - 1)];
+  }
+  order_[static_cast<std::size_t>(k)] = point;
+}
+
+std::span<const int> BinSort::sort(std::span<const int> lowest, std::span<const int> id, int nodes) {
+  start_.resize(static_cast<std::size_t>(nodes));
+  next_.assign(static_cast<std::size_t>(nodes), 0);
+  order_.resize(lowest.size());
+  for (const int node : lowest) ++next_[static_cast<std::size_t>(node)];
+  place_from_counts();
+  for (std::size_t p = 0; p < lowest.size(); ++p) insert(static_cast<int>(p), lowest[p], id);
+  return order_;
+}
+
+std::span<const int> BinSort::sort_again(const Bins& bins, std::span<const int> lowest, std::span<const int> id,
+                                         int nodes) {
+  start_.resize(static_cast<std::size_t>(nodes));
+  next_.assign(static_cast<std::size_t>(nodes), 0);
+  order_.resize(lowest.size());
+  movers_.clear();
+  for (int bin = 0; bin < bins.bins(); ++bin) {
+    const int node = bins.node(bin);
+    int stay = 0;
+    for (int p = bins.start(bin); p < bins.end(bin); ++p) {
+      const int now = lowest[static_cast<std::size_t>(p)];
+      if (now == node) {
+        ++stay;
+      } else {
+        ++next_[static_cast<std::size_t>(now)];
+        movers_.push_back(p);
+      }
+    }
+    next_[static_cast<std::size_t>(node)] += stay;
+  }
+  place_from_counts();
+  std::size_t mover = 0;
+  for (int bin = 0; bin < bins.bins(); ++bin) {
+    int& next = next_[static_cast<std::size_t>(bins.node(bin))];
+    for (int p = bins.start(bin); p < bins.end(bin); ++p) {
+      if (mover < movers_.size() && movers_[mover] == p) {
+        ++mover;
+      } else {
+        order_[static_cast<std::size_t>(next++)] = p;
+      }
     }
   }
-  std::fill(counts.begin(), counts.end(), 0);
+  for (const int p : movers_) insert(p, lowest[static_cast<std::size_t>(p)], id);
+  return order_;
 }
 
 }  // namespace plumbline

@@ -45,9 +45,20 @@ class Bins {
   int open_block_ = -1;
 };
 
-// The order of points by (lowest node, id), given in some other order. counts: scratch, one entry a node, all zero before
-// and after.
-void sort_by_bin(std::span<const int> lowest, std::span<const int> id, std::vector<int>& counts,
-                 std::vector<int>& order);
+// The order of points by (lowest node, id), from the order they have. Scratch grows as needed.
+class BinSort {
+ public:
+  // From any order.
+  std::span<const int> sort(std::span<const int> lowest, std::span<const int> id, int nodes);
+  // From the order of `bins`, in each of which ids ascend: points that stay in their bin are not looked at twice.
+  std::span<const int> sort_again(const Bins& bins, std::span<const int> lowest, std::span<const int> id, int nodes);
+
+ private:
+  void place_from_counts();
+  void insert(int point, int node, std::span<const int> id);
+
+  std::vector<int> start_, next_;  // per node: where its points begin in the order, and where the next goes
+  std::vector<int> order_, movers_;
+};
 
 }  // namespace plumbline

@@ -8,6 +8,7 @@
 
 #include <vector>
 
+#include "kernel/summation.hpp"
 #include "kernel/walls.hpp"
 
 namespace plumbline {
@@ -17,6 +18,13 @@ template <int dim>
 struct SharpeningAction {
   WallAction<dim> walls;
   Spin<dim> turn = Spin<dim>::Zero();
+  SharpeningAction operator+(const SharpeningAction& o) const {
+    SharpeningAction sum;
+    sum.walls.linear = walls.linear + o.walls.linear;
+    sum.walls.angular = walls.angular + o.walls.angular;
+    sum.turn = turn + o.turn;
+    return sum;
+  }
 };
 
 template <int dim>
@@ -31,41 +39,33 @@ class Sharpening {
   // to = Q from, on the touched nodes that are not ghosts of a wall.
   void apply(const VelocityField<dim>& field, const std::vector<Vec>& from, std::vector<Vec>& to, int threads) const {
     for_each_piece(grid_.rows(), threads, [&](int row) {
-      if (ghost_row(row)) return;
-      for_own_nodes(field, row, [&](int i) {
-        const auto at = static_cast<std::size_t>(i);
-        Vec sum = Vec::Zero();
-        for_neighbours(field, row, i, [&](int j, int d, bool mirrored, double share) {
-          Vec other = from[static_cast<std::size_t>(j)];
-          if (mirrored) other = image(other, i, d);
-          sum += share * (from[at] - other);
-        });
-        to[at] = from[at] + theta_ * sum;
-      });
+      apply_to_row(field, row, from, to, [](int, int, int, const Vec&) {});
     });
   }
 
-  // What Q adds to sum_i M_i a_i and sum_i x_i x M_i a_i.
-  SharpeningAction<dim> action(const VelocityField<dim>& field, const std::vector<Vec>& from) const {
-    SharpeningAction<dim> all;
-    for (int row = 0; row < grid_.rows(); ++row) {
-      if (ghost_row(row)) continue;
-      for_own_nodes(field, row, [&](int i) {
-        const auto at = static_cast<std::size_t>(i);
-        for_neighbours(field, row, i, [&](int j, int d, bool mirrored, double share) {
-          if (mirrored) return;
-          const Vec pull = theta_ * share * field.mass[at] * (from[at] - from[static_cast<std::size_t>(j)]);
-          all.turn += cross<dim>(grid_.position(i), pull);
-          if (!on_wall(j, d)) return;
-          // The node on the wall takes what is even of the other half; what is odd the wall takes.
-          const Vec held = held_by(pull, j, d);
-          all.walls.linear += held;
-          all.walls.angular += cross<dim>(grid_.position(j), held);
-          all.turn -= cross<dim>(grid_.position(j), held);
-        });
+  // The same; returns what Q adds to sum_i M_i a_i and sum_i x_i x M_i a_i.
+  SharpeningAction<dim> apply_to_accelerations(const VelocityField<dim>& field, const std::vector<Vec>& from,
+                                               std::vector<Vec>& to, int threads) const {
+    std::vector<SharpeningAction<dim>> rows(static_cast<std::size_t>(grid_.rows()));
+    for_each_piece(grid_.rows(), threads, [&](int row) {
+      SharpeningAction<dim>& all = rows[static_cast<std::size_t>(row)];
+      apply_to_row(field, row, from, to, [&](int i, int j, int d, const Vec& change) {
+        if (on_wall(i, d)) return;  // counted from inside
+        // Node i is pulled from node j, which node i pulls back: a couple with the arm x_i - x_j, half of it counted from
+        // each side, all of it where the other node stands on a wall.
+        const Vec pull = field.mass[static_cast<std::size_t>(i)] * change;
+        const bool walled_in = on_wall(j, d);
+        Vec arm = Vec::Zero();
+        arm[d] = (walled_in ? 1.0 : 0.5) * grid_.h() * (grid_.index(i, d) - grid_.index(j, d));
+        all.turn += cross<dim>(arm, pull);
+        if (!walled_in) return;
+        // The node on the wall takes what is even of the other half; what is odd the wall takes.
+        const Vec held = held_by(pull, j, d);
+        all.walls.linear += held;
+        all.walls.angular += cross<dim>(grid_.position(j), held);
       });
-    }
-    return all;
+    });
+    return pairwise_sum(rows.data(), rows.size());
   }
 
  private:
@@ -91,6 +91,24 @@ class Sharpening {
     if (walled(0, 0)) from = std::max(from, first(0));
     if (walled(0, 1)) to = std::min(to, last(0) + 1);
     for (int i = from; i < to; ++i) visit(row * grid_.row_length() + i);
+  }
+  // visit(i, j, direction, what neighbour j adds to (Q u)_i) for neighbours that are no mirror images.
+  template <class Visit>
+  void apply_to_row(const VelocityField<dim>& field, int row, const std::vector<Vec>& from, std::vector<Vec>& to,
+                    Visit&& visit) const {
+    if (ghost_row(row)) return;
+    for_own_nodes(field, row, [&](int i) {
+      const auto at = static_cast<std::size_t>(i);
+      Vec sum = Vec::Zero();
+      for_neighbours(field, row, i, [&](int j, int d, bool mirrored, double share) {
+        Vec other = from[static_cast<std::size_t>(j)];
+        if (mirrored) other = image(other, i, d);
+        const Vec change = theta_ * share * (from[at] - other);
+        sum += change;
+        if (!mirrored) visit(i, j, d, change);
+      });
+      to[at] = from[at] + sum;
+    });
   }
   // The value beyond a wall of direction d that mirrors `value`, seen from the node i on it.
   Vec image(Vec value, int i, int d) const {

@@ -28,7 +28,7 @@ class Stencil {
   static constexpr int nodes = dim == 1 ? support : dim == 2 ? support * support : support * support * support;
 
   // local: coordinate from the anchor node per direction, in cells; h in m.
-  Stencil(const Number (&local)[dim], double h) : h_(h) {
+  [[gnu::always_inline]] inline Stencil(const Number (&local)[dim], double h) : h_(h) {
     for (int d = 0; d < dim; ++d) {
       local_[d] = local[d];
       Shape::weights(local[d], n_[d]);

@@ -114,8 +114,9 @@ class AffineExpansionCase final : public Case {
     s.reference_text = "The ordinary differential equation of R, solved by quadrature; fields in closed form.";
     s.reference_bound = "Computed: quadrature and rounding.";
     s.theory_orders = {
-        {"density.L1", 2, "smooth inside; the layer at the edge holds a share (h/R)^3.5 of the mass and even less of "
-                          "the density's error"},
+        {"density.L1", 2,
+         "smooth inside; the layer at the edge holds a share (h/R)^3.5 of the mass and even less of "
+         "the density's error"},
         {"velocity.L1", 1, "wrong by a share of itself in a layer one cell thick at the edge"},
         {"energy.L1", 1, "as the velocity; the energy falls to zero there, so that it may do better"},
         {"energy_ratio", 0, "the coldest points are at the edge: a share of their own that does not fall with h"}};
@@ -134,11 +135,7 @@ class AffineExpansionCase final : public Case {
              .choices = {"plane", "axisymmetric", "3d"},
              .description = "plane: a quarter of the cylinder; axisymmetric: a slice of the cylinder or a quarter of "
                             "the sphere's section; 3d: the sphere's octant"},
-            {.name = "gamma",
-             .value = 1.4,
-             .low = 1.1,
-             .high = 3,
-             .description = "ratio of specific heats"},
+            {.name = "gamma", .value = 1.4, .low = 1.1, .high = 3, .description = "ratio of specific heats"},
             {.name = "t_end",
              .value = 0.01,
              .unit = "s",

@@ -10,7 +10,7 @@ namespace plumbline {
 
 class ExpansionWatch {
  public:
-  void start(const Body& body);               // remembers e_p(0) by the points' numbers
+  void start(const Body& body);                // remembers e_p(0) by the points' numbers
   void observe(const Simulation& simulation);  // after each step
 
   // energy_ratio: largest e_p(t)/e_p(0) of all points after all steps.

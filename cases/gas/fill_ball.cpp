@@ -225,9 +225,9 @@ Body fill_ball(std::shared_ptr<const IdealGas> gas, const GasBall& ball, const P
   }
   const double gamma = gas->gamma;
   const bool on_lattice = !ball.spacing && (ball.uniform || !rule.equal_mass);
-  const std::vector<Part> parts =
-      on_lattice ? lattice(ball, gamma, grid.h / rule.ppc)
-                 : shells(ball, gamma, points_per_length(ball, rule, grid.h), grid.h, rule.lines);
+  const std::vector<Part> parts = on_lattice
+                                      ? lattice(ball, gamma, grid.h / rule.ppc)
+                                      : shells(ball, gamma, points_per_length(ball, rule, grid.h), grid.h, rule.lines);
   return body_of(std::move(gas), parts, ball.geometry);
 }
 

@@ -10,6 +10,7 @@ struct GasBall {
   double radius = 0.38;                                  // m
   std::function<reference::GasState(double r)> initial;  // density > 0 for r < radius; at rest
   bool uniform = true;                                   // of one density
+  std::function<double(double r)> spacing = {};          // of points, m, > 0 for r > 0; overrides the rule's layout
 };
 
 // The body; `ppc` points a cell along each direction.

@@ -13,8 +13,8 @@
 namespace plumbline {
 namespace {
 
-constexpr double domain = 1.2;     // m
-constexpr double deposit = 2;      // cells: the energy is set free within this radius
+constexpr double domain = 1.2;  // m
+constexpr double deposit = 2;   // cells: the energy is set free within this radius
 constexpr const char* sketch =
     R"svg(<svg viewBox="0 0 360 150" role="img" aria-label="A blast wave runs outwards from the centre; nearly all gas is in a thin shell behind it">
 <g stroke="currentColor" stroke-width="1.5" fill="none"><path d="M110 10v125h200"/><path d="M110 45a90 90 0 0 1 90 90" stroke-dasharray="4 3"/><path d="M176 69l25 -25m-9 1l9 -1l-1 9"/></g>
@@ -74,8 +74,8 @@ GasFlow blast_flow(int dimension, const Settings& settings) {
   flow.exact = [exact](double r, double t) { return exact->sample(r, t); };
   const double h = cell_size(flow, settings), energy = problem.energy * share_of_whole(geometry, h);
   const bool graded = settings.text("layout") == "graded";
-  flow.fill = [=, end = settings.number("shock_radius"), state = flow.initial(0)](std::shared_ptr<const IdealGas> gas,
-                                                                   const PointRule& rule, const GridSpec& grid) {
+  flow.fill = [=, end = settings.number("shock_radius"), state = flow.initial(0)](
+                  std::shared_ptr<const IdealGas> gas, const PointRule& rule, const GridSpec& grid) {
     GasBall ball{geometry, domain, [state](double) { return state; }, true, {}};
     if (graded) {
       ball.spacing = [=, gamma = problem.gamma, least = 1e-6 * domain](double r) {
@@ -140,11 +140,7 @@ class SedovCase final : public Case {
 
   std::vector<Key> keys() const override {
     return {geometry_key(text_.dimension),
-            {.name = "gamma",
-             .value = 1.4,
-             .low = 1.1,
-             .high = 3,
-             .description = "ratio of specific heats"},
+            {.name = "gamma", .value = 1.4, .low = 1.1, .high = 3, .description = "ratio of specific heats"},
             {.name = "energy",
              .value = text_.energy,
              .unit = text_.dimension == 2 ? "J/m" : "J",
@@ -189,8 +185,8 @@ class SedovCase final : public Case {
 // Energies of Kamm and Timmes's size: alpha rho, so that the shock is at 1 m after 1 s.
 const SedovCase cylindrical{{"sedov-cylindrical", "Sedov's blast from an axis", "on an axis",
                              "set free per length of the whole axis", 2, 0.9840740}};
-const SedovCase spherical{{"sedov-spherical", "Sedov's blast from a point", "at a point",
-                           "set free, in the whole sphere", 3, 0.8510719}};
+const SedovCase spherical{
+    {"sedov-spherical", "Sedov's blast from a point", "at a point", "set free, in the whole sphere", 3, 0.8510719}};
 
 }  // namespace
 }  // namespace plumbline

@@ -21,8 +21,7 @@ Mechanics<G, S, T>::Mechanics(Scene& scene, Ledger& ledger, const EngineOptions&
       walls_(grid_),
       pistons_(scene),
       sharpening_(grid_, scene.sharpening * S::blur),
-      inverse_volume_(inverse_cell_volumes<S>(grid_)),
-      counts_(static_cast<std::size_t>(grid_.node_count())) {
+      inverse_volume_(inverse_cell_volumes<S>(grid_)) {
   for (int d = 0; d < dim; ++d) gravity_[d] = scene.gravity[static_cast<std::size_t>(d)];
   std::vector<std::string> names;
   for (Body& body : scene.bodies) {
@@ -112,7 +111,9 @@ void Mechanics<G, S, T>::place(Body& body, Located& at) const {
 template <class G, class S, class T>
 bool Mechanics<G, S, T>::sort_points(Body& body, Located& at) {
   if (body.chain || std::is_sorted(at.lowest.begin(), at.lowest.end())) return false;
-  sort_by_bin(at.lowest, body.id, counts_, order_);
+  const std::span<const int> order = at.bins_hold
+                                         ? bin_sort_.sort_again(at.bins, at.lowest, body.id, grid_.node_count())
+                                         : bin_sort_.sort(at.lowest, body.id, grid_.node_count());
   std::vector<ColumnId> stale{column::transfer_loss};
   if (scene_.density != DensityMethod::continuity) stale.push_back(column::density);
   if (options_.evaluates_stress_first) {
@@ -123,12 +124,12 @@ bool Mechanics<G, S, T>::sort_points(Body& body, Located& at) {
       stale.push_back(column::pressure);
     }
   }
-  body.points.reorder(order_, stale, options_.threads);
+  body.points.reorder(order, stale, options_.threads);
   const auto reorder = [&](std::vector<int>& values) {
     ids_.resize(values.size());
     for_each_index(static_cast<int>(values.size()), options_.threads, [&](int k) {
       const auto at_k = static_cast<std::size_t>(k);
-      ids_[at_k] = values[static_cast<std::size_t>(order_[at_k])];
+      ids_[at_k] = values[static_cast<std::size_t>(order[at_k])];
     });
     std::swap(ids_, values);
   };
@@ -164,6 +165,7 @@ void Mechanics<G, S, T>::locate_points() {
     place(body, at);
     if (sorting_) sort_points(body, at);
     at.bins.build(at.lowest, grid_.stride(dim - 1), block_height, sorting_ && !body.chain);
+    at.bins_hold = sorting_ && !body.chain;
     touch(at, field_of(b));
   }
   for (Field& field : fields_) walls_.include_mirrors(field.touched);

@@ -58,6 +58,7 @@ class Mechanics final : public Engine {
   void points_changed(double time) override {
     survey_.reset();
     pistons_.set_time(time);
+    for (Located& at : located_) at.bins_hold = false;
   }
 
  private:
@@ -88,6 +89,7 @@ class Mechanics final : public Engine {
     std::vector<int> lowest;               // flat index of the lowest node reached, per point
     std::array<std::vector<double>, dim> frozen;  // where the points stood when they were located, once they have moved
     Bins bins;
+    bool bins_hold = false;  // the points are in the order of the bins, each sorted by id
   };
   struct MotionSums {
     double lost = 0;
@@ -221,7 +223,8 @@ class Mechanics final : public Engine {
   std::vector<bool> alone_;             // per field: whether a single body moves with it
   std::vector<double> inverse_volume_;  // 1 / |cell_i|, m^-dim; axisymmetric per radian
   std::optional<Field> own_field_;      // one body's mass alone
-  std::vector<int> counts_, order_, ids_;
+  BinSort bin_sort_;
+  std::vector<int> ids_;
   Pending pending_;
   NodalVelocity current_ = NodalVelocity::start;
   bool moved_ = true, forces_mapped_ = false, sorting_ = true;

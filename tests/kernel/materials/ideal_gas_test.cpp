@@ -204,5 +204,145 @@ TEST(IdealGas, NamesTheFirstFault) {
   }
 }
 
+// [York 4.1] in space: mu 0.5, e = (1, 2, -6), tr e = -3: normal 2 mu e + mu - p, shears mu times the engineering ones.
+TEST(IdealGas, NewtonianStressInSpace) {
+  Columns points = one_point({1, 2, -6, 3, 4, 5});
+  viscous(0.5).evaluate_stress(points, all_points(points), in_space);
+  const double expected[6] = {1 + 1 - 2.4, 2 + 1 - 2.4, -6 + 1 - 2.4, 1.5, 2, 2.5};
+  for (int k = 0; k < 6; ++k) EXPECT_NEAR(points(column::stress, k)[0], expected[k], rounding) << k;
+}
+
+// [York 4.1] of rings: the third is the hoop, and part of the trace.
+TEST(IdealGas, NewtonianStressOfRings) {
+  Columns points = one_point({1, 2, -6, 3});
+  viscous(0.5).evaluate_stress(points, all_points(points), in_plane);
+  const double expected[4] = {1 + 1 - 2.4, 2 + 1 - 2.4, -6 + 1 - 2.4, 1.5};
+  for (int k = 0; k < 4; ++k) EXPECT_NEAR(points(column::stress, k)[0], expected[k], rounding) << k;
+}
+
+TEST(IdealGas, WithoutPhysicalViscosityItsStressIsAPressure) {
+  EXPECT_TRUE(IdealGas().isotropic());
+  EXPECT_TRUE(viscous(0, 1, 1).isotropic());
+  EXPECT_FALSE(viscous(1e-30).isotropic());
+}
+
+// Seven points around a range, and in it more than a pack: a loop over the range does there what it does alone, and nothing
+// elsewhere, not even where the neighbours are no numbers.
+Columns many_points(int strains) {
+  const int n = 2 * lanes + 14;
+  Columns points = one_point(std::vector<double>(static_cast<std::size_t>(strains), 0.0), 3, n);
+  scenes::Random random(17);
+  for (int p = 0; p < n; ++p) {
+    points(column::mass)[p] = random(1, 2);
+    points(column::volume)[p] = random(1, 2);
+    points(column::density)[p] = points(column::mass)[p] / points(column::volume)[p];
+    points(column::energy)[p] = random(1, 2);
+    for (int d = 0; d < points.components(column::velocity); ++d) points(column::velocity, d)[p] = random(-1, 1);
+    for (int k = 0; k < strains; ++k) points(column::strain_rate, k)[p] = random(-3, 1);
+  }
+  return points;
+}
+
+constexpr const ColumnId* gas_columns[] = {&column::mass,   &column::volume, &column::strain_rate, &column::stress,
+                                           &column::energy, &column::density, &column::pressure,   &column::velocity};
+
+void expect_same_in_range(const Columns& a, const Columns& b, PointRange range) {
+  for (const ColumnId* id : gas_columns) {
+    for (int k = 0; k < a.components(*id); ++k) {
+      for (int p = range.first; p < range.last; ++p) EXPECT_EQ(a(*id, k)[p], b(*id, k)[p]) << id->name() << ' ' << p;
+    }
+  }
+}
+
+template <class Loop>
+void expect_range_alone(int strains, Loop&& loop) {
+  const Columns start = many_points(strains);
+  const int n = start.points();
+  const PointRange range{7, n - 7};
+  Columns alone = start, beside_nothing = start;
+  for (const ColumnId* id : gas_columns) {
+    for (int k = 0; k < start.components(*id); ++k) {
+      for (int p = 0; p < n; ++p) {
+        if (p < range.first || p >= range.last) beside_nothing(*id, k)[p] = std::nan("");
+      }
+    }
+  }
+  const double result = loop(alone, range);
+  EXPECT_EQ(result, loop(beside_nothing, range));
+  expect_same_in_range(alone, beside_nothing, range);
+  expect_same_in_range(alone, start, {0, range.first});
+  expect_same_in_range(alone, start, {range.last, n});
+  // Point by point it is the same, and sums add up: two dozen roundings of some hundred.
+  Columns one_by_one = start;
+  double sum = 0;
+  for (int p = range.first; p < range.last; ++p) sum += loop(one_by_one, PointRange{p, p + 1});
+  expect_same_in_range(alone, one_by_one, range);
+  EXPECT_NEAR(result, sum, 1e-12);
+}
+
+TEST(IdealGas, RangesLeaveOthersAlone) {
+  const IdealGas gas = viscous(0.5, 1, 1);
+  for (int strains : {1, 3, 4, 6}) {
+    SCOPED_TRACE(strains);
+    const MaterialContext context{strains == 6 ? 3 : strains == 1 ? 1 : 2, 0.1, true};
+    const auto stressed = [&](Columns& points, PointRange range) {
+      gas.evaluate_stress(points, range, context);
+      return 0.0;
+    };
+    expect_range_alone(strains, stressed);
+    expect_range_alone(strains, [&](Columns& points, PointRange range) {
+      stressed(points, range);
+      return gas.advance(points, range, context, 0.01);
+    });
+    expect_range_alone(strains, [&](Columns& points, PointRange range) {
+      stressed(points, range);
+      return gas.viscous_heat(points, range, context, 0.01);
+    });
+    expect_range_alone(strains, [&](Columns& points, PointRange range) {
+      stressed(points, range);
+      for (int k = 0; k < strains; ++k) {
+        for (int p = range.first; p < range.last; ++p) points(column::strain_rate, k)[p] *= -0.5;
+      }
+      gas.reverse_cooling(points, range, context);
+      return 0.0;
+    });
+    expect_range_alone(strains, [&](Columns& points, PointRange range) {
+      const std::vector<double> heat(static_cast<std::size_t>(points.points() + lanes), 0.25);
+      gas.add_heat(points, range, heat.data());
+      return gas.stored_energy(points, range);
+    });
+  }
+}
+
+TEST(IdealGas, RangesAreJudgedAlone) {
+  const IdealGas gas = viscous(0.5, 1, 1);
+  Columns points = many_points(3);
+  const PointRange range{7, points.points() - 7};
+  const StepBounds bounds = gas.step_bounds(points, range, 2);
+  double fastest = 0, diffusivity = 0;
+  for (int p = range.first; p < range.last; ++p) {
+    fastest = std::max(fastest, std::sqrt(0.56 * points(column::energy)[p]) +
+                                    std::hypot(points(column::velocity)[p], points(column::velocity, 1)[p]));
+    diffusivity = std::max(diffusivity, 4.0 / 3 * 0.5 * points(column::volume)[p] / points(column::mass)[p]);
+  }
+  EXPECT_NEAR(bounds.fastest, fastest, rounding);
+  EXPECT_NEAR(bounds.diffusivity, diffusivity, rounding);
+  for (int bad : {0, 6, range.last, points.points() - 1}) {
+    points(column::energy)[bad] = std::nan("");
+    points(column::volume)[bad] = 1e-9;
+    points(column::velocity)[bad] = 1e9;
+  }
+  EXPECT_EQ(gas.step_bounds(points, range, 2).fastest, bounds.fastest);
+  EXPECT_EQ(gas.step_bounds(points, range, 2).diffusivity, bounds.diffusivity);
+  EXPECT_EQ(gas.first_fault(points, range).point, -1);
+  EXPECT_EQ(gas.first_fault(points, all_points(points)).point, 0);
+  // One that is no number within the range is never swallowed, whichever lane it has.
+  for (int p = range.first; p < range.last; ++p) {
+    Columns one_bad = points;
+    one_bad(column::velocity, 1)[p] = std::nan("");
+    EXPECT_TRUE(std::isnan(gas.step_bounds(one_bad, range, 2).fastest)) << p;
+  }
+}
+
 }  // namespace
 }  // namespace plumbline

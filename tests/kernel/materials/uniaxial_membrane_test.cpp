@@ -198,5 +198,42 @@ TEST(UniaxialMembrane, NamesTheFirstFault) {
   EXPECT_EQ(membrane.first_fault(points, all_points(points)).field, "strain");
 }
 
+// A loop over some of the points does nothing to the others; its sums are theirs alone.
+TEST(UniaxialMembrane, RangesLeaveOthersAlone) {
+  const UniaxialMembrane membrane = law();
+  std::vector<scenes::Place> places;
+  for (int k = 0; k < 11; ++k) places.push_back({0.1 * k, 0.03 * k * k});
+  const Columns start = [&] {
+    Columns points = chain(membrane, places);
+    for (int p = 0; p < 11; ++p) {
+      points(column::strain)[p] = 0.01 * (p + 1);
+      for (int k = 0; k < 3; ++k) points(column::strain_rate, k)[p] = p + k;
+    }
+    membrane.evaluate_stress(points, all_points(points), in_plane);
+    return points;
+  }();
+  Columns part = start, whole = start;
+  const PointRange range{3, 8};
+  membrane.advance(part, range, in_plane, 0.1);
+  membrane.evaluate_stress(part, range, in_plane);
+  membrane.advance(whole, all_points(whole), in_plane, 0.1);
+  membrane.evaluate_stress(whole, all_points(whole), in_plane);
+  for (const ColumnId* id : {&column::strain, &column::stress, &column::tangent}) {
+    for (int k = 0; k < part.components(*id); ++k) {
+      for (int p = 0; p < 11; ++p) {
+        const bool in = p >= range.first && p < range.last;
+        EXPECT_EQ(part(*id, k)[p], (in ? whole : start)(*id, k)[p]) << id->name() << ' ' << p;
+      }
+    }
+  }
+  double stored = 0;
+  for (int p = range.first; p < range.last; ++p) stored += 0.5 * membrane.energy_density(part(column::strain)[p]);
+  EXPECT_NEAR(membrane.stored_energy(part, range), stored, rounding);
+  part(column::strain)[2] = std::nan("");
+  part(column::velocity)[9] = 1e9;
+  EXPECT_EQ(membrane.first_fault(part, range).point, -1);
+  EXPECT_NEAR(membrane.step_bounds(part, range, 2).fastest, 5, rounding);
+}
+
 }  // namespace
 }  // namespace plumbline

@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "kernel/pack.hpp"
+
 namespace plumbline {
 namespace {
 
@@ -49,6 +51,52 @@ TEST(Columns, ReordersEveryComponentOfEveryColumn) {
   EXPECT_EQ(std::vector<double>(points(column::mass), points(column::mass) + 3), (std::vector<double>{2, 0, 1}));
   EXPECT_EQ(points(column::position, 1)[0], 20);
   EXPECT_EQ(points(column::position, 1)[2], 10);
+}
+
+// Columns that hold nothing of use stay as they are; all others follow the points, by however many threads.
+TEST(Columns, StaleColumnsAreLeftAlone) {
+  const int n = 10000;  // more than a thread takes at a time
+  for (int threads : {1, 2, 3}) {
+    Columns points(n);
+    points.add(column::mass);
+    points.add(column::stress, 3);
+    points.add(column::position, 2);
+    std::vector<int> order(n);
+    for (int p = 0; p < n; ++p) {
+      order[static_cast<std::size_t>(p)] = (p * 7919 + 13) % n;  // 7919 is prime to n
+      points(column::mass)[p] = p;
+      for (int k = 0; k < 3; ++k) points(column::stress, k)[p] = 10 * p + k;
+      for (int k = 0; k < 2; ++k) points(column::position, k)[p] = 100 * p + k;
+    }
+    const ColumnId stale[] = {column::stress, column::energy};
+    points.reorder(order, stale, threads);
+    for (int p = 0; p < n; ++p) {
+      const int from = order[static_cast<std::size_t>(p)];
+      ASSERT_EQ(points(column::mass)[p], from);
+      for (int k = 0; k < 3; ++k) ASSERT_EQ(points(column::stress, k)[p], 10 * p + k);
+      for (int k = 0; k < 2; ++k) ASSERT_EQ(points(column::position, k)[p], 100 * from + k);
+    }
+    EXPECT_FALSE(points.has(column::energy));
+  }
+}
+
+// Behind the last point a pack may be read, before and after a new order: zeros.
+TEST(Columns, APackMayBeReadAtTheLastPoint) {
+  Columns points(3);
+  points.add(column::mass);
+  points.add(column::position, 2);
+  for (double& m : points.values(column::mass)) m = 1;
+  for (double& x : points.values(column::position)) x = 2;
+  for (int again = 0; again < 2; ++again) {
+    const Pack mass = load(points(column::mass) + 2), y = load(points(column::position, 1) + 2);
+    EXPECT_EQ(mass[0], 1);
+    EXPECT_EQ(y[0], 2);
+    for (std::size_t lane = 1; lane < static_cast<std::size_t>(lanes); ++lane) {
+      EXPECT_EQ(mass[lane], 0);
+      EXPECT_EQ(y[lane], 0);
+    }
+    points.reorder(std::vector<int>{2, 1, 0});
+  }
 }
 
 // A material in a plug-in names columns of its own; the same name is the same column.
