@@ -29,6 +29,8 @@ class Engine : public Stages {
   virtual double step_limit() const = 0;
   // To be called after columns were set from outside to what they were at `time`, s.
   virtual void points_changed(double time) = 0;
+  // To be called after points were put behind those of some body.
+  virtual void points_added() = 0;
 };
 
 // An engine on `scene`, booking into `ledger`; both must outlive it. Throws std::invalid_argument for an unknown shape or

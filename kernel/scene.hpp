@@ -35,6 +35,7 @@ struct Scene {
   std::string transfer = "apic";    // pic, flip, apic
   DensityMethod density = DensityMethod::grid;
   double sharpening = 0;     // 0: none, 1: the leading term of the maps' smoothing undone, see sharpening.hpp; [0, 1]
+  double split = 0;          // > 0: gas points larger than this many cells are split, see splitting.hpp; 0: never
   double heat_exchange = 0;  // kappa >= 0: heat that points of a compressed gas exchange through the nodes [Exchange 1]
 };
 

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "kernel/splitting.hpp"
+
 namespace plumbline {
 
 Simulation::Simulation(Scene scene, const std::string& integrator, StepControl control)
@@ -15,6 +17,10 @@ Simulation::Simulation(Scene scene, const std::string& integrator, StepControl c
   if (const std::string why = integrator_->refusal(scene_.shape, scene_.transfer); !why.empty()) {
     throw std::invalid_argument("integrator " + integrator + " cannot work with shape " + scene_.shape +
                                 " and transfer " + scene_.transfer + ": " + why);
+  }
+  if (const std::string why = splitting_refusal(scene_.shape, scene_.transfer); scene_.split > 0 && !why.empty()) {
+    throw std::invalid_argument("points cannot be split with shape " + scene_.shape + " and transfer " +
+                                scene_.transfer + ": " + why);
   }
   engine_ = make_engine(
       scene_, ledger_,
@@ -28,6 +34,7 @@ void Simulation::step(double longest) {
     last_dt_ = std::min(longest, control_.dt ? *control_.dt : control_.cfl * engine_->step_limit());
     ++step_;
     integrator_->step(*engine_, last_dt_);
+    if (split_points(scene_, time_ + last_dt_, control_.threads, ledger_) > 0) engine_->points_added();
     ledger_.close_step(engine_->totals());
     engine_->check();
   } catch (InadmissibleState& state) {
@@ -53,10 +60,11 @@ long Simulation::points() const {
 }
 
 Checkpoint Simulation::save() const {
-  Checkpoint checkpoint{time_, step_, {}, {}, ledger_};
+  Checkpoint checkpoint{time_, step_, {}, {}, {}, ledger_};
   for (const Body& body : scene_.bodies) {
     checkpoint.points.push_back(body.points);
     checkpoint.ids.push_back(body.id);
+    checkpoint.split_from.push_back(body.split_from);
   }
   return checkpoint;
 }
@@ -64,11 +72,13 @@ Checkpoint Simulation::save() const {
 void Simulation::restore(const Checkpoint& checkpoint) {
   if (checkpoint.points.size() != scene_.bodies.size()) throw std::invalid_argument("checkpoint of another scene");
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
-    if (checkpoint.points[b].points() != scene_.bodies[b].points.points()) {
+    const std::size_t made = checkpoint.ids[b].size() - checkpoint.split_from[b].size();
+    if (made != scene_.bodies[b].id.size() - scene_.bodies[b].split_from.size()) {
       throw std::invalid_argument("checkpoint of another scene");
     }
     scene_.bodies[b].points = checkpoint.points[b];
     scene_.bodies[b].id = checkpoint.ids[b];
+    scene_.bodies[b].split_from = checkpoint.split_from[b];
   }
   ledger_ = checkpoint.ledger;
   time_ = checkpoint.time;

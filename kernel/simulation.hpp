@@ -25,7 +25,7 @@ struct Checkpoint {
   double time = 0;
   long step = 0;
   std::vector<Columns> points;  // of each body
-  std::vector<std::vector<int>> ids;
+  std::vector<std::vector<int>> ids, split_from;
   Ledger ledger;
 };
 

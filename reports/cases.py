@@ -50,6 +50,21 @@ class Series:
 
 
 @dataclass
+class Comparator:
+    """Another method on the same problem, to show what errors cost there. Never judged."""
+
+    title: str
+    columns: dict  # cells, steps, cell_steps, wall_s and errors by measure: one value a level
+    file: str  # the study that it ran with
+    style: int = 0
+
+    def costs(self, price, measure):
+        """(cost, error) of the levels that have both."""
+        pairs = zip(self.columns.get(price, ()), self.columns.get(measure, ()))
+        return [(float(cost), float(error)) for cost, error in pairs if cost > 0 and error > 0]
+
+
+@dataclass
 class Case:
     """All that the folder holds about one case."""
 
@@ -59,6 +74,7 @@ class Case:
     other_gates: list = field(default_factory=list)  # judged in a study or run only; each with its "file"
     series: list = field(default_factory=list)  # studies, then single runs
     runs: list = field(default_factory=list)  # run objects of the folder
+    comparators: list = field(default_factory=list)
 
     def studies(self, vary):
         return [entry for entry in self.series if entry.vary == vary]
@@ -185,6 +201,7 @@ def _take_runs(cases, folder):
         in_studies |= {level.get("file") for level in levels}
         planned |= {_but_for_offset(level) for level in levels}
         case = _case(cases, study.get("case") or (levels[0].get("case") if levels else None) or "unnamed")
+        _add_comparators(case, result)
         title, declared = study.get("title") or "", study.get("id") or ""
         declared = "" if declared == "study" else declared  # the name of studies that nobody declared
         case.series.append(
@@ -208,6 +225,20 @@ def _take_runs(cases, folder):
         # A further sub-cell offset of a level belongs to its study, which has used it.
         if result.name not in in_studies and _but_for_offset(run) not in planned:
             _add_single_run(case, result)
+
+
+def _add_comparators(case, result):
+    """Of the same method in several studies the one with most levels."""
+    for name, columns in result.comparators.items():
+        found = Comparator(columns.labels.get("title") or name, columns, result.name)
+        rivals = [entry for entry in case.comparators if entry.title == found.title]
+        if rivals and max(_level_count(entry.columns) for entry in rivals) >= _level_count(columns):
+            continue
+        case.comparators = [entry for entry in case.comparators if entry.title != found.title] + [found]
+
+
+def _level_count(columns):
+    return len(next(iter(columns.values()), ()))
 
 
 def _but_for_offset(run):
@@ -263,6 +294,8 @@ def _label(case):
         if choices not in colours:
             colours.append(choices)
         entry.style = colours.index(choices)
+    for number, entry in enumerate(case.comparators):
+        entry.style = len(colours) + number
 
 
 def _choices_label(series, entry):

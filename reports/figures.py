@@ -500,12 +500,14 @@ def point_steps(level):
 COSTS = {
     "time": (
         wall_time,
-        "wall time in s",
+        "wall_s",
+        "wall time in s, one core",
         "error against wall time",
         "Wall time is that of the machine named below and varies from run to run.",
     ),
     "work": (
         point_steps,
+        "cell_steps",
         "point-steps (points × steps)",
         "error against point-steps",
         "Point-steps count the work free of the machine.",
@@ -524,8 +526,8 @@ def front(points):
 
 
 def cost(case, measure, kind, prefix):
-    """Error against cost of every line of the case, with the front of the best."""
-    price, axis, title, remark = COSTS[kind]
+    """Error against cost of every line of the case, with the front of the best, beside other methods."""
+    price, column, axis, title, remark = COSTS[kind]
     rows = [
         (
             entry,
@@ -537,6 +539,8 @@ def cost(case, measure, kind, prefix):
     rows = [(entry, points) for entry, points in rows if points]
     if not rows:
         return None
+    sticks = [(entry, entry.costs(column, measure)) for entry in case.comparators]
+    sticks = [(entry, points) for entry, points in sticks if points]
 
     def paint(axes):
         best = front([point for _, points in rows for point in points])
@@ -546,6 +550,14 @@ def cost(case, measure, kind, prefix):
                 *zip(*points),
                 svg.series_mark(entry.style) + "-",
                 color=svg.series_colour(entry.style),
+                linewidth=0.9,
+            )
+        for entry, points in sticks:
+            axes.plot(
+                *zip(*points),
+                svg.series_mark(entry.style),
+                color=svg.series_colour(entry.style),
+                linestyle=(0, (5, 3)),
                 linewidth=0.9,
             )
         axes.plot(
@@ -558,22 +570,32 @@ def cost(case, measure, kind, prefix):
             linestyle="none",
         )
         axes.set(xscale="log", yscale="log", xlabel=axis, ylabel=error_label(case, measure))
-        axes.set_ylim(*_margins([error for _, points in rows for _, error in points], 1.8))
-        axes.set_xlim(*_margins([value for _, points in rows for value, _ in points], 1.8))
+        axes.set_ylim(*_margins([error for _, points in rows + sticks for _, error in points], 1.8))
+        axes.set_xlim(*_margins([value for _, points in rows + sticks for value, _ in points], 1.8))
         log_axis(axes.xaxis, *axes.get_xlim())
         log_axis(axes.yaxis, *axes.get_ylim())
 
     series = [entry for entry, _ in rows]
+    beside = [entry for entry, _ in sticks]
     caption = (
-        f"Error in {measure} against {axis.split(' in ')[0]}, one mark per run. Lower and further left is "
-        "better; ringed marks on the "
-        f"broad line are the front: no other run is both cheaper and more accurate. {remark}"
+        f"Error in {measure} against {axis.split(' in ')[0].split(' (')[0]}, one mark per run. Lower and "
+        "further left is better; ringed marks on the "
+        f"broad line are the front: no other run of these schemes is both cheaper and more accurate. {remark}"
     )
-    keys = _keys(series) + [Key("front of the best", "currentColor", "ring")]
+    if beside:
+        caption += (
+            f" The broken line is another method on the same problem: {text.listing(stick.title for stick in beside)}. "
+            "It is a measuring stick, not judged and not in the front"
+            + ("; its work is cells × steps." if kind == "work" else ".")
+        )
+    keys = _keys(series) + [
+        Key(entry.title, f"var(--s{entry.style % len(svg.SERIES) + 1})", svg.series_mark(entry.style), dash=True)
+        for entry in beside
+    ]
     return Figure(
         svg.draw(paint, prefix, f"{measure}: {title}", height=2.7),
         title[0].upper() + title[1:],
         caption,
-        _files(series),
-        keys,
+        list(dict.fromkeys(_files(series) + [entry.file for entry in beside])),
+        keys + [Key("front of the best", "currentColor", "ring")],
     )

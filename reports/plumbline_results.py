@@ -25,6 +25,7 @@ import numpy
 FORMAT_VERSION = 1
 OLDEST_FORMAT_VERSION = 1
 KINDS = ("run", "study", "verdicts")
+BENCH_FILE = "bench.json"
 GATE_COLUMNS = (
     "case",
     "id",
@@ -104,6 +105,7 @@ class Result:
     catalog: dict = field(default_factory=dict)
     ledger: dict = field(default_factory=dict)
     profile: Columns = field(default_factory=lambda: Columns({}))
+    comparators: dict = field(default_factory=dict)  # of a study: levels of other methods, by name
 
     def table_names(self):
         """Names of the tables that this file can give as CSV."""
@@ -125,12 +127,16 @@ class Result:
 
 @dataclass
 class Folder:
-    """All result files of one folder by kind, each list sorted by file name; `damaged`: (name, reason)."""
+    """All result files of one folder by kind, each list sorted by file name; `damaged`: (name, reason).
+
+    `bench`: the JSON object of `plumbline bench`, if the folder has one under the name BENCH_FILE.
+    """
 
     runs: list = field(default_factory=list)
     studies: list = field(default_factory=list)
     verdicts: list = field(default_factory=list)
     damaged: list = field(default_factory=list)
+    bench: dict = field(default_factory=dict)
 
 
 def load(path):
@@ -160,7 +166,25 @@ def load_folder(path):
             lists[result.kind].append(result)
         except (ResultsError, OSError) as error:
             folder.damaged.append((file.name, str(error)))
+    try:
+        folder.bench = load_bench(path / BENCH_FILE)
+    except FileNotFoundError:
+        pass  # speed is not measured with every set of results
+    except (ResultsError, OSError) as error:
+        folder.damaged.append((BENCH_FILE, str(error)))
     return folder
+
+
+def load_bench(path):
+    """The JSON object that `plumbline bench --json` wrote. Raises DamagedFile or FileNotFoundError."""
+    try:
+        bench = json.loads(pathlib.Path(path).read_text(encoding="utf-8"), parse_constant=_refuse_constant)
+    except ValueError as error:
+        raise DamagedFile(f"not valid JSON: {_first_line(error)}") from error
+    kernels = bench.get("kernels") if isinstance(bench, dict) else None
+    if not isinstance(kernels, list) or not all(isinstance(kernel, dict) for kernel in kernels):
+        raise DamagedFile("not an output of plumbline bench: there is no list of kernels")
+    return bench
 
 
 def write_csv(header, rows, target):
@@ -195,6 +219,7 @@ def _read(file, name):
     if kind == "study":
         result.measures = _json(file, "fit", dict) or result.study.get("measures") or {}
         result.settings = result.settings or result.study.get("settings") or {}
+        result.comparators = {name: _comparator(group) for name, group in _groups(file, "comparator")}
     result.ledger = {quantity: Columns(_columns(group)) for quantity, group in _groups(file, "ledger")}
     if "profile" in file:
         result.profile = _profile(file["profile"])
@@ -259,6 +284,10 @@ def _profile(group):
     return Columns(
         _columns(group), units, labels, _text(group.attrs.get("abscissa")), _text(group.attrs.get("kind"))
     )
+
+
+def _comparator(group):
+    return Columns(_columns(group), labels={"title": _text(group.attrs.get("title"))}, kind="comparator")
 
 
 def _why_unreadable(error):
@@ -329,6 +358,16 @@ def _levels_table(result):
     return ["cells", *LEVEL_COLUMNS, *(f"{name}.error" for name in names)], rows
 
 
+def _comparators_table(result):
+    names = sorted({column for columns in result.comparators.values() for column in columns})
+    rows = [
+        [name] + [columns[column][row] if column in columns else None for column in names]
+        for name, columns in sorted(result.comparators.items())
+        for row in range(len(next(iter(columns.values()), ())))
+    ]
+    return ["method", *names], rows
+
+
 def _ledger_table(result):
     names = ["time", "step"]
     names += sorted({name for columns in result.ledger.values() for name in columns} - set(names))
@@ -359,6 +398,7 @@ _TABLES = {
     "ledger": _ledger_table,
     "profile": _profile_table,
     "levels": _levels_table,
+    "comparators": _comparators_table,
     "settings": _pairs_table("settings"),
     "provenance": _pairs_table("provenance"),
 }

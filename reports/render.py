@@ -19,6 +19,7 @@ import cases as gathering
 import figures
 import plumbline_results
 import profiles
+import speed
 import svg
 import tables
 import text
@@ -70,8 +71,16 @@ def front_page(folder, cases):
             for case in cases.values()
             if case.measure
         ],
+        "speed": speed_part(folder.bench),
         "file_count": len(folder.runs) + len(folder.studies) + len(folder.verdicts),
     }
+
+
+def speed_part(bench):
+    """What the section on speed shows; None where no speed was measured."""
+    if not bench:
+        return None
+    return {**speed.page(bench), "figures": _ready((speed.cost_by_size(bench), speed.memory_by_size(bench)))}
 
 
 def anchor(name):

@@ -6,6 +6,7 @@ from collections import Counter
 
 import figures
 import plumbline_results
+import speed
 import text
 from cases import GREEN, URGENCY, VERDICTS, most_urgent_first
 
@@ -520,7 +521,7 @@ def commands(folder):
 
 
 def write_folder(folder, cases, target):
-    """Every table of every file, and the tables over all of them, as CSV; returns how many were written."""
+    """Every table of every file, of the bench, and over all files, as CSV; returns how many were written."""
     target = pathlib.Path(target)
     target.mkdir(parents=True, exist_ok=True)
     gates = [plumbline_results.gate_row(gate) for case in cases.values() for gate in case.all_gates]
@@ -532,6 +533,9 @@ def write_folder(folder, cases, target):
     plumbline_results.write_csv(["case", "title", "verdict", *VERDICTS], summary, target / "cases.csv")
     plumbline_results.write_csv(["file", "reason"], folder.damaged, target / "damaged.csv")
     written = 3
+    if folder.bench:
+        plumbline_results.write_csv(speed.CSV_COLUMNS, speed.csv_rows(folder.bench), target / "bench.csv")
+        written += 1
     for result in folder.runs + folder.studies + folder.verdicts:
         for name in result.table_names():
             result.to_csv(name, target / f"{result.name.removesuffix('.h5')}.{name}.csv")

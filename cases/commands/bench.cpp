@@ -1,134 +1,163 @@
 #include <algorithm>
-#include <chrono>
+#include <thread>
 
+#include "cases/commands/bench_runs.hpp"
 #include "cases/commands/command.hpp"
-#include "kernel/materials/uniaxial_membrane.hpp"
 
 namespace plumbline {
 namespace {
 
-double seconds(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
-// Bytes per second of copying arrays that do not fit the caches: the machine's limit for streaming over columns.
-double copy_rate() {
-  const std::size_t n = 16u << 20;
-  std::vector<double> from(n, 1.0), to(n, 0.0);
-  std::vector<double> times;
-  for (int k = 0; k < 5; ++k) times.push_back(seconds([&] { std::copy(from.begin(), from.end(), to.begin()); }));
-  return 2.0 * 8.0 * static_cast<double>(n) / median(times);
-}
-
-struct Entry {
-  std::string name, case_name, scheme;
-  int cells;
-  double target;  // point-steps per second, or seconds where target_is_time
-  bool target_is_time;
-  int passes;  // sweeps over the points in one step, for the traffic
-  std::vector<Override> overrides = {};
+struct BenchOptions {
+  double points = 1e7;  // no flow has more
+  bool threads_given = false;
 };
 
-Json bench_entry(const Entry& at, const std::vector<std::string>& typed, double bytes_per_s, const Output& out) {
-  const Case& entry = find_case(at.case_name);
-  std::vector<Override> overrides = at.overrides;
-  overrides.emplace_back("cells", static_cast<double>(at.cells));
-  const Settings settings = entry.settings(at.scheme, overrides, typed);
-  std::vector<RunResult> runs;
-  std::vector<double> times;
-  for (int k = 0; k < 5; ++k) {
-    runs.push_back(run_experiment(entry, at.scheme, settings));
-    times.push_back(runs.back().wall_s);
-  }
-  const RunResult& run = runs.front();
-  const double time = median(times), rate = static_cast<double>(run.points) * static_cast<double>(run.steps) / time;
-  const double bytes = 8.0 * run.doubles_per_point;
-  const double traffic = rate * bytes * at.passes / bytes_per_s;
-  const bool met = at.target_is_time ? time <= at.target : rate >= at.target;
-  out.line(
-      "{:28} {:8} points {:6} steps  median {:.4g} s  {:.3g} point-steps/s  {:.2g} of copy bandwidth  target {} "
-      "{:.3g}{}: {}",
-      at.name, run.points, run.steps, time, rate, traffic, at.target_is_time ? "at most" : "at least", at.target,
-      at.target_is_time ? " s" : "", met ? "met" : "MISSED");
-  return {{"name", at.name},
-          {"dimension", run.dim},
-          {"material", name(entry.kind())},
-          {"shape", settings.text("shape")},
-          {"transfer", settings.text("transfer")},
-          {"integrator", settings.text("integrator")},
-          {"points", run.points},
-          {"ppc", settings.number("ppc")},
-          {"threads", 1},
-          {"steps", run.steps},
-          {"wall_s", time},
-          {"point_steps_per_s", rate},
-          {"bytes_per_point", bytes},
-          {"flops_per_point", nullptr},
-          {"fraction_of_limit", traffic},
-          {"energy_drift", run.ledger.energy.relative_drift(false)},
-          {"target", at.target},
-          {"met", met}};
-}
-
-// A scene of one point: what a step costs beside its points.
-Json empty_step(const Output& out) {
-  Scene scene;
-  scene.grid.cells[0] = 4;
-  scene.shape = "linear";
-  scene.transfer = "flip";
-  auto membrane = std::make_shared<UniaxialMembrane>();
-  membrane->youngs_modulus = membrane->density = 1;
-  Body body = make_body("point", membrane, 1, 1);
-  body.points(column::position)[0] = 2.0;
-  body.points(column::mass)[0] = body.points(column::volume)[0] = 1.0;
-  scene.bodies.push_back(body);
-  StepControl control;
-  control.dt = 1e-3;
-  Simulation simulation(scene, "musl", control);
-  constexpr int steps = 200000;
-  const double time = seconds([&] {
-    for (int k = 0; k < steps; ++k) simulation.step(1.0);
-  });
-  out.line("{:28} {:.0f} ns a step, ledger included", "empty step (one point)", 1e9 * time / steps);
-  return {{"seconds_per_step", time / steps}};
-}
-
-int execute(const Invocation& invocation) {
-  const Output out(invocation.options);
-  const double bytes_per_s = copy_rate();
-  const Provenance p = build_provenance();
-  out.line("{}, {}, copy {:.3g} GB/s", p.cpu, p.instruction_set, bytes_per_s / 1e9);
-  Json document{{"machine",
-                 {{"cpu", p.cpu},
-                  {"instruction_set", p.instruction_set},
-                  {"compiler", p.compiler},
-                  {"flags", p.flags},
-                  {"copy_bytes_per_s", bytes_per_s}}},
-                {"kernels", Json::array()}};
-  std::vector<Entry> entries{{"gas, 1-D, 1600 cells", "sod", "default", 1600, 1e7, false, 11},
-                             {"York's gas, 1-D, 800 cells", "sod", "york1997", 800, 1e7, false, 10},
-                             {"York's spring, ten points", "spring-mass", "york1997", 10, 0.1, true, 9}};
-  const CommonOptions& common = invocation.options;
-  if (!common.schemes.empty() || !common.integrators.empty()) {
-    entries.clear();
-    for (const SchemeChoice& choice : chosen_schemes(common)) {
-      const std::string integrator = choice.overrides.empty() ? ""
-                                                              : " with " + to_text(choice.overrides.front().second);
-      entries.push_back(
-          {"gas, 1-D, " + choice.scheme + integrator, "sod", choice.scheme, 800, 1e7, false, 10, choice.overrides});
+// Every geometry with every shape and transfer, under the default integrator, or York's where that refuses.
+std::vector<BenchFlow> matrix(long points) {
+  std::vector<BenchFlow> flows;
+  for (const auto& [dimension, axisymmetric] : {std::pair{1, false}, {2, false}, {2, true}, {3, false}}) {
+    for (const Choice& shape : shapes()) {
+      for (const char* transfer : {"apic", "flip", "pic"}) {
+        BenchFlow flow{dimension, axisymmetric, shape.name, transfer, "leapfrog", points};
+        if (!flow.is_possible()) flow.integrator = "musl";
+        flows.push_back(flow);
+      }
     }
   }
-  for (const Entry& entry : entries)
-    document["kernels"].push_back(bench_entry(entry, common.settings, bytes_per_s, out));
-  document["empty_step"] = empty_step(out);
-  write_json(invocation.options, document);
+  return flows;
+}
+
+std::vector<BenchFlow> scale(long most) {
+  std::vector<BenchFlow> flows;
+  for (long points = 1000; points <= most; points *= 10) flows.push_back({.points = points});
+  return flows;
+}
+
+const std::vector<TimedRun>& standard_runs() {
+  static const std::vector<TimedRun> runs{{"gas, 1-D, 1600 cells", "sod", "default", 1600, 1e7, false},
+                                          {"York's gas, 1-D, 800 cells", "sod", "york1997", 800, 1e7, false},
+                                          {"York's spring, ten points", "spring-mass", "york1997", 10, 0.1, true}};
+  return runs;
+}
+
+class Bench {
+ public:
+  Bench(const Invocation& invocation, const BenchOptions& options)
+      : common_(invocation.options),
+        out_(invocation.options),
+        most_(static_cast<long>(options.points)) {
+    const int cores = static_cast<int>(std::thread::hardware_concurrency());
+    const int more = options.threads_given ? common_.threads : std::min(2, cores);
+    if (more > 1) threads_.push_back(more);
+  }
+
+  void measure_standard() {
+    head("Targets: 2-D, quadratic B-splines, APIC, 16 points per cell");
+    for (const char* integrator : {"leapfrog", "energy"}) {
+      measure("target", {.integrator = integrator, .points = std::min(most_, 1000000L)});
+    }
+    head("Scale: the same under the default integrator, by number of points");
+    for (const BenchFlow& flow : scale(most_)) measure("scale", flow);
+    head("Dimension, shape, transfer");
+    for (const BenchFlow& flow : matrix(matrix_points())) measure("matrix", flow);
+    head("Whole runs");
+    for (const TimedRun& run : standard_runs()) measure(run);
+    for (Json& target : scale_targets(kernels_)) targets_.push_back(std::move(target));
+  }
+
+  // The choices that were asked for, on the 1-D tube; an integrator also in the plane.
+  void measure_chosen() {
+    for (const SchemeChoice& choice : chosen_schemes(common_)) {
+      const std::string with = choice.overrides.empty() ? "" : " with " + to_text(choice.overrides.front().second);
+      measure({"gas, 1-D, " + choice.scheme + with, "sod", choice.scheme, 800, 1e7, false, choice.overrides});
+    }
+    for (const std::string& integrator : common_.integrators) {
+      for (BenchFlow flow : matrix(matrix_points())) {
+        flow.integrator = integrator;
+        if (flow.dimension == 2 && !flow.axisymmetric && flow.is_possible()) measure("matrix", flow);
+      }
+    }
+  }
+
+  Json document(const Provenance& provenance) {
+    out_.line("\nTargets");
+    for (const Json& t : targets_) {
+      out_.line("  {:72} {:.4g} {}, {} {:.4g}: {}", t["name"].get<std::string>(), t["measured"].get<double>(),
+                t["unit"].get<std::string>(), t["low"].is_null() ? "at most" : "at least",
+                (t["low"].is_null() ? t["high"] : t["low"]).get<double>(), t["met"].get<bool>() ? "met" : "MISSED");
+    }
+    const double empty = time_empty_step();
+    out_.line("Empty step (one point): {:.0f} ns, ledger included", 1e9 * empty);
+    return {{"machine", limits_.document()},
+            {"kernels", kernels_},
+            {"targets", targets_},
+            {"empty_step", {{"seconds_per_step", empty}}},
+            {"provenance", to_json(provenance)}};
+  }
+
+ private:
+  long matrix_points() const { return std::clamp(most_ / 10, 1000L, 200000L); }  // many flows: smaller than the largest
+
+  void head(const std::string& title) {
+    out_.line("\n{}\n  {:38} {:>9} {:>7} {:>9} {:>17} {:>7} {:>7} {:>7} {:>9} {:>9} {:>8}", title, "", "points",
+              "threads", "M steps/s", "least ... most", "B moved", "flops", "B held", "of memory", "of flops", "drift");
+  }
+
+  void measure(const std::string& part, const BenchFlow& flow) {
+    for (const StepTiming& timing : time_flow(flow, threads_)) {
+      kernels_.push_back(kernel_entry(part, flow, timing, limits_));
+      const Json& k = kernels_.back();
+      const auto text = [&](const char* key, double factor, int digits) {
+        return k[key].is_null() ? std::string("-") : fmt::format("{:.{}f}", factor * k[key].get<double>(), digits);
+      };
+      out_.line("  {:38} {:>9} {:>7} {:>9} {:>17} {:>7} {:>7} {:>7} {:>9} {:>9} {:>8.0e}", flow.name(), timing.points,
+                timing.threads, text("point_steps_per_s", 1e-6, 2),
+                text("slowest", 1e-6, 2) + " ... " + text("fastest", 1e-6, 2), text("bytes_per_point", 1, 0),
+                text("flops_per_point", 1, 0), text("memory_bytes_per_point", 1, 0), text("bandwidth_fraction", 1, 2),
+                text("flop_fraction", 1, 2), timing.energy_drift);
+      if (part != "target" || timing.threads > 2 || timing.points < 900000) continue;
+      const double rate = k["point_steps_per_s"].get<double>(), least = timing.threads == 1 ? 45e6 : 80e6;
+      targets_.push_back(
+          target_entry(fmt::format("{}, {:.0e} points, {} thread{}", flow.name(), static_cast<double>(timing.points),
+                                   timing.threads, timing.threads == 1 ? "" : "s"),
+                       "point-steps/s", rate, least, {}));
+    }
+  }
+
+  void measure(const TimedRun& run) {
+    auto [kernel, target] = time_run(run, common_.settings);
+    out_.line("  {:38} {:>9} {:>7} {:>9.2f}   {} steps in {:.4g} s", run.name, kernel["points"].get<long>(), 1,
+              1e-6 * kernel["point_steps_per_s"].get<double>(), kernel["steps"].get<long>(),
+              kernel["wall_s"].get<double>());
+    kernels_.push_back(std::move(kernel));
+    targets_.push_back(std::move(target));
+  }
+
+  const CommonOptions& common_;
+  Output out_;
+  long most_;
+  std::vector<int> threads_{1};
+  MachineLimits limits_;
+  Json kernels_ = Json::array(), targets_ = Json::array();
+};
+
+int execute(const Invocation& invocation, const BenchOptions& options) {
+  const CommonOptions& common = invocation.options;
+  const bool chosen = !common.schemes.empty() || !common.integrators.empty() || !common.settings.empty();
+  for (const SchemeChoice& choice : chosen_schemes(common))  // a wrong name must not cost time
+    find_case("sod").settings(choice.scheme, choice.overrides, common.settings);
+  Bench bench(invocation, options);
+  try {
+    if (chosen) {
+      bench.measure_chosen();
+    } else {
+      bench.measure_standard();
+    }
+  } catch (const InadmissibleState& state) {
+    fmt::print(stderr, "plumbline: stopped at step {}: {}\n", state.step, state.what());
+    return exit_stopped;
+  }
+  write_json(common, bench.document(invocation.provenance()));
   return 0;
 }
 
@@ -136,9 +165,18 @@ int execute(const Invocation& invocation) {
 
 Command add_bench(CLI::App& app, Invocation& invocation) {
   CLI::App* sub = app.add_subcommand("bench", "speed of the production kernel through the production step");
-  sub->footer("Example: plumbline bench --json bench.json");
+  sub->footer(
+      "Example: plumbline bench --points 1e6 --json bench.json\nTimes are of one thread and of two, or of --threads. "
+      "With "
+      "--scheme, --integrator or --set: of these choices alone, on a small flow.");
+  auto options = std::make_shared<BenchOptions>();
+  sub->add_option("--points", options->points, "largest number of points; 1e7 takes some minutes and 5 GB")
+      ->check(CLI::Range(1e3, 1e8));
   add_run_options(*sub, invocation.options);
-  return {sub, [&invocation] { return execute(invocation); }};
+  return {sub, [&invocation, options, sub] {
+            options->threads_given = sub->count("--threads") > 0;
+            return execute(invocation, *options);
+          }};
 }
 
 }  // namespace plumbline

@@ -30,7 +30,9 @@ void add_run_options(CLI::App& app, CommonOptions& options) {
       ->allow_extra_args(false);
   app.add_option("--set", options.settings, "key=value (repeatable); `plumbline explain CASE` lists the keys")
       ->allow_extra_args(false);
-  app.add_option("--threads", options.threads, "threads for independent runs")->check(CLI::Range(1, 1024));
+  app.add_option("--threads", options.threads,
+                 "threads: of the loops over points in run and bench, for runs side by side elsewhere")
+      ->check(CLI::Range(1, 1024));
   app.add_option("--results", options.results, "results folder");
   app.add_flag("--allow-inconclusive", options.allow_inconclusive, "INCONCLUSIVE does not make the exit status red");
 }

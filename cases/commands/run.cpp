@@ -111,7 +111,7 @@ int execute(const Invocation& invocation, const RunOptions& options) {
   const Output out(invocation.options);
   if (options.dry) return dry_run(out, invocation, entry, chosen[0].scheme, settings);
   const ResultsFolder folder(invocation.options.results);
-  RunResult run = run_experiment(entry, chosen[0].scheme, settings);
+  RunResult run = run_experiment(entry, chosen[0].scheme, settings, invocation.options.threads);
   if (chosen[0].scheme == "default") run.scheme = integrator_scheme(entry, settings.text("integrator"));
   run.file = ResultsFolder::run_name(run);
   const auto declared = declared_run(entry, chosen[0].scheme, settings);

@@ -154,9 +154,30 @@ class AffineExpansionCase final : public Case {
     return gas_problem(affine_flow(settings), settings);
   }
   std::vector<double> default_levels() const override { return {40, 56, 80, 112, 160}; }
-  std::vector<StudyPlan> studies() const override { return {}; }
-  std::vector<CaseGate> gates() const override { return {}; }
-  GateCount gate_count() const override { return {0, 0}; }
+  std::vector<StudyPlan> studies() const override {
+    StudyPlan cylinder{.id = "default",
+                       .title = "default, a quarter of the cylinder",
+                       .why = "Smooth but for the edge: 2 in the density, 1 in the velocity.",
+                       .values = {40, 56, 80, 112, 160}};
+    StudyPlan sphere = cylinder;
+    sphere.id = "sphere";
+    sphere.title = "default, the sphere by rings";
+    sphere.overrides = {{"body", std::string("sphere")}, {"geometry", std::string("axisymmetric")}};
+    return {cylinder, sphere};
+  }
+  std::vector<CaseGate> gates() const override {
+    std::vector<CaseGate> all;
+    for (const char* study : {"default", "sphere"}) {
+      for (CaseGate& gate : target_order(study, "density.L1", 1.0,
+                                         "2 inside, but the layer at the edge is wrong by a share of itself")) {
+        all.push_back(std::move(gate));
+      }
+      all.push_back(energy_gate(study));
+    }
+    all.push_back(no_heating_gate("default", 40));
+    return all;
+  }
+  GateCount gate_count() const override { return {16, 16}; }
 };
 
 PLUMBLINE_CASE(AffineExpansionCase);

@@ -18,6 +18,10 @@ void ExpansionWatch::start(const Body& body) {
 
 void ExpansionWatch::observe(const Simulation& simulation) {
   const Body& body = simulation.scene().bodies.front();
+  const std::size_t made = body.id.size() - body.split_from.size();
+  while (start_.size() < body.id.size()) {
+    start_.push_back(start_[static_cast<std::size_t>(body.split_from[start_.size() - made])]);
+  }
   const double* energy = body.points(column::energy);
   for (int p = 0; p < body.points.points(); ++p) {
     const double e = start_[static_cast<std::size_t>(body.id[static_cast<std::size_t>(p)])];

@@ -13,6 +13,7 @@ class ExpansionWatch {
   void start(const Body& body);                // remembers e_p(0) by the points' numbers
   void observe(const Simulation& simulation);  // after each step
 
+  // e_p(0) of a point that came by splitting: that of the point it was part of.
   // energy_ratio: largest e_p(t)/e_p(0) of all points after all steps.
   // energy_rise: largest e_p(t) - e_p(0) of all points after all steps, over the largest e_p(0). Zero or less where
   //   nothing was ever heated.

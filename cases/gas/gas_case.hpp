@@ -27,4 +27,8 @@ std::vector<CaseGate> target_order(const std::string& study, const std::string& 
 CaseGate energy_gate(const std::string& study);
 CaseGate coverage_gate(const std::string& study, double level);
 
+// That two runs of one flow have the same numbers at a level: the largest relative difference of the norms of the
+// errors in density, velocity, pressure and energy.
+CaseGate same_numbers_gate(const std::string& study, const std::string& as, double level);
+
 }  // namespace plumbline

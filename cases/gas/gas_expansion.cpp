@@ -132,9 +132,26 @@ class GasExpansion final : public Case {
     return gas_problem(expansion_flow(settings), settings);
   }
   std::vector<double> default_levels() const override { return {40, 56, 80, 112, 160}; }
-  std::vector<StudyPlan> studies() const override { return {}; }
-  std::vector<CaseGate> gates() const override { return {}; }
-  GateCount gate_count() const override { return {0, 0}; }
+  std::vector<StudyPlan> studies() const override {
+    return {{.id = "default",
+             .title = "default, a quarter in the plane",
+             .why = "The start is a jump to vacuum, the rarefaction's head a kink: order 1.",
+             .values = {40, 56, 80, 112, 160}}};
+  }
+  std::vector<CaseGate> gates() const override {
+    std::vector<CaseGate> all =
+        target_order("default", "density.L1", 0.8, "the jump at the start allows 1; 0.8 as of the shock tubes");
+    all.push_back(energy_gate("default"));
+    CaseGate heating = no_heating_gate("default", 40);
+    heating.gate = expected_failure(
+        heating.gate,
+        "sharpening undoes the maps' smoothing and overshoots beside the jump of the first steps: gas just inside the "
+        "edge is squeezed by two hundredths before it expands; without it the rise is a tenth of that",
+        {1.005, 1.011}, "2026-11-21 fbef8d3");
+    all.push_back(heating);
+    return all;
+  }
+  GateCount gate_count() const override { return {9, 9}; }
 };
 
 PLUMBLINE_CASE(GasExpansion);

@@ -129,6 +129,7 @@ Scene GasProblem::scene() const {
   scene.density = density_method(settings_.text("density"));
   scene.sharpening = settings_.number("sharpening");
   scene.heat_exchange = settings_.number("heat_exchange");
+  scene.split = settings_.number("split");
   for (int side : {0, 1}) {
     const auto& piston = flow_.pistons[static_cast<std::size_t>(side)];
     if (!piston) continue;

@@ -17,7 +17,8 @@ const TubeCase leblanc{
          "and shock decides where the shock stands: it is commonly too far ahead on coarse meshes.",
      .near_vacuum =
          "The thin gas has a thousandth of the density. Points of the dense gas's mass would stand 125 cells apart in "
-         "it at 8 a cell; it has one a cell instead, lighter by that factor, so that no cell is without gas.",
+         "it at 8 a cell; it has one a cell instead, lighter by that factor, so that no cell is without gas. In the "
+         "rarefaction the dense gas expands nineteenfold, and points that outgrow a cell are split.",
      .tube = {{{1, 0, 0.2 / 3}, {1e-3, 0, 2e-10 / 3}, 5.0 / 3}, 0, 9, 3, 6},
      .order = 0.5,
      .order_reason = "1 in the limit; the shock's place converges late, because the layer that drives it is a few "

@@ -83,6 +83,11 @@ class NohRadial final : public Case {
         {"velocity.L1", 1, "the shock is spread over a number of cells"},
         {"wall_heating", 0, "a fixed share over a fixed number of cells, as for every scheme with a viscous shock"}};
     s.known_limits = {"Density and internal energy in the cells at the centre do not converge: wall heating."};
+    if (text_.dimension == 3) {
+      s.known_limits.push_back(
+          "At 100 cells of a radius the plateau of 64 is a quarter too low and the shock a cell ahead of its place: it "
+          "is 20 cells from the centre, and the wall heating covers a quarter of that. No gate asks for more.");
+    }
     return s;
   }
 
@@ -119,9 +124,34 @@ class NohRadial final : public Case {
     return gas_problem(noh_flow(text_.dimension, settings), settings);
   }
   std::vector<double> default_levels() const override { return {50, 70, 100, 140, 200}; }
-  std::vector<StudyPlan> studies() const override { return {}; }
-  std::vector<CaseGate> gates() const override { return {}; }
-  GateCount gate_count() const override { return {0, 0}; }
+  std::vector<StudyPlan> studies() const override {
+    StudyPlan plan{.id = "default",
+                   .title = "default, by rings",
+                   .why = "One shock, and the layer at the centre: order 1 in the mean.",
+                   .values = {50, 70, 100, 140, 200},
+                   .full_values = {100, 140, 200, 280, 400}};
+    if (text_.dimension == 3) {
+      plan.values = {20, 28, 36, 44, 52};
+      plan.full_values = {28, 40, 56, 80, 100};
+    }
+    return {plan};
+  }
+  std::vector<CaseGate> gates() const override {
+    std::vector<CaseGate> all{energy_gate("default")};
+    if (text_.dimension == 3) return all;
+    for (CaseGate& gate : target_order("default", "density.L1", 0.8,
+                                       "a shock and the layer at the axis allow 1; 0.8 as of the shock tubes")) {
+      all.push_back(std::move(gate));
+    }
+    all.push_back(shock_gates("default", 200, 1.0 / 200, text_.plateau).front());
+    for (CaseGate& gate : shock_gates("default", 400, 1.0 / 400, text_.plateau)) {
+      gate.tier = Tier::full;
+      all.push_back(std::move(gate));
+    }
+    all.push_back(radial_coverage_gate("default", 200));
+    return all;
+  }
+  GateCount gate_count() const override { return text_.dimension == 3 ? GateCount{5, 5} : GateCount{9, 11}; }
 
  private:
   NohRadialText text_;

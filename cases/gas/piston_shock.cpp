@@ -1,6 +1,7 @@
 // A piston pushed into gas at rest.
 #include "reference/piston_shock.hpp"
 
+#include <cmath>
 #include <memory>
 
 #include "cases/gas/gas_case.hpp"
@@ -15,6 +16,17 @@ constexpr const char* sketch =
 <g stroke="currentColor" stroke-width="1.5" fill="none"><path d="M20 25h320M20 65h320"/><path d="M110 25v40" stroke-width="5"/><path d="M60 45h44m-8 -5l8 5l-8 5"/><path d="M230 19v52" stroke-dasharray="4 3"/></g>
 <rect x="112" y="25" width="118" height="40" fill="currentColor" opacity=".28"/><rect x="230" y="25" width="110" height="40" fill="currentColor" opacity=".06"/>
 <g fill="currentColor" font-size="12" text-anchor="middle"><text x="170" y="49">ρ₂, p₂, u = u_p</text><text x="285" y="49">at rest</text><text x="110" y="90">u_p t</text><text x="230" y="90">U t</text></g></svg>)svg";
+
+// The pressure that is furthest from the exact one, where shock_measures() looks for the density.
+double plateau_pressure(const std::vector<GasSample>& points, const ShockFront& front, double exact) {
+  double furthest = std::nan("");
+  for (const GasSample& p : points) {
+    const double share = (p.coordinate - front.origin) / front.distance.value;
+    if (share < 0.5 || share > 0.75) continue;
+    if (!(std::abs(p.pressure - exact) <= std::abs(furthest - exact))) furthest = p.pressure;
+  }
+  return furthest;
+}
 
 GasFlow piston_flow(const Settings& settings) {
   const reference::PistonShockProblem problem{settings.number("piston_velocity"), 1, 1, settings.number("gamma")};
@@ -43,9 +55,14 @@ GasFlow piston_flow(const Settings& settings) {
   const double h = flow.cells_along / settings.number("cells");
   flow.further = [exact, h, u, moving](const std::vector<GasSample>& points, double time) {
     const reference::Bounded distance = (exact->shock_speed() - u) * time;
-    return shock_measures(points, h,
-                          {moving ? u * time : 0, distance, exact->ahead().density.value, exact->behind().density,
-                           exact->behind().energy});
+    const ShockFront front{moving ? u * time : 0, distance, exact->ahead().density.value, exact->behind().density,
+                           exact->behind().energy};
+    std::vector<Measure> all = shock_measures(points, h, front);
+    const reference::Bounded speed = exact->shock_speed(), pressure = exact->behind().pressure;
+    all.push_back(scalar_measure("shock_speed", *all.front().value / time + u, speed.value, speed.bound, "m/s"));
+    all.push_back(scalar_measure("plateau_pressure", plateau_pressure(points, front, pressure.value), pressure.value,
+                                 pressure.bound, "Pa"));
+    return all;
   };
   return flow;
 }
@@ -80,7 +97,10 @@ class PistonShock final : public Case {
     s.reference_text = "Closed form: the Mach number is the root of a quadratic.";
     s.reference_bound = "Rounding, carried through.";
     s.theory_orders = first_order_at_jumps();
-    s.known_limits = {"Density and internal energy at the piston do not converge: wall heating."};
+    s.known_limits = {
+        "Density and internal energy at the piston do not converge: wall heating.",
+        "A piston that moves through the grid is sharp to half a cell, and kernels are not mirrored in it: density "
+        "next to it is read too low, and the mean error of the density is 1.8 times that in the piston's frame."};
     return s;
   }
 
@@ -139,12 +159,41 @@ class PistonShock final : public Case {
       add(target_order(study, "density.L1", 0.8,
                        "a shock and the layer at the piston allow 1; 0.8 as of the shock tubes"));
       add(shock_gates(study, 400, 1.0 / 400, 2.07916));
-      add({energy_gate(study), coverage_gate(study, 100)});
+      add(published_gates(study));
+      add({energy_gate(study), coverage_gate(study, 400)});
     }
+    add({coverage_gate("piston", 100), cut_coverage_gate(100)});
     return all;
   }
 
-  GateCount gate_count() const override { return {20, 20}; }
+  GateCount gate_count() const override { return {28, 28}; }
+
+ private:
+  // The three numbers of the statement, from the points. The end is at 0.4 s: a cell there is h/0.4 in the speed.
+  static std::vector<CaseGate> published_gates(const std::string& study) {
+    const auto gate = [&](const char* measure, const char* id, double value, double room, const std::string& why) {
+      return value_gate(study, measure, 400,
+                        declare(study + "/" + id + "-400", {value - room, value + room}, Origin::literature, why));
+    };
+    return {gate("shock_speed", "speed", 1.92665, 1.0 / 400 / 0.4,
+                 "Rankine and Hugoniot for a piston of 1 m/s; one cell in the shock's place"),
+            gate("plateau_pressure", "pressure", 2.92665, 0.02 * 2.92665,
+                 "Rankine and Hugoniot for a piston of 1 m/s; 2 % as the plan asks of the density"),
+            gate("plateau_density", "density", 2.07916, 0.02 * 2.07916,
+                 "Rankine and Hugoniot for a piston of 1 m/s; 2 % as the plan asks")};
+  }
+
+  // A piston is no node line. Nodes up to half a cell before it move with it, so that the gas may stand up to half a
+  // cell behind it; and no kernel is mirrored in it: of the density next to it points read only the share S of their
+  // kernel, cubic twice, that has gas under it, a volume too large by the integral of 1/S - 1, 0.488 cells.
+  static CaseGate cut_coverage_gate(double level) {
+    const double judged = 0.6, cells = 0.5 + 0.488;
+    return value_gate(
+        "default", "coverage", level,
+        declare("default/coverage-" + to_text(level), {0.99, 1.01 + cells / (judged * level)}, Origin::theory,
+                "1 % as elsewhere, and at the piston: half a cell that the gas may stand behind it, and "
+                "0.488 cells by which volumes are overstated where kernels are cut"));
+  }
 };
 
 PLUMBLINE_CASE(PistonShock);

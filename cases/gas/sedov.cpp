@@ -173,9 +173,36 @@ class SedovCase final : public Case {
     return gas_problem(blast_flow(text_.dimension, settings), settings);
   }
   std::vector<double> default_levels() const override { return {30, 42, 60, 84, 120}; }
-  std::vector<StudyPlan> studies() const override { return {}; }
-  std::vector<CaseGate> gates() const override { return {}; }
-  GateCount gate_count() const override { return {0, 0}; }
+  std::vector<StudyPlan> studies() const override {
+    StudyPlan plan{.id = "default",
+                   .title = "default, by rings",
+                   .why = "The shock, and a kernel's mean of a profile as steep as a cell is wide: order 1 at most.",
+                   .values = {30, 42, 60, 84, 120},
+                   .full_values = {60, 84, 120, 168, 240}};
+    StudyPlan other = plan;
+    other.id = text_.dimension == 2 ? "plane" : "3d";
+    other.title = text_.dimension == 2 ? "default, a quarter in the plane" : "default, an octant";
+    other.overrides = {{"geometry", other.id}};
+    other.values = {30};
+    other.full_values = {};
+    other.tier = Tier::full;
+    if (text_.dimension == 3) {
+      plan.values = {16, 20, 24, 28, 36};
+      plan.full_values = {20, 28, 36, 48, 60};
+      other.values = {20};
+    }
+    return {plan, other};
+  }
+  std::vector<CaseGate> gates() const override {
+    const double level = text_.dimension == 2 ? 120 : 36;
+    std::vector<CaseGate> all{energy_gate("default"), shock_gates("default", level, domain / level, 6).front()};
+    CaseGate other = energy_gate(text_.dimension == 2 ? "plane" : "3d");
+    other.tier = Tier::full;
+    all.push_back(other);
+    return all;
+  }
+  // The plane has one angular momentum, space has three, rings none.
+  GateCount gate_count() const override { return {6, 12}; }
 
  private:
   SedovText text_;

@@ -45,7 +45,13 @@ std::vector<Key> shock_tube_keys(const ShockTube& tube) {
            .low_open = true,
            .high_open = true,
            .description = "position of the diaphragm"},
-          positive("t_end", tube.end_time, "s", "end time")};
+          positive("t_end", tube.end_time, "s", "end time"),
+          {.name = "dimension",
+           .value = static_cast<double>(tube.dimension),
+           .low = 1,
+           .high = 3,
+           .integer = true,
+           .description = "of the space: on a line, or a few cells across between mirrors"}};
 }
 
 ShockTube shock_tube_from(const Settings& settings, const ShockTube& defaults) {
@@ -57,6 +63,7 @@ ShockTube shock_tube_from(const Settings& settings, const ShockTube& defaults) {
   tube.states.gamma = settings.number("gamma");
   tube.diaphragm = settings.number("diaphragm");
   tube.end_time = settings.number("t_end");
+  tube.dimension = static_cast<int>(settings.number("dimension"));
   return tube;
 }
 
@@ -92,7 +99,11 @@ Comparator tube_stick(const ShockTube& tube, const std::vector<double>& cells) {
 }
 
 std::unique_ptr<Problem> shock_tube_problem(const ShockTube& tube, const Settings& settings) {
-  return gas_problem(tube_flow(tube), settings);
+  GasFlow flow = tube_flow(tube);
+  flow.dim = tube.dimension;
+  const double h = flow.cells_along / settings.number("cells");
+  for (std::size_t d = 1; d < static_cast<std::size_t>(tube.dimension); ++d) flow.high[d] = cells_across_tube * h;
+  return gas_problem(flow, settings);
 }
 
 }  // namespace plumbline

@@ -15,9 +15,10 @@ struct ShockTube {
   double low = 0, high = 1;
   double diaphragm = 0.5;   // low < diaphragm < high
   double end_time = 0.143;  // > 0
+  int dimension = 1;        // of the space it is run in; the tube lies along x
 };
 
-// Keys of the states (left.density, ..., gamma), the diaphragm and t_end, with the tube's values as defaults.
+// Keys of the states (left.density, ..., gamma), the diaphragm, t_end and dimension, with the tube's values as defaults.
 std::vector<Key> shock_tube_keys(const ShockTube& tube);
 // The tube that the settings describe. Throws UsageError if the reference refuses the states.
 ShockTube shock_tube_from(const Settings& settings, const ShockTube& defaults);
@@ -30,9 +31,11 @@ double disturbed_by_wall(const reference::GasState& gas, double gamma, double ti
 // The finite-volume stick on the tube, ends left open.
 Comparator tube_stick(const ShockTube& tube, const std::vector<double>& cells);
 
-// The flow of a tube on a line.
+// The flow of a tube on a line, whatever its dimension says.
 GasFlow tube_flow(const ShockTube& tube);
-// Points, scene and measures of it. Cells are counted along the tube.
+// Points, scene and measures of it. Cells are counted along the tube; across it there are a few, between mirrors, and
+// points that stand alike on every line along it: a run on a line, plane or solid.
+constexpr int cells_across_tube = 4;
 std::unique_ptr<Problem> shock_tube_problem(const ShockTube& tube, const Settings& settings);
 
 }  // namespace plumbline

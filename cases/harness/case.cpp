@@ -4,6 +4,7 @@
 #include <array>
 
 #include "cases/harness/errors.hpp"
+#include "kernel/splitting.hpp"
 
 namespace plumbline {
 namespace {
@@ -65,6 +66,13 @@ Settings Case::settings(const std::string& scheme, const std::vector<Override>& 
       const std::string choice = "integrator=" + entry->name, with = "shape=" + shape + ", transfer=" + transfer;
       throw UsageError("integrator", entry->name, "another integrator, shape or transfer", {},
                        choice + " cannot work with " + with + ": " + why);
+    }
+  }
+  if (settings.has("split") && settings.number("split") > 0) {
+    const std::string &shape = settings.text("shape"), &transfer = settings.text("transfer");
+    if (const std::string why = splitting_refusal(shape, transfer); !why.empty()) {
+      throw UsageError("split", to_text(settings["split"]), "0 with shape=" + shape + ", transfer=" + transfer, {},
+                       "split > 0 cannot work with shape=" + shape + ", transfer=" + transfer + ": " + why);
     }
   }
   return settings;

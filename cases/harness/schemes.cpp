@@ -104,6 +104,8 @@ std::vector<Key> kind_keys(Kind kind) {
                           "how much of the maps' smoothing of forces and strain rates is undone on the nodes"));
     keys.push_back(number("heat_exchange", 1.0, "1", 0, infinite, false,
                           "kappa: how fast points of a gas under compression share their heat"));
+    keys.push_back(number("split", 1.3, "1", 0, infinite, false,
+                          "points that have grown to more cells than this are split in two; 0: none"));
     keys.push_back(number("viscosity.linear", 0.0, "1", 0, infinite, false, "c_L of the artificial viscosity"));
     keys.push_back(number("viscosity.quadratic", 0.5, "1", 0, infinite, false, "c_Q of the artificial viscosity"));
   }
@@ -121,6 +123,7 @@ std::vector<Override> scheme_choices(const std::string& scheme, Kind kind) {
                              {"points", "equal-volume"},
                              {"sharpening", 0.0},
                              {"heat_exchange", 0.0},
+                             {"split", 0.0},
                              {"viscosity.linear", 1.0},
                              {"viscosity.quadratic", 1.0}});
   }

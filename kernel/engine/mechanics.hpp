@@ -58,8 +58,9 @@ class Mechanics final : public Engine {
   void points_changed(double time) override {
     survey_.reset();
     pistons_.set_time(time);
-    for (Located& at : located_) at.bins_hold = false;
+    points_added();
   }
+  void points_added() override;
 
  private:
   static constexpr int support = Shape::support;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <numeric>
 
 #include "kernel/engine/chunks.hpp"
 
@@ -132,6 +133,21 @@ double Mechanics<G, S, T>::step_limit() const {
   if (bounds.fastest > 0) limit = std::min(limit, grid_.h() / bounds.fastest);
   if (bounds.diffusivity > 0) limit = std::min(limit, grid_.h() * grid_.h() / (2 * dim * bounds.diffusivity));
   return limit;
+}
+
+// Until they are located, points of a body that has more or fewer of them than before count in the order they have.
+template <class G, class S, class T>
+void Mechanics<G, S, T>::points_added() {
+  survey_.reset();
+  for (std::size_t b = 0; b < located_.size(); ++b) {
+    Located& at = located_[b];
+    const auto points = static_cast<std::size_t>(scene_.bodies[b].points.points());
+    at.bins_hold = false;
+    if (at.lowest.size() == points) continue;
+    at.lowest.assign(points, 0);
+    std::iota(at.lowest.begin(), at.lowest.end(), 0);
+    at.bins.build(at.lowest, grid_.stride(dim - 1), block_height, false);
+  }
 }
 
 template <class G, class S, class T>

@@ -1,6 +1,7 @@
 #include "kernel/points/columns.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "kernel/pack.hpp"
 #include "kernel/parallel.hpp"
@@ -57,6 +58,21 @@ void Columns::reorder(std::span<const int> order, std::span<const ColumnId> stal
     std::copy(column.values.end() - lanes, column.values.end(), spare_.end() - lanes);
     std::swap(spare_, column.values);
   }
+}
+
+void Columns::append_copies(std::span<const int> of) {
+  const std::size_t before = stride(), now = before + of.size();
+  for (Column& column : columns_) {
+    if (column.components == 0) continue;
+    std::vector<double> values(now * static_cast<std::size_t>(column.components) + static_cast<std::size_t>(lanes), 0.0);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(column.components); ++k) {
+      const double* from = column.values.data() + k * before;
+      double* to = std::copy(from, from + before, values.data() + k * now);
+      for (const int p : of) *to++ = from[p];
+    }
+    column.values = std::move(values);
+  }
+  points_ = static_cast<int>(now);
 }
 
 int Columns::doubles_per_point() const {

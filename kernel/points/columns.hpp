@@ -37,6 +37,9 @@ class Columns {
   // that will be read and stay as they are.
   void reorder(std::span<const int> order, std::span<const ColumnId> stale = {}, int threads = 1);
 
+  // One more point behind the others for each of `of`, with the values of that point in every column.
+  void append_copies(std::span<const int> of);
+
   // Doubles stored per point, over all columns.
   int doubles_per_point() const;
 

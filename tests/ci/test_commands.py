@@ -49,14 +49,26 @@ def test_report_sets_up_builds_verifies_and_renders(tree, tmp_path):
     result = tree.run("report", cwd=tmp_path)   # from any folder
     assert result.returncode == 0, result.stderr
     names = [call.split()[0] for call in tree.calls()]
-    assert names == ["setup", "cmake", "cmake", "plumbline", "chosen-python"]
-    assert tree.calls()[3:] == ["plumbline verify --tier quick --results results", "chosen-python reports/render.py results report/index.html"]
+    assert names == ["setup", "cmake", "cmake", "plumbline", "plumbline", "chosen-python"]
+    assert tree.calls()[3:] == ["plumbline verify --tier quick --results results", "plumbline bench --points 1e6 --json results/bench.json",
+                                "chosen-python reports/render.py results report/index.html"]
     assert result.stdout.splitlines()[-1].endswith(f"{tree.root}/report/index.html")
 
 
 def test_full_report(tree):
     assert tree.run("report", "--full").returncode == 0
     assert "plumbline verify --tier full --results results" in tree.calls()
+    assert "plumbline bench --points 1e7 --json results/bench.json" in tree.calls()
+
+
+def test_times_of_an_earlier_build_are_not_shown(tree):
+    stale = tree.root / "results/bench.json"
+    stale.parent.mkdir()
+    stale.write_text("{}")
+    tree.fake("build/release/bin/plumbline", body='[[ $1 != bench ]] || exit 3')
+    result = tree.run("report")
+    assert result.returncode == 0 and "speed was not measured (exit status 3)" in result.stdout
+    assert not stale.exists() and "chosen-python" in tree.calls()[-1]
 
 
 @pytest.mark.parametrize("status", [1, 3, 4])

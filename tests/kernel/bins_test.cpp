@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 
 #include "tests/kernel/scenes.hpp"
 
@@ -131,24 +132,72 @@ TEST(Bins, AChainIsOneBlock) {
   EXPECT_EQ(bins.blocks(0)[0].last, bins.chunk_count());
 }
 
-// By node, within a node by number, whatever the order they are given in.
-TEST(Bins, PointsAreSortedByNodeAndNumber) {
-  const int points = 3000;
-  std::vector<int> lowest = random_nodes(points, layer, 10, 9), id(static_cast<std::size_t>(points));
+std::vector<int> shuffled_numbers(int points, unsigned long seed) {
+  std::vector<int> id(static_cast<std::size_t>(points));
   std::iota(id.begin(), id.end(), 100);
-  scenes::Random random(11);
-  for (std::size_t i = id.size() - 1; i > 0; --i) std::swap(id[i], id[static_cast<std::size_t>(random(0, i + 1.0))]);
-  std::vector<int> counts(static_cast<std::size_t>(layer * 10)), order;
-  sort_by_bin(lowest, id, counts, order);
-  ASSERT_EQ(order.size(), lowest.size());
-  std::vector<int> expected(order.size());
-  std::iota(expected.begin(), expected.end(), 0);
-  std::sort(expected.begin(), expected.end(), [&](int a, int b) {
+  scenes::Random random(seed);
+  for (std::size_t i = id.size(); i > 1; --i) std::swap(id[i - 1], id[static_cast<std::size_t>(random(0, 1.0 * i))]);
+  return id;
+}
+
+// By node, within a node by number.
+std::vector<int> expected_order(const std::vector<int>& lowest, const std::vector<int>& id) {
+  std::vector<int> order(lowest.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
     const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
     return std::pair(lowest[i], id[i]) < std::pair(lowest[j], id[j]);
   });
-  EXPECT_EQ(order, expected);
-  EXPECT_TRUE(std::all_of(counts.begin(), counts.end(), [](int n) { return n == 0; }));
+  return order;
+}
+
+std::vector<int> taken(const std::vector<int>& values, const std::vector<int>& order) {
+  std::vector<int> result;
+  for (const int p : order) result.push_back(values[static_cast<std::size_t>(p)]);
+  return result;
+}
+std::vector<int> copy_of(std::span<const int> order) { return {order.begin(), order.end()}; }
+
+// Whatever the order they are given in, and as often as the same sorter is used, for fewer nodes and points as for more.
+TEST(BinSort, PointsAreSortedByNodeAndNumber) {
+  BinSort sorter;
+  for (const auto& [points, layers] : {std::pair{3000, 10}, {1, 1}, {0, 3}, {500, 40}, {3000, 10}}) {
+    const std::vector<int> lowest = random_nodes(points, layer, layers, 9), id = shuffled_numbers(points, 11);
+    EXPECT_EQ(copy_of(sorter.sort(lowest, id, layer * layers)), expected_order(lowest, id));
+  }
+}
+
+// From the order of the step before: a share of the points has gone to the next node, to any node, or nowhere; some bins
+// lose all their points, some nodes get their first. Many times over, one after another.
+TEST(BinSort, SortingAgainIsSorting) {
+  constexpr int points = 2500, layers = 12, nodes = layer * layers;
+  for (const double share : {0.0, 0.02, 0.4, 1.0}) {
+    SCOPED_TRACE(share);
+    scenes::Random random(21);
+    std::vector<int> lowest = random_nodes(points, layer, layers, 9), id = shuffled_numbers(points, 11);
+    BinSort sorter;
+    Bins bins;
+    const auto take = [&](const std::vector<int>& order) {
+      lowest = taken(lowest, order);
+      id = taken(id, order);
+      bins.build(lowest, layer, height, true);
+    };
+    take(copy_of(sorter.sort(lowest, id, nodes)));
+    int moved = 0;
+    for (int step = 0; step < 12; ++step) {
+      for (int& node : lowest) {
+        if (random(0, 1) >= share) continue;
+        const int far = static_cast<int>(random(0, nodes)), near = std::min(nodes - 1, node + 1);
+        const int next = step % 2 ? far : near;
+        moved += next != node;
+        node = next;
+      }
+      const std::vector<int> order = copy_of(sorter.sort_again(bins, lowest, id, nodes));
+      ASSERT_EQ(order, expected_order(lowest, id)) << "step " << step;
+      take(order);
+    }
+    EXPECT_EQ(moved > 0, share > 0);
+  }
 }
 
 }  // namespace

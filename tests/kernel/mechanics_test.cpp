@@ -152,6 +152,21 @@ TEST_P(EveryCombination, ContinuityDensityStepsAsThePrintedEquationsSay) {
   }
 }
 
+// The same through sharpened nodes and, where a step ends with heat, with heat exchanged. [Sharpening 1] [Exchange 1]
+TEST_P(EveryCombination, SharpenedStepsAsThePrintedEquationsSay) {
+  for (const scenes::Combination& c : scenes::working_combinations()) {
+    if (c.integrator != GetParam()) continue;
+    SCOPED_TRACE(testing::Message() << c);
+    for (scenes::Space space : scenes::spaces) {
+      SCOPED_TRACE(space);
+      Scene scene = scenes::rough_gas_in_space(space, c.shape, c.transfer, gravity_in(space));
+      scene.sharpening = 0.75;
+      scene.heat_exchange = 2;
+      expect_like_naive(scene, c.integrator, 0.01);
+    }
+  }
+}
+
 // The axis of rings is a mirror: with the images of all rings at negative radii the printed equations need no wall.
 // [EC-APIC walls]
 TEST_P(EveryCombination, TheAxisIsAMirror) {
@@ -162,6 +177,8 @@ TEST_P(EveryCombination, TheAxisIsAMirror) {
     scene.grid.walls = scenes::walls(Wall::symmetry, Wall::free);
     scene.grid.origin[1] = -0.25;
     scene.grid.cells = {8, 9, 1};
+    scene.heat_exchange = 1;
+    if (c.shape != "linear") scene.sharpening = 1;  // which throws the light nodes of free edges about as it is
     Simulation run(scene, c.integrator, {0.3, 0.01});
     NaiveStep naive(with_images(scene));
     for (int k = 0; k < 3; ++k) {
@@ -177,7 +194,7 @@ TEST_P(EveryCombination, TheAxisIsAMirror) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Integrators, EveryCombination, testing::Values("usf", "usl", "musl", "usavg", "energy"),
+INSTANTIATE_TEST_SUITE_P(Integrators, EveryCombination, testing::Values("usf", "usl", "musl", "usavg", "energy", "leapfrog"),
                          [](const auto& chosen) { return chosen.param; });
 
 // --- walls ----------------------------------------------------------------------------------------------------------
@@ -323,6 +340,13 @@ TEST_P(EverySpace, PointsOnAWallStayOnIt) {
           if (std::abs(x - at[d]) >= (dim == 3 ? 0.05 : 0.03)) continue;
           x = at[d];
           ++on;
+          // A leapfrog moves points before it looks at walls: those on one have what velocity it lets them have.
+          if (c.integrator != "leapfrog") continue;
+          for (int e = 0; e < dim; ++e) {
+            if (e == d || scene.grid.walls[static_cast<std::size_t>(d)][at[d] > 0] == Wall::no_slip) {
+              points(column::velocity, e)[p] = 0;
+            }
+          }
         }
         ++on_walls[on];
       }

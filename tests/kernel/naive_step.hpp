@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -17,13 +18,13 @@ namespace plumbline {
 struct NaivePoint {
   Eigen::Vector3d x = Eigen::Vector3d::Zero(), v = Eigen::Vector3d::Zero();
   Eigen::Matrix3d c = Eigen::Matrix3d::Zero(), stress = Eigen::Matrix3d::Zero();
-  double m = 0, volume = 0, density = 0, energy = 0, pressure = 0, strain = 0, loss = 0;
+  double m = 0, volume = 0, density = 0, energy = 0, pressure = 0, strain = 0, loss = 0, exchanged = 0;
 };
 
 struct NaiveNode {
   Eigen::Vector3d x = Eigen::Vector3d::Zero(), momentum = x, force = x;
   Eigen::Vector3d start = x, end = x, middle = x, again = x;
-  double m = 0, volume = 0;
+  double m = 0, volume = 0, heat = 0, alpha = 0;
 };
 
 class NaiveStep {
@@ -64,29 +65,36 @@ class NaiveStep {
 
   void step(const std::string& integrator, double dt) {
     const double transfer_before = transfer;
+    const bool leapfrog = integrator == "leapfrog";
+    if (leapfrog) drift(dt / 2);
     locate();
     to_grid();
+    if (leapfrog) set_stress(Of::start, dt / 2);  // [Leapfrog 2]
     if (integrator == "usf") strain_first(dt);
     if (integrator == "usavg") strain_first(dt / 2);
     if (integrator == "energy") set_stress(Of::start);
     forces();
     advance(dt);
+    exchange(Of::start, dt);
     if (integrator == "energy" && viscosity_would_cool()) {
       forces();
+      exchange(Of::middle, dt);
       advance(dt);
     }
     book_work(dt);
-    move(dt);
+    move(dt, !leapfrog);
     if (integrator == "usf") return;
     if (integrator == "musl" || integrator == "usavg") again();
     if (integrator == "usl") strain(dt, Of::end);
     if (integrator == "musl") strain(dt, Of::again);
     if (integrator == "usavg") strain(dt / 2, Of::again);
-    if (integrator == "energy") {
+    if (integrator == "energy" || leapfrog) {
       strain(dt, Of::middle);
-      if (membrane_) return;
-      for (NaivePoint& point : points) point.energy += point.loss / point.m;  // [EC-APIC 6]
-      transfer = transfer_before;
+      if (gas_) {
+        for (NaivePoint& point : points) point.energy += point.exchanged + point.loss / point.m;  // [EC-APIC 6] [Exchange 1]
+        transfer = transfer_before;
+      }
+      if (leapfrog) drift(dt / 2);  // [Leapfrog 3]
       return;
     }
     set_stress(integrator == "usl" ? Of::end : Of::again);
@@ -202,6 +210,7 @@ class NaiveStep {
   const Vec& frozen(const NaivePoint& point) const { return at_[static_cast<std::size_t>(&point - points.data())]; }
 
   void to_grid() {
+    for (auto& velocity : straining_) velocity.clear();
     for (NaiveNode& node : nodes_) {
       node.m = 0;
       node.momentum.setZero();
@@ -229,14 +238,57 @@ class NaiveStep {
   }
 
   void advance(double dt) {
-    for (NaiveNode& node : nodes_) {
-      const Vec a = node.m > 0 ? Vec(node.force / node.m) : Vec(Vec::Zero());  // [York 3.19]
-      node.end = node.start + dt * a;                                          // [York 3.20]
-      node.middle = 0.5 * (node.start + node.end);
+    std::vector<Vec> a;
+    for (const NaiveNode& node : nodes_) a.push_back(node.m > 0 ? Vec(node.force / node.m) : Vec(Vec::Zero()));  // [York 3.19]
+    a = sharpened(a);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      nodes_[i].end = nodes_[i].start + dt * a[i];  // [York 3.20]
+      nodes_[i].middle = 0.5 * (nodes_[i].start + nodes_[i].end);
     }
+    for (auto& velocity : straining_) velocity.clear();
   }
 
-  void move(double dt) {
+  // Each node against its neighbours along the axes, theta half the variance of the shape. [Sharpening 1]
+  std::vector<Vec> sharpened(const std::vector<Vec>& u) const {
+    const double variance = scene_.shape == "linear" ? 1.0 / 6 : scene_.shape == "quadratic" ? 1.0 / 4 : 1.0 / 3;
+    std::vector<Vec> q = u;
+    for (std::size_t i = 0; i < nodes_.size() && scene_.sharpening > 0; ++i) {
+      int stride = 1;
+      for (int d = 0; d < dim_; ++d) {
+        for (int side : {-1, 1}) {
+          const auto j = static_cast<std::size_t>(static_cast<int>(i) + side * stride);
+          if (j >= nodes_.size() || std::abs((nodes_[j].x - nodes_[i].x).norm() - h_) > 0.1 * h_) continue;
+          const double m = nodes_[i].m, other = nodes_[j].m;
+          if (m > 0 && other > 0) q[i] += scene_.sharpening * variance / 2 * 2 * other / (m + other) * (u[i] - u[j]);
+        }
+        stride *= scene_.grid.cells[static_cast<std::size_t>(d)] + 5;  // nodes of a direction, see make_nodes()
+      }
+    }
+    return q;
+  }
+
+  // What a point will get through the nodes. [Exchange 1]
+  void exchange(Of which, double dt) {
+    for (NaivePoint& point : points) point.exchanged = 0;
+    if (!gas_ || scene_.heat_exchange == 0) return;
+    for (NaiveNode& node : nodes_) node.heat = node.alpha = 0;
+    std::vector<double> closing;
+    for (std::size_t p = 0; p < points.size(); ++p) closing.push_back(std::max(0.0, -strain_rate(p, which).trace()));
+    const auto number = [&](const NaivePoint& p) { return static_cast<std::size_t>(&p - points.data()); };
+    for_pairs([&](NaivePoint& p, NaiveNode& i, double n, const Vec&) {
+      i.heat += p.m * p.energy * n / i.m;
+      i.alpha += scene_.heat_exchange * dt * p.m * n * closing[number(p)] / i.m;
+    });
+    for_pairs([&](NaivePoint& p, NaiveNode& i, double n, const Vec&) {
+      p.exchanged += n * std::min(1.0, i.alpha) * (i.heat - p.energy);
+    });
+  }
+
+  void drift(double dt) {
+    for (NaivePoint& point : points) point.x += dt * point.v;  // [Leapfrog 1]
+  }
+
+  void move(double dt, bool along) {
     for (std::size_t p = 0; p < points.size(); ++p) {
       NaivePoint& point = points[p];
       Vec v = Vec::Zero(), change = Vec::Zero();
@@ -252,7 +304,7 @@ class NaiveStep {
         moment += n * r * r.transpose();
         l += i.end * g.transpose();
       });
-      point.x += dt * v;  // [York 3.21]
+      if (along) point.x += dt * v;  // [York 3.21]
       const bool flip = scene_.transfer == "flip", affine = scene_.transfer == "apic";
       point.v = flip ? Vec(point.v + change) : v;  // [York 3.22] [EC-APIC 5]
       double kept = flip ? change.squaredNorm() : v.squaredNorm();
@@ -270,6 +322,7 @@ class NaiveStep {
   }
 
   void again() {
+    straining_[static_cast<std::size_t>(Of::again)].clear();
     for (NaiveNode& node : nodes_) node.momentum.setZero();
     for_pairs([&](NaivePoint& p, NaiveNode& i, double n, const Vec&) {
       i.momentum += p.m * n * (p.v + p.c * (i.x - frozen(p)));
@@ -280,8 +333,15 @@ class NaiveStep {
 
   Mat strain_rate(std::size_t p, Of which) const {
     Mat l = Mat::Zero();
+    std::vector<Vec>& straining = straining_[static_cast<std::size_t>(which)];
+    if (straining.empty()) {
+      for (const NaiveNode& i : nodes_) {
+        straining.push_back(which == Of::start ? i.start : which == Of::end ? i.end : which == Of::middle ? i.middle : i.again);
+      }
+      straining = sharpened(straining);
+    }
     for_nodes_of(p, [&](const NaiveNode& i, double n, const Vec& g) {
-      const Vec& v = which == Of::start ? i.start : which == Of::end ? i.end : which == Of::middle ? i.middle : i.again;
+      const Vec& v = straining[static_cast<std::size_t>(&i - nodes_.data())];
       l += v * g.transpose();
       if (rings()) l(2, 2) += n * v[0] / at_[p][0];
     });
@@ -351,9 +411,9 @@ class NaiveStep {
     for (NaivePoint& point : points) point.volume = point.m / point.density;
   }
 
-  void set_stress(Of which) {
+  void set_stress(Of which, double ahead = 0) {
     densities();
-    for (std::size_t p = 0; p < points.size(); ++p) points[p].stress = stress_of(p, strain_rate(p, which));
+    for (std::size_t p = 0; p < points.size(); ++p) points[p].stress = stress_of(p, strain_rate(p, which), ahead);
   }
 
   bool wrinkled(double strain) const { return membrane_->one_way && strain <= 0; }
@@ -373,18 +433,23 @@ class NaiveStep {
     return Vec(std::cos(before + turn / 2), std::sin(before + turn / 2), 0);
   }
 
-  Mat stress_of(std::size_t p, const Mat& e) {
+  // `ahead` seconds later, should the strain rates go on: an isentropic gas to first order, e' = -(gamma - 1) e div v, from the
+  // side that stays positive; a membrane strained further. [Leapfrog 2]
+  Mat stress_of(std::size_t p, const Mat& e, double ahead = 0) {
     NaivePoint& point = points[p];
     if (membrane_) {
       if (p == 0) {
         tangent_of_.clear();
         for (std::size_t k = 0; k < points.size(); ++k) tangent_of_.push_back(tangent(k));
       }
-      const double s = wrinkled(point.strain) ? 0 : membrane_->youngs_modulus * point.strain;  // [York 5.5]
+      const double strain = point.strain + ahead * tangent_of_[p].dot(e * tangent_of_[p]);
+      const double s = wrinkled(strain) ? 0 : membrane_->youngs_modulus * strain;  // [York 5.5]
       return s * tangent_of_[p] * tangent_of_[p].transpose();
     }
-    const double div = e.trace(), c = std::sqrt(gas_->gamma * (gas_->gamma - 1) * point.energy);
-    point.pressure = (gas_->gamma - 1) * point.density * point.energy;  // [York 4.4]
+    const double div = e.trace(), z = (gas_->gamma - 1) * ahead * div;
+    const double energy = z < 0 ? point.energy * (1 - z) : point.energy / (1 + z);
+    const double c = std::sqrt(gas_->gamma * (gas_->gamma - 1) * energy);
+    point.pressure = (gas_->gamma - 1) * point.density * energy;  // [York 4.4]
     const double closing = div < 0 ? h_ * std::abs(div) : 0;
     const double q = point.density * (gas_->viscosity_linear * c * closing +
                                       gas_->viscosity_quadratic * closing * closing);  // [York 4.11]
@@ -416,6 +481,7 @@ class NaiveStep {
   std::vector<Pair> pairs_;  // points and the nodes they reach, point by point
   std::vector<std::size_t> first_pair_;
   std::vector<Vec> at_, tangent_of_;
+  mutable std::array<std::vector<Vec>, 4> straining_;  // nodal velocities whose gradients strain, by Of
   bool forces_known_ = false;
   double stored_first_ = 0;
 };

@@ -27,7 +27,7 @@ TEST(Parallel, EveryPieceOnce) {
 // a third with its own, and where there are chains one of them.
 Scene crowd(Space space, const std::string& shape, const std::string& transfer) {
   const int dim = scenes::dim_of(space);
-  const std::array<int, 3> cells = dim == 1 ? std::array{900, 1, 1} : dim == 2 ? std::array{24, 48, 1} : std::array{9, 8, 20};
+  const std::array<int, 3> cells = dim == 1 ? std::array{900, 1, 1} : dim == 2 ? std::array{24, 48, 1} : std::array{6, 7, 16};
   const GridSpec grid = scenes::box(space, cells, 0.1, scenes::walls(Wall::symmetry, Wall::no_slip, Wall::no_slip,
                                                                      Wall::symmetry, Wall::symmetry, Wall::no_slip));
   const int per_cell = dim == 1 ? 4 : 2, last = dim - 1;
@@ -59,19 +59,19 @@ INSTANTIATE_TEST_SUITE_P(Spaces, Threads, testing::ValuesIn(scenes::spaces), tes
 
 // Every bit of every column of every body, their order, the ledger and the step.
 TEST_P(Threads, AnyNumberGivesTheSameBits) {
-  const scenes::Combination combinations[] = {{"energy", "quadratic", "apic"}, {"energy", "cubic", "pic"},
-                                              {"musl", "quadratic", "flip"},   {"usavg", "linear", "flip"},
-                                              {"usf", "cubic", "apic"},        {"usl", "quadratic", "pic"}};
+  const scenes::Combination combinations[] = {
+      {"leapfrog", "cubic", "apic"}, {"energy", "quadratic", "pic"}, {"usavg", "linear", "flip"}};
   for (const scenes::Combination& c : combinations) {
     SCOPED_TRACE(c);
-    const Scene scene = crowd(GetParam(), c.shape, c.transfer);
+    Scene scene = crowd(GetParam(), c.shape, c.transfer);
+    scene.sharpening = scene.heat_exchange = c.integrator == "leapfrog" ? 1 : 0;
     Simulation one(scene, c.integrator, {0.1, {}, 1});
-    for (int k = 0; k < 4; ++k) one.step(1);
+    for (int k = 0; k < 3; ++k) one.step(1);
     one.refresh_density();
     for (int threads : {2, 3}) {
       SCOPED_TRACE(threads);
       Simulation many(scene, c.integrator, {0.1, {}, threads});
-      for (int k = 0; k < 4; ++k) many.step(1);
+      for (int k = 0; k < 3; ++k) many.step(1);
       many.refresh_density();
       EXPECT_EQ(one.time(), many.time());
       scenes::expect_same_ledger(one.ledger(), many.ledger());
@@ -83,11 +83,10 @@ TEST_P(Threads, AnyNumberGivesTheSameBits) {
 }
 
 // Two clouds of three points, far apart but one after the other in the columns, so that packs of the first have the
-// second's points in their other lanes, and packs of the second what lies behind the columns. When the one is
-// nothing but numbers that are none, the other does not notice, bit for bit.
+// second's points in their other lanes, and packs of the second what lies behind the columns. Whatever the one is, the other
+// does not notice, bit for bit.
 TEST_P(Threads, NeighboursInAPackDoNotMeet) {
   const Space space = GetParam();
-  const int dim = scenes::dim_of(space);
   const GridSpec grid = scenes::box(space, {12, 12, 12}, 1.0);
   for (const scenes::Combination& c : scenes::working_combinations()) {
     if (c.integrator.starts_with("test_")) continue;
@@ -104,34 +103,30 @@ TEST_P(Threads, NeighboursInAPackDoNotMeet) {
                                                        return scenes::GasState{1, random(1, 2), {v, 0.5 * v, -v}};
                                                      })},
                                    c.shape, c.transfer);
-    const auto run = [&](int first_bad) {
+    const auto run = [&](int first_changed) {
       Scene own = scene;
       Columns& points = own.bodies[0].points;
       for (const ColumnId* id : {&column::mass, &column::volume, &column::velocity, &column::energy, &column::density}) {
         for (int k = 0; k < points.components(*id); ++k) {
-          for (int p = first_bad; p >= 0 && p < first_bad + 3; ++p) points(*id, k)[p] = std::nan("");
-          if (first_bad < 0 || k + 1 < points.components(*id)) continue;
-          for (int lane = 0; lane < lanes; ++lane) points(*id, k)[points.points() + lane] = std::nan("");
+          for (int p = first_changed; p >= 0 && p < first_changed + 3; ++p) points(*id, k)[p] *= 3.7;
+          if (first_changed < 0 || k + 1 < points.components(*id)) continue;
+          for (int lane = 0; lane < lanes; ++lane) points(*id, k)[points.points() + lane] = 3.7;
         }
       }
       Ledger ledger;
       const auto integrator = find_integrator(c.integrator)->make();
       const auto engine = make_engine(own, ledger, {integrator->returns_transfer_loss(), integrator->evaluates_stress_first()});
       engine->initialise();
-      try {
-        for (int k = 0; k < 2; ++k) integrator->step(*engine, 0.01);
-      } catch (const InadmissibleState&) {  // the bad points do stop a step, but only once all points have moved
-      }
+      for (int k = 0; k < 2; ++k) integrator->step(*engine, 0.01);
       return own.bodies[0];
     };
-    const Body good = run(-1);
-    for (int first_bad : {0, 3}) {
-      const Body other = run(first_bad);
-      const int first = 3 - first_bad;
-      (void)dim;
+    const Body same = run(-1);
+    for (int first_changed : {0, 3}) {
+      const Body other = run(first_changed);
+      const int first = 3 - first_changed;
       for (const ColumnId* id : {&column::position, &column::velocity, &column::energy, &column::volume, &column::stress}) {
         for (int k = 0; k < other.points.components(*id); ++k) {
-          for (int p = first; p < first + 3; ++p) EXPECT_EQ(other.points(*id, k)[p], good.points(*id, k)[p]) << id->name() << p;
+          for (int p = first; p < first + 3; ++p) EXPECT_EQ(other.points(*id, k)[p], same.points(*id, k)[p]) << id->name() << p;
         }
       }
     }

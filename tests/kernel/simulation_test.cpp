@@ -190,7 +190,11 @@ Scene swirling(scenes::Space space, const std::string& shape, const std::string&
   const int dim = scenes::dim_of(space);
   Scene scene = scenes::rough_gas(space, shape, transfer, scenes::no_gravity);
   scene.grid.walls = scenes::walls_everywhere(Wall::symmetry);
-  if (dim < 3) scene.grid.cells = {6, 4, 1};
+  scene.grid.cells = {6, 4, 1};  // filled: no free edge whose light nodes linear shapes throw about
+  if (dim == 3) {
+    scene.grid.cells = {4, 3, 3};
+    scene.grid.origin[2] = 0.1;
+  }
   Columns& points = scene.bodies[0].points;
   const double k = std::acos(-1.0) / 0.6, l = std::acos(-1.0) / 0.4;
   for (int p = 0; p < points.points(); ++p) {
@@ -295,7 +299,9 @@ TEST(Sorting, TheOrderOfPointsIsCanonical) {
         other.step(1);
         ASSERT_TRUE(scenes::same_bits(one.scene().bodies[0], other.scene().bodies[0])) << "step " << k;
       }
-      EXPECT_NE(one.scene().bodies[0].id, scene.bodies[0].id);  // they were sorted on the way
+      if (space != scenes::Space::line) {
+        EXPECT_NE(one.scene().bodies[0].id, scene.bodies[0].id);  // they were sorted on the way
+      }
     }
   }
 }

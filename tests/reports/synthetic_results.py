@@ -218,7 +218,9 @@ def write_study(folder, case, scheme, vary, levels, measures, catalog, **more):
     }
     parts = {"study": study, "fit": measures, "gates": gates, "catalog": catalog, "provenance": PROVENANCE}
     name = f"study-{case}-{scheme}-{vary}-{digest(case, scheme, vary, settings)}.h5"
-    create(folder / name, "study", parts).close()
+    with create(folder / name, "study", parts) as file:
+        for method, (title, columns) in more.get("comparators", {}).items():
+            write_columns(file, f"comparator/{method}", columns, title=title)
     return name
 
 
@@ -344,6 +346,91 @@ def sod_study(folder, scheme, errors, wide, choices, **more):
         for name in levels[0]["measures"]
     }
     return write_study(folder, "sod", scheme, "cells", levels, fits, sod_catalog(), **more)
+
+
+def finite_volumes(errors):
+    """The table of another method at the levels of a study."""
+    cells = numpy.array(CELLS[: len(errors)], dtype=float)
+    steps = numpy.floor(1.4 * cells)
+    columns = {
+        "cells": cells,
+        "steps": steps,
+        "cell_steps": cells * steps,
+        "wall_s": cells * steps / 4e7,
+        "density.L1": errors,
+        "velocity.L1": 2 * numpy.array(errors),
+    }
+    return {"finite-volume": ("Finite volumes, MUSCL-HLLC", columns)}
+
+
+def bench_document():
+    """What `plumbline bench` writes: times of an invented machine, twice as fast on two threads."""
+    kernels = []
+
+    def add(part, dimension, shape, transfer, points, threads, axisymmetric=False):
+        works = shape != "linear" and transfer != "flip"
+        rate = 4.6e7 * threads * (1.2 if points < 50000 else 1.0) / dimension
+        kernels.append(
+            {
+                "name": f"{dimension}-D {shape} {transfer} {'leapfrog' if works else 'musl'}",
+                "part": part,
+                "dimension": dimension,
+                "axisymmetric": axisymmetric,
+                "material": "gas",
+                "shape": shape,
+                "transfer": transfer,
+                "integrator": "leapfrog" if works else "musl",
+                "points": points,
+                "ppc": 16,
+                "threads": threads,
+                "steps": 160,
+                "repeats": 5,
+                "point_steps_per_s": rate,
+                "fastest": 1.04 * rate,
+                "slowest": 0.9 * rate,
+                "bytes_per_point": 708.0 if works else None,
+                "flops_per_point": 926.0 if works else None,
+                "bandwidth_fraction": 0.61 if works else None,
+                "flop_fraction": 0.42 if works else None,
+                "fraction_of_limit": 0.61 if works else None,
+                "stored_bytes_per_point": 132.0,
+                "memory_bytes_per_point": 214.0 if points > 2000 else 262.0,
+                "energy_drift": 3e-16,
+            }
+        )
+
+    for threads in (1, 2):
+        add("target", 2, "quadratic", "apic", 1000000, threads)
+    for size in (1000, 10000, 100000, 1000000, 10000000):
+        for threads in (1, 2):
+            add("scale", 2, "quadratic", "apic", size, threads)
+    for dimension, axisymmetric in ((1, False), (2, False), (2, True), (3, False)):
+        for shape in ("linear", "quadratic"):
+            for transfer in ("apic", "flip"):
+                for threads in (1, 2):
+                    add("matrix", dimension, shape, transfer, 200000, threads, axisymmetric)
+    tube = {**kernels[0], "part": "run", "name": "gas, 1-D, 1600 cells", "steps": 1800, "wall_s": 0.42}
+    missing = {name: None for name in ("bytes_per_point", "flops_per_point", "fraction_of_limit")}
+    kernels.append({**tube, **missing})
+    target = {"name": "2-D quadratic apic leapfrog, 1e+06 points", "unit": "point-steps/s", "low": 4.5e7, "high": None}
+    ratio = {"name": "dearest over cheapest point-step", "unit": "1", "low": None, "high": 1.5}
+    return {
+        "machine": {
+            "cpu": PROVENANCE["cpu"],
+            "instruction_set": PROVENANCE["instruction_set"],
+            "cache_bytes": [32768, 1048576, 33554432],
+            "copy": [{"threads": 1, "bytes": 2.0**28, "bytes_per_s": 2.1e10}],
+            "multiply_add": [{"threads": 1, "flops_per_s": 4.4e10}],
+        },
+        "kernels": kernels,
+        "targets": [{**target, "measured": 4.6e7, "met": True}, {**ratio, "measured": 1.8, "met": False}],
+        "empty_step": {"seconds_per_step": 6.1e-7},
+        "provenance": {**PROVENANCE, "command": "plumbline bench --points 1e7"},
+    }
+
+
+def write_bench(folder):
+    (folder / "bench.json").write_text(json.dumps(bench_document()), encoding="utf-8")
 
 
 def sod_dt_study(folder):
@@ -592,8 +679,10 @@ def write_all(folder, damaged=True):
             {},
             title="Points of equal mass",
             why="a shock is smeared over a fixed number of cells",
+            comparators=finite_volumes((0.0041, 0.0021, 0.0011, 0.00056, 0.0003)),
         )
     }
+    write_bench(folder)
     sod_study(
         folder,
         "default",

@@ -45,6 +45,13 @@ def test_study_and_verdicts(results):
     assert set(verdicts.catalog) == {"sod", "spring-mass"}
 
 
+def test_comparator_of_a_study(results):
+    folder, names = results
+    (columns,) = plumbline_results.load(folder / names["study"]).comparators.values()
+    assert columns.labels["title"] == "Finite volumes, MUSCL-HLLC"
+    assert list(columns["cells"]) == list(synthetic_results.CELLS) and columns["density.L1"][0] == 0.0041
+
+
 def test_folder_sorts_by_kind_and_lists_the_damaged(results):
     folder, names = results
     found = plumbline_results.load_folder(folder)
@@ -135,7 +142,8 @@ def test_every_table_of_every_file(results, tmp_path):
         "verdicts": {"gates", "provenance"},
     }
     for result in found.runs + found.studies + found.verdicts:
-        assert set(result.table_names()) == expected[result.kind]
+        more = {"comparators"} if result.comparators else set()
+        assert set(result.table_names()) == expected[result.kind] | more
         for name in result.table_names():
             result.to_csv(name, tmp_path / "table.csv")
             rows = as_rows(tmp_path / "table.csv")

@@ -1,5 +1,6 @@
 """The page: complete, self-contained, the same bytes for the same files, and true to what the files state."""
 
+import json
 import os
 import re
 import shutil
@@ -171,6 +172,67 @@ def test_what_a_reader_needs_is_there(parsed):
         assert words in parsed.text, words
 
 
+# --- speed ----------------------------------------------------------------------------------------
+
+
+def test_speed_is_shown_as_the_bench_states_it(parsed):
+    for words in (
+        "Cost of a point-step",
+        "Memory per point",
+        "at least 45 million/s",
+        "MISSED",
+        "moves data at 61 % of the rate at which this machine copies memory, and computes at 42 % of the rate",
+        "on 2 threads at 61 % and 42 %",
+        "written by plumbline bench --points 1e7",
+        "A step of one point takes 0.61 µs",
+        "fastest and slowest typically lie 16 % apart",
+    ):
+        assert words in parsed.text, words
+
+
+def test_every_timed_choice_has_its_row(parsed):
+    timed = {
+        (kernel["shape"], kernel["transfer"], kernel["dimension"], kernel["axisymmetric"])
+        for kernel in synthetic_results.bench_document()["kernels"]
+        if kernel["part"] == "matrix"
+    }
+    rows = [cells for section, cells in parsed.rows if section == "speed" and {"apic", "flip"} & set(cells)]
+    assert len(rows) == len(timed)
+    assert sum("46" in cells and "92" in cells for cells in rows) == 4, "a line on one thread and on two"
+
+
+def test_without_a_bench_the_page_says_so(tmp_path):
+    synthetic_results.spring_files_only(tmp_path / "results")
+    shown = Page(rendered(tmp_path / "results")).text
+    assert "No speed was measured for this report" in shown and "Cost of a point-step" not in shown
+
+
+@pytest.mark.parametrize("content", ["{", "[]", "{}", '{"kernels": [1]}', '{"kernels": NaN}'])
+def test_a_damaged_bench_is_listed(tmp_path, content):
+    (tmp_path / "bench.json").write_text(content, encoding="utf-8")
+    shown = Page(rendered(tmp_path))
+    assert "No speed was measured for this report" in shown.text
+    assert [cells[:2] for _, cells in shown.rows if "bench.json" in cells] == [["INVALID", "bench.json"]]
+
+
+def test_a_bench_of_little_makes_a_page(tmp_path):
+    """A bench of chosen integrators has no scale and no targets; a machine may not tell of its memory."""
+    bench = synthetic_results.bench_document()
+    kernels = [kernel for kernel in bench["kernels"] if kernel["part"] == "matrix" and kernel["threads"] == 1]
+    for kernel in kernels:
+        kernel["memory_bytes_per_point"] = None
+    (tmp_path / "bench.json").write_text(json.dumps({"machine": {}, "kernels": kernels}), encoding="utf-8")
+    shown = Page(rendered(tmp_path)).text
+    assert "The default step, wherever it works" in shown and "Cost of a point-step" not in shown
+
+
+def test_another_method_stands_beside_the_schemes(source, parsed):
+    drawn = [words for words in parsed.labels if "density.L1: error against" in words]
+    assert len(drawn) == 4
+    assert parsed.text.count("another method on the same problem: Finite volumes, MUSCL-HLLC") == 4
+    assert source.count("Finite volumes, MUSCL-HLLC</li>") == 4
+
+
 def test_newest_of_two_verdict_files_counts(tmp_path):
     old, new = (
         gate("sod", "default", "same", "density.L1", None, 0.007, verdict, value)
@@ -319,6 +381,10 @@ def test_csv_of_the_whole_folder(results, tmp_path):
     assert len(gates) == 11 and gates[0].startswith("case,id,scheme")
     assert names["truncated"] in (tmp_path / "csv" / "damaged.csv").read_text(encoding="utf-8")
     assert (tmp_path / "csv" / f"{names['run'].removesuffix('.h5')}.profile.csv").exists()
+    bench = (tmp_path / "csv" / "bench.csv").read_text(encoding="utf-8").splitlines()
+    assert len(bench) == 1 + len(synthetic_results.bench_document()["kernels"])
+    methods = (tmp_path / "csv" / f"{names['study'].removesuffix('.h5')}.comparators.csv").read_text(encoding="utf-8")
+    assert methods.startswith("method,cell_steps,cells,density.L1") and methods.count("finite-volume") == 5
 
 
 # --- the arithmetic of the figures ----------------------------------------------------------------

@@ -2,8 +2,10 @@
 // reference that starts from it.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include "cases/gas/gas_case.hpp"
@@ -21,8 +23,8 @@ namespace plumbline {
 namespace {
 
 const std::vector<std::string> tubes{"toro-1", "toro-2", "toro-3", "toro-4", "toro-5", "lax", "leblanc"};
-const std::vector<std::string> others{"shu-osher",    "woodward-colella", "noh",
-                                      "piston-shock", "acoustic-pulse",   "sod-moving"};
+const std::vector<std::string> others{"shu-osher",  "woodward-colella", "noh",         "piston-shock", "acoustic-pulse",
+                                      "sod-moving", "sod-3d",           "sod-rotated", "shear-decay"};
 std::vector<std::string> all_names() {
   std::vector<std::string> all = tubes;
   all.insert(all.end(), others.begin(), others.end());
@@ -44,24 +46,43 @@ TEST_P(GasCases, SayWhatTheyAre) {
 
 TEST_P(GasCases, DeclareAsManyGatesAsTheyHave) {
   const Case& entry = find_case(GetParam());
-  int count = 0;
+  GateCount count;
+  const auto add = [&](Tier tier, std::size_t gates) {
+    count.quick += tier == Tier::quick ? static_cast<int>(gates) : 0;
+    count.full += static_cast<int>(gates);
+  };
   for (const CaseGate& gate : entry.gates()) {
     EXPECT_NO_THROW(validate(gate.gate));
     EXPECT_NE(gate.gate.origin, Origin::frozen);
-    EXPECT_FALSE(gate.gate.expected_failure);
-    count += 1;
+    add(gate.tier, 1);
   }
-  count += static_cast<int>(entry.studies().size() * generic_gates("x", 1).size());
-  EXPECT_EQ(entry.gate_count().quick, count);
-  EXPECT_EQ(entry.gate_count().full, count);
+  for (const StudyPlan& study : entry.studies()) {
+    std::vector<Override> few = study.overrides;
+    few.emplace_back("cells", 20.0);
+    const GridSpec grid = entry.problem(entry.settings(study.scheme, few))->scene().grid;
+    add(study.tier, generic_gates("x", grid.dim, grid.axisymmetric).size());
+  }
+  EXPECT_EQ(entry.gate_count().quick, count.quick);
+  EXPECT_EQ(entry.gate_count().full, count.full);
+}
+
+// What the plan allows to be missed: the moving tube at its own steps, beside a gate at equal ones that holds.
+TEST_P(GasCases, ExpectNoFailureButTheOneWithAReason) {
+  for (const CaseGate& gate : find_case(GetParam()).gates()) {
+    const bool named = GetParam() == "sod-moving" && gate.gate.id.rfind("default/invariance-", 0) == 0 &&
+                       gate.gate.id.find("same-step") == std::string::npos;
+    EXPECT_EQ(gate.gate.expected_failure.has_value(), named) << gate.gate.id;
+  }
 }
 
 TEST_P(GasCases, DriftOfEnergyIsGated) {
-  bool found = false;
+  int found = 0;
   for (const CaseGate& gate : find_case(GetParam()).gates()) {
-    if (gate.gate.id == "default/drift") found = gate.gate.expected.high == 1e-12;
+    if (gate.gate.id != gate.study + "/drift") continue;
+    EXPECT_EQ(gate.gate.expected.high, 1e-12);
+    ++found;
   }
-  EXPECT_TRUE(found);
+  EXPECT_GE(found, 1);
 }
 
 TEST_P(GasCases, ChooseNothingNumerical) {
@@ -257,6 +278,21 @@ TEST(PistonShock, BothFramesSeeTheSameShock) {
 }
 
 // A piston that moves does work, p2 u_p t in the end; one at rest does none.
+// The three published numbers and what the points say of them; 2 % of pressure and density as the plan asks, a cell in 0.4 s.
+TEST(PistonShock, TheMeasuresHaveThePublishedReferences) {
+  for (const char* frame : {"frame=laboratory", "frame=piston"}) {
+    const RunResult& run = run_of("piston-shock", {"cells=100", frame});
+    const std::map<std::string, std::array<double, 2>> numbers{{"shock_speed", {1.92665, 0.01 / 0.4}},
+                                                               {"plateau_pressure", {2.92665, 0.06}},
+                                                               {"plateau_density", {2.07916, 0.04}}};
+    for (const auto& [name, number] : numbers) {
+      EXPECT_NEAR(*measure(run, name).reference, number[0], 5e-6) << frame << " " << name;
+      EXPECT_NEAR(*measure(run, name).value, number[0], number[1]) << frame << " " << name;
+      EXPECT_GT(measure(run, name).error, 0) << frame << " " << name;
+    }
+  }
+}
+
 TEST(PistonShock, TheWorkOfThePistonIsBooked) {
   const RunResult& moving = run_of("piston-shock", {"cells=100", "frame=laboratory"});
   const RunResult& still = run_of("piston-shock", {"cells=100", "frame=piston"});
@@ -295,6 +331,183 @@ TEST(SodMoving, IsSodsTubeSeenFromATrain) {
   const auto& x = moving.profile.find("x")->values;  // in the moving frame
   EXPECT_NEAR(*std::min_element(x.begin(), x.end()), -0.25, 0.02);
   EXPECT_NEAR(*std::max_element(x.begin(), x.end()), 1.25, 0.02);
+}
+
+// The Courant number of the study at rest gives it the steps of the moving gas.
+TEST(SodMoving, TheStudyAtRestHasTheStepsOfTheMovingOne) {
+  const Case& entry = find_case("sod-moving");
+  std::map<std::string, long> steps;
+  for (const StudyPlan& study : entry.studies()) {
+    std::vector<Override> overrides = study.overrides;
+    overrides.emplace_back("cells", 100.0);
+    steps[study.id] = run_experiment(entry, study.scheme, entry.settings(study.scheme, overrides)).steps;
+  }
+  EXPECT_NEAR(static_cast<double>(steps.at("rest-same-step")), static_cast<double>(steps.at("default")),
+              0.03 * static_cast<double>(steps.at("default")));
+  EXPECT_GT(steps.at("default"), 5 * steps.at("rest"));
+}
+
+// --- dimensions ---------------------------------------------------------------------------------------------------------
+
+// Every line along the tube has the points of the run on a line, its share of their mass, and nothing moves across.
+TEST(TubesInSpace, EveryLineIsTheLine) {
+  for (const std::string& name : {std::string("sod"), std::string("lax"), std::string("sod-3d")}) {
+    for (const char* points : {"points=equal-mass", "points=equal-volume"}) {
+      const Case& tube = find_case(name);
+      const auto scene = [&](int dim) {
+        return tube.problem(tube.settings("default", {}, {points, "cells=40", "dimension=" + std::to_string(dim)}))
+            ->scene();
+      };
+      const Scene line_scene = scene(1);
+      const Columns& line = line_scene.bodies[0].points;
+      for (const int dim : {2, 3}) {
+        const Scene made = scene(dim);
+        const Columns& gas = made.bodies[0].points;
+        const int lines = dim == 2 ? 8 : 64;  // two a cell, four cells across
+        ASSERT_EQ(gas.points(), lines * line.points());
+        const double across = std::pow(4 * made.grid.h, dim - 1) / lines;
+        for (int p = 0; p < gas.points(); ++p) {
+          const int q = p % line.points();
+          EXPECT_EQ(gas(column::position, 0)[p], line(column::position, 0)[q]);
+          EXPECT_NEAR(gas(column::mass)[p], line(column::mass)[q] * across, 1e-15);
+          EXPECT_EQ(gas(column::velocity, 0)[p], line(column::velocity, 0)[q]);
+          for (int d = 1; d < dim; ++d) EXPECT_EQ(gas(column::velocity, d)[p], 0);
+        }
+      }
+    }
+  }
+}
+
+TEST(TubesInSpace, HaveTheNumbersOfTheLine) {
+  for (const char* scheme : {"default", "york1997"}) {
+    const Case& sod = find_case("sod");
+    const auto run = [&](const char* dimension) {
+      return run_experiment(sod, scheme, sod.settings(scheme, {}, {"cells=30", dimension}));
+    };
+    const RunResult line = run("dimension=1");
+    for (const char* dimension : {"dimension=2", "dimension=3"}) {
+      const RunResult box = run(dimension);
+      ASSERT_TRUE(box.finished) << scheme << " " << dimension;
+      for (const char* name : {"density.L1", "velocity.Linf", "pressure.L2", "energy.L1", "coverage"}) {
+        const double of_line = measure(line, name).value.value_or(measure(line, name).error);
+        EXPECT_NEAR(measure(box, name).value.value_or(measure(box, name).error), of_line, 1e-10 * of_line)
+            << scheme << " " << dimension << " " << name;
+      }
+    }
+  }
+}
+
+// --- turned waves -------------------------------------------------------------------------------------------------------
+
+TEST(SodRotated, TheErrorIsThatOfTheAlignedTube) {
+  for (const char* angle : {"angle=0", "angle=30", "angle=45", "angle=-120"}) {
+    const RunResult& run = run_of("sod-rotated", {"cells=30", angle});
+    ASSERT_TRUE(run.finished) << angle;
+    const auto& x = run.profile.find("x")->values;
+    double furthest = 0;
+    for (std::size_t p = 0; p < x.size(); ++p) furthest = std::max(furthest, std::abs(x[p]));
+    EXPECT_GT(furthest, 0.6) << angle;  // the profile shows all of the square
+    EXPECT_GT(measure(run, "density.L1").error, 0.01) << angle;
+    EXPECT_NEAR(measure(run, "density.L1").error,
+                measure(run_of("sod-rotated", {"cells=30", "angle=0"}), "density.L1").error,
+                0.1 * measure(run, "density.L1").error)
+        << angle;
+  }
+}
+
+// What the sides send must not be in the strip at the end: beyond the waves the gas is at rest there but for a hundredth
+// of the 0.93 m/s behind the shock, since waves are some cells wide, and nothing moves across the normal.
+TEST(SodRotated, NothingFromTheSidesReachesTheStrip) {
+  const Case& entry = find_case("sod-rotated");
+  const Settings settings = entry.settings("default", {}, {"cells=50", "angle=30"});
+  const auto problem = entry.problem(settings);
+  Simulation simulation(problem->scene(), settings.text("integrator"), step_control(settings));
+  simulation.run_until(problem->end_time());
+  const GridSpec& grid = simulation.scene().grid;
+  const Columns& gas = simulation.scene().bodies[0].points;
+  const double c = std::cos(std::numbers::pi / 6), s = 0.5, middle = grid.h * grid.cells[0] / 2;
+  int at_ends = 0;
+  for (int p = 0; p < gas.points(); ++p) {
+    const double x = gas(column::position, 0)[p] - middle, y = gas(column::position, 1)[p] - middle;
+    const double u = gas(column::velocity, 0)[p], v = gas(column::velocity, 1)[p];
+    const double along = c * x + s * y;
+    if (std::abs(c * y - s * x) > 0.1 || std::abs(along) > 0.3) continue;
+    EXPECT_LT(std::abs(c * v - s * u), 0.01) << along;
+    if (along < -0.28 || along > 0.28) {
+      EXPECT_LT(std::abs(c * u + s * v), 0.01) << along;
+      ++at_ends;
+    }
+  }
+  EXPECT_GT(at_ends, 10);
+}
+
+// --- gates ----------------------------------------------------------------------------------------------------------------
+
+TEST(SameNumbers, FailWhereOneNormDiffers) {
+  const Case& sod = find_case("sod");
+  const RunResult run = run_experiment(sod, "default", sod.settings("default", {{"cells", 20.0}}));
+  const auto verdict = [&](const std::string& changed, double factor) {
+    StudySet set{{&sod, {.id = "a", .title = {}, .why = {}}, "default", {{20, 0.05, run, {}}}, {}, {}, nullptr},
+                 {&sod, {.id = "b", .title = {}, .why = {}}, "default", {{20, 0.05, run, {}}}, {}, {}, nullptr}};
+    for (Measure& m : set[1].levels[0].run.measures) {
+      if (m.name == changed) m.error *= factor;
+    }
+    for (StudyResult& study : set) study.siblings = &set;
+    return judge_gates({same_numbers_gate("a", "b", 20)}, set[0]).at(0).judgement.verdict;
+  };
+  EXPECT_EQ(verdict("none", 1), Verdict::pass);
+  for (const char* norm : {"density.L1", "velocity.L2", "pressure.Linf", "energy.L1"}) {
+    EXPECT_EQ(verdict(norm, 1 + 1e-11), Verdict::pass) << norm;
+    EXPECT_EQ(verdict(norm, 1 + 1e-9), Verdict::fail) << norm;
+    EXPECT_EQ(verdict(norm, std::nan("")), Verdict::invalid) << norm;
+  }
+}
+
+// --- viscosity ----------------------------------------------------------------------------------------------------------
+
+// What is left at t = 0.2 of the first half wave, in the strip between the ends.
+double shear_left(const std::string& viscosity) {
+  const Case& entry = find_case("shear-decay");
+  const Settings settings = entry.settings("default", {}, {"cells=10", "viscosity=" + viscosity});
+  const auto problem = entry.problem(settings);
+  Simulation simulation(problem->scene(), settings.text("integrator"), step_control(settings));
+  simulation.run_until(problem->end_time());
+  const Columns& gas = simulation.scene().bodies[0].points;
+  double now = 0, start = 0;
+  for (int p = 0; p < gas.points(); ++p) {
+    if (std::abs(gas(column::position, 1)[p] - 1) > 0.1) continue;
+    const double wave = std::cos(std::numbers::pi * gas(column::position, 0)[p]);
+    now += gas(column::mass)[p] * gas(column::velocity, 1)[p] * wave;
+    start += gas(column::mass)[p] * 0.01 * wave * wave;
+  }
+  return now / start;
+}
+
+// The rate is mu k^2 / rho. The points start without affine velocities, so the first pass through cubic shapes, there and
+// back, takes (k h)^2/3 of the wave whatever the viscosity, 3.3 % with ten cells a half wave; half as much again is left to
+// the steps that follow. The rate itself is off by no more than such a pass. [York 4.1]
+TEST(ShearDecay, TheRateIsThatOfYorksViscosity) {
+  const double none = shear_left("0"), time = 0.2, rate = std::numbers::pi * std::numbers::pi, pass = rate * 0.01 / 3;
+  EXPECT_NEAR(none, 1, 1.5 * pass);
+  for (const double mu : {0.05, 0.1}) {
+    const double decay = mu * rate * time;
+    EXPECT_NEAR(std::log(none / shear_left(to_text(mu))), decay, pass * decay) << mu;
+  }
+}
+
+TEST(ShearDecay, IsShearAlone) {
+  const Case& entry = find_case("shear-decay");
+  const Scene scene = entry.problem(entry.settings("default", {{"cells", 10.0}}))->scene();
+  const Columns& gas = scene.bodies[0].points;
+  double momentum = 0;
+  for (int p = 0; p < gas.points(); ++p) {
+    EXPECT_EQ(gas(column::velocity, 0)[p], 0);
+    EXPECT_NEAR(gas(column::velocity, 1)[p], 0.01 * std::cos(std::numbers::pi * gas(column::position, 0)[p]),
+                1e-4 * 0.01);
+    momentum += gas(column::mass)[p] * gas(column::velocity, 1)[p];
+  }
+  EXPECT_NEAR(momentum, 0, 1e-15);
+  EXPECT_NEAR(measure(run_of("shear-decay", {"cells=20"}), "velocity.L1").error, 0, 0.02 * 0.01);
 }
 
 TEST(ConvergedTubes, AreJudgedOverTheirDomainAlone) {

@@ -63,7 +63,7 @@ TEST(Documents, SettingsListAllResolvedChoices) {
   EXPECT_EQ(document.size(), settings.keys().size());
   for (const Key& key : settings.keys()) EXPECT_TRUE(document.contains(key.name)) << key.name;
   EXPECT_EQ(document["cells"], 100);
-  EXPECT_EQ(document["integrator"], "energy");
+  EXPECT_EQ(document["integrator"], "leapfrog");
   EXPECT_TRUE(document["dt"].is_null());
 }
 
@@ -177,7 +177,7 @@ TEST(Documents, DriftsAreThoseOfTheGates) {
   Ledger ledger;
   Totals totals;
   totals.mass = totals.grid_mass = 1;
-  totals.momentum_scale = {1, 1};
+  totals.momentum_scale = 1;
   totals.energy.internal = 1;
   ledger.open(totals);
   for (Account* account : {&ledger.momentum[0], &ledger.energy}) {

@@ -19,15 +19,16 @@ const ToyCase toy;
 
 // A run that conserved everything, of these masses and energies.
 struct Spoilt {
-  double grid_mass = 1, energy = 1, angular = 1;
-  std::array<double, 2> momentum{0, 0};
+  double grid_mass = 1, energy = 1;
+  std::array<double, 3> angular{1, 1, 1}, momentum{0, 0, 0};
 };
 
 Ledger ledger(const Spoilt& end = {}) {
   Totals totals;
   totals.mass = totals.grid_mass = 1;
-  totals.momentum_scale = {1, 1};
-  totals.angular_momentum = totals.angular_scale = 1;
+  totals.momentum_scale = 1;
+  totals.angular_momentum = {1, 1, 1};
+  totals.angular_scale = 1;
   totals.energy.internal = 1;
   Ledger made;
   made.open(totals);
@@ -298,20 +299,25 @@ TEST(GenericGates, PassWhereNothingIsWrong) {
   EXPECT_EQ(red(finished_run()), Names{});
   EXPECT_EQ(red(finished_run({}, {}, 2)), Names{});
   // A tenth of the tolerance of 1e-12.
-  const Spoilt rounding{1 + 1e-13, 1 + 1e-13, 1 + 1e-13, {1e-13, 1e-13}};
-  EXPECT_EQ(red(finished_run({}, rounding, 2)), Names{});
+  const double close = 1 + 1e-13;
+  const Spoilt rounding{close, close, {close, close, close}, {1e-13, 1e-13, 1e-13}};
+  for (const int dim : {2, 3}) EXPECT_EQ(red(finished_run({}, rounding, dim)), Names{});
 }
 
 // Ten times the tolerance turns red the gate of that quantity, and that one alone; at an offset as at a level.
 TEST(GenericGates, EachFailsWhereItsQuantityIsSpoilt) {
   for (const bool as_offset : {false, true}) {
-    for (const int dim : {1, 2}) {
+    for (const int dim : {1, 2, 3}) {
       const auto spoilt = [&](const Spoilt& end) { return red(finished_run({}, end, dim), Verdict::fail, as_offset); };
       EXPECT_EQ(spoilt({.grid_mass = 1 + 1e-11}), Names{"mass"});
       EXPECT_EQ(spoilt({.energy = 1 - 1e-11}), Names{"ledger"});
       EXPECT_EQ(spoilt({.momentum = {1e-11, 0}}), Names{"momentum"});
-      EXPECT_EQ(spoilt({.momentum = {0, -1e-11}}), dim == 2 ? Names{"momentum"} : Names{});
-      EXPECT_EQ(spoilt({.angular = 1 + 1e-11}), dim == 2 ? Names{"angular-momentum"} : Names{});
+      EXPECT_EQ(spoilt({.momentum = {0, -1e-11, 0}}), dim >= 2 ? Names{"momentum"} : Names{});
+      EXPECT_EQ(spoilt({.momentum = {0, 0, 1e-11}}), dim == 3 ? Names{"momentum"} : Names{});
+      for (const std::array<double, 3>& turned :
+           {std::array{1 + 1e-11, 1.0, 1.0}, std::array{1.0, 1 - 1e-11, 1.0}, std::array{1.0, 1.0, 1 + 1e-11}}) {
+        EXPECT_EQ(spoilt({.angular = turned}), dim >= 2 ? Names{"angular-momentum"} : Names{});
+      }
     }
     EXPECT_EQ(red(stopped_run(5, "density"), Verdict::fail, as_offset), Names{"finite"});
   }
@@ -324,7 +330,7 @@ TEST(GenericGates, ANanIsInvalid) {
     EXPECT_EQ(spoilt({.energy = nan}), Names{"ledger"});
     EXPECT_EQ(spoilt({.momentum = {nan, 0}}), Names{"momentum"});
     EXPECT_EQ(spoilt({.momentum = {0, nan}}), Names{"momentum"});
-    EXPECT_EQ(spoilt({.angular = nan}), Names{"angular-momentum"});
+    EXPECT_EQ(spoilt({.angular = {1, 1, nan}}), Names{"angular-momentum"});
   }
 }
 
@@ -332,7 +338,7 @@ TEST(GenericGates, ANanIsInvalid) {
 TEST(GenericGates, BookedImpulseCountsInTheScaleOfMomentum) {
   RunResult run = finished_run({}, {.momentum = {1e-11, 0}});
   Totals totals;
-  totals.momentum_scale = {1, 1};
+  totals.momentum_scale = 1;
   run.ledger.momentum[0].open(0, 1);
   run.ledger.momentum[0].book(Flow::walls, 100);
   run.ledger.momentum[0].book(Flow::walls, -100);

@@ -64,6 +64,20 @@ TEST(RunName, IsCaseSchemeCellsAndHash) {
 }
 
 // Another value of any key is another run.
+// A value of the key that is allowed and not its default.
+Value another(const Key& key) {
+  if (!key.choices.empty()) {
+    return Value(to_text(key.value) == key.choices.back() ? key.choices.front() : key.choices.back());
+  }
+  const double now = std::holds_alternative<double>(key.value) ? std::get<double>(key.value) : 0;
+  for (const double candidate : {7.0, 2.0, 1.0, 0.37, 0.5 * key.low + 0.5 * key.high}) {
+    const bool above = key.low_open ? candidate > key.low : candidate >= key.low;
+    const bool below = key.high_open ? candidate < key.high : candidate <= key.high;
+    if (above && below && candidate != now) return candidate;
+  }
+  throw std::logic_error("no other value of " + key.name);
+}
+
 TEST(RunName, ChangesWithEverySettingCaseAndScheme) {
   for (const Case* entry : cases()) {
     const Settings before = entry->settings("default", {});
@@ -71,9 +85,8 @@ TEST(RunName, ChangesWithEverySettingCaseAndScheme) {
     std::set<std::string> names{ResultsFolder::run_name(run)};
     std::size_t changes = 1;
     for (const Key& key : before.keys()) {
-      Value other = key.choices.empty() ? Value(key.integer ? 7.0 : 0.37) : Value(key.choices.back());
-      if (to_text(other) == to_text(key.value)) other = Value(key.choices.front());
-      if (key.name == "gamma") other = 1.37;
+      if (key.choices.size() == 1) continue;
+      const Value other = another(key);
       run.settings = before;
       run.settings.set(key.name, other, entry->name());
       names.insert(ResultsFolder::run_name(run));

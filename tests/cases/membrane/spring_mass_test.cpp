@@ -85,7 +85,7 @@ TEST(SpringMass, TheSpringPushesToo) {
   Body& body = hung.scene.bodies[0];
   body.points(column::strain)[1] = -0.01;
   body.points(column::strain)[2] = 0.02;
-  body.material->evaluate_stress(body.points, {1, 0.1, false});
+  body.material->evaluate_stress(body.points, all_points(body.points), {.dim = 1, .h = 0.1});
   EXPECT_NEAR(body.points(column::stress)[1], -7e3, 1e-9);
   EXPECT_NEAR(body.points(column::stress)[2], 1.4e4, 1e-9);
 }

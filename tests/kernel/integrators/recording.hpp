@@ -21,9 +21,12 @@ class RecordingStages final : public Stages {
   void map_forces() override { calls.push_back("map_forces"); }
   void advance_momentum(double dt) override { calls.push_back("advance_momentum " + number(dt)); }
   void move_points(double dt) override { calls.push_back("move_points " + number(dt)); }
+  void drift_points(double dt) override { calls.push_back("drift_points " + number(dt)); }
+  void kick_points(double dt) override { calls.push_back("kick_points " + number(dt)); }
   void map_momentum() override { calls.push_back("map_momentum"); }
   void strain_points(double dt, NodalVelocity v) override { calls.push_back("strain_points " + number(dt) + name(v)); }
   void evaluate_stress(NodalVelocity v) override { calls.push_back("evaluate_stress" + name(v)); }
+  void predict_stress(double ahead) override { calls.push_back("predict_stress " + number(ahead)); }
   bool reverse_cooling() override {
     calls.push_back("reverse_cooling");
     return cools;
