@@ -10,15 +10,15 @@ using Pack = std::experimental::native_simd<double>;
 using PackMask = Pack::mask_type;
 inline constexpr int lanes = static_cast<int>(Pack::size());
 
-inline PackMask first_lanes(int count) {
+[[gnu::always_inline]] inline PackMask first_lanes(int count) {
   return Pack([](auto lane) { return static_cast<double>(lane); }) < static_cast<double>(count);
 }
 
 // `at` must have `lanes` readable values, see Columns.
-inline Pack load(const double* at) { return Pack(at, std::experimental::element_aligned); }
+[[gnu::always_inline]] inline Pack load(const double* at) { return Pack(at, std::experimental::element_aligned); }
 
 // Stores the first `count` lanes.
-inline void store(double* at, const Pack& value, int count) {
+[[gnu::always_inline]] inline void store(double* at, const Pack& value, int count) {
   if (count >= lanes) {
     value.copy_to(at, std::experimental::element_aligned);
   } else {
@@ -26,18 +26,29 @@ inline void store(double* at, const Pack& value, int count) {
   }
 }
 
+// Stores the first `count` lanes, which hold whole numbers.
+[[gnu::always_inline]] inline void store_as_integers(int* at, const Pack& value, int count) {
+  using Integers = std::experimental::rebind_simd_t<int, Pack>;
+  const auto whole = std::experimental::static_simd_cast<Integers>(value);
+  if (count >= lanes) {
+    whole.copy_to(at, std::experimental::element_aligned);
+  } else {
+    for (int k = 0; k < count; ++k) at[k] = whole[k];
+  }
+}
+
 // The first `count` lanes, the others zero.
-inline Pack kept(const Pack& value, int count) {
+[[gnu::always_inline]] inline Pack kept(const Pack& value, int count) {
   if (count >= lanes) return value;
   Pack zero = 0.0;
   std::experimental::where(first_lanes(count), zero) = value;
   return zero;
 }
 
-inline double sum(const Pack& value) { return std::experimental::reduce(value); }
+[[gnu::always_inline]] inline double sum(const Pack& value) { return std::experimental::reduce(value); }
 
 // Where `mask` holds `a`, else `b`.
-inline Pack choose(const PackMask& mask, const Pack& a, Pack b) {
+[[gnu::always_inline]] inline Pack choose(const PackMask& mask, const Pack& a, Pack b) {
   std::experimental::where(mask, b) = a;
   return b;
 }

@@ -30,7 +30,7 @@ class Pistons {
       field.for_touched(grid, [&](std::size_t i) {
         const double x = grid.line(grid.index(static_cast<int>(i), d), d);
         if (piston.side == 0 ? x >= reach : x <= reach) return;
-        if (mirrored(grid, static_cast<int>(i))) return;
+        if (held(grid, static_cast<int>(i), d)) return;
         Vec impulse = Vec::Zero();
         impulse[d] = field.mass[i] * (piston.velocity - velocity[i][d]);
         velocity[i][d] = piston.velocity;
@@ -43,12 +43,16 @@ class Pistons {
   }
 
  private:
-  // Ghosts of walls have given their mass to their mirrors.
-  static bool mirrored(const Grid<dim>& grid, int node) {
+  // Ghosts of walls have given their mass to their mirrors, and nodes on walls do not move along what the wall holds.
+  static bool held(const Grid<dim>& grid, int node, int direction) {
     for (int d = 0; d < dim; ++d) {
-      const int k = grid.index(node, d);
-      if (k < Grid<dim>::ghosts && grid.wall(d, 0) != Wall::free) return true;
-      if (k > grid.nodes(d) - 1 - Grid<dim>::ghosts && grid.wall(d, 1) != Wall::free) return true;
+      const int k = grid.index(node, d), first = Grid<dim>::ghosts, last = grid.nodes(d) - 1 - Grid<dim>::ghosts;
+      for (int side = 0; side < 2; ++side) {
+        const Wall wall = grid.wall(d, side);
+        if (wall == Wall::free) continue;
+        const bool holds = wall == Wall::no_slip || d == direction;
+        if (side == 0 ? k < first + holds : k > last - holds) return true;
+      }
     }
     return false;
   }

@@ -1,7 +1,7 @@
-// Points that outgrow the kernel. A point further from its neighbours than shapes reach shares no node with them: it expands
-// itself without limit, whatever the gas around it does. So a gas point whose volume has grown beyond a multiple of a
-// cell's is split in two while it grows (tr C > 0, of rings tr C + v_r/r, and 0 < n . C n < c/h), which takes nothing from
-// mass, momentum, centre of mass or energy.
+// Points that outgrow the kernel. A point further from its neighbours than shapes reach shares no node with them: it
+// expands itself without limit, whatever the gas around it does. So a gas point whose volume has grown beyond a multiple
+// of a cell's is split in two while it grows (tr C > 0, of rings tr C + v_r/r, and 0 < n . C n < c/h), which takes nothing
+// from mass, momentum, centre of mass or energy.
 //
 //   x' = x -+ d n,  v' = v -+ d C n,  m' = m/2,  V' = V/2,  e' = e            n: unit vector of one axis  [Splitting 1]
 //   C' n = s C n,  s = sqrt(1 - d^2/D),  C' = C across n                                                [Splitting 2]

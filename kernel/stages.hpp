@@ -68,6 +68,12 @@ class Stages {
   // The same `ahead` seconds later, as the strain rates of the start of the step foretell it; nothing is advanced.
   virtual void predict_stress(double ahead) = 0;
 
+  // predict_stress, then map_forces. An engine may do it in one pass over the points.
+  virtual void predict_stress_and_map_forces(double ahead) {
+    predict_stress(ahead);
+    map_forces();
+  }
+
   // strain_points, then evaluate_stress.
   void update_stress(double dt, NodalVelocity velocity = NodalVelocity::current) {
     strain_points(dt, velocity);

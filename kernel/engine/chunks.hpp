@@ -37,8 +37,18 @@ Sum Mechanics<G, S, T>::sum_over_chunks(const Located& at, Work&& work) const {
 }
 
 template <class G, class S, class T>
+template <class Sum, class Work>
+Sum Mechanics<G, S, T>::sum_over_chunks_writing_nodes(const Located& at, Work&& work) const {
+  std::vector<Sum> sums(at.bins.chunks().size());
+  for_chunks_writing_nodes(at, [&](const Chunk& chunk) {
+    sums[static_cast<std::size_t>(&chunk - at.bins.chunks().data())] = work(chunk);
+  });
+  return pairwise_sum(sums.data(), sums.size());
+}
+
+template <class G, class S, class T>
 template <class Visit>
-void Mechanics<G, S, T>::for_bins(const Bins& bins, const Chunk& chunk, Visit&& visit) const {
+[[gnu::always_inline]] inline void Mechanics<G, S, T>::for_bins(const Bins& bins, const Chunk& chunk, Visit&& visit) const {
   Print print;
   for (int d = 0; d < dim; ++d) print.stride[d] = grid_.stride(d);
   for (int bin = chunk.first_bin; bin < chunk.last_bin; ++bin) {

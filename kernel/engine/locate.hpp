@@ -22,6 +22,13 @@ Mechanics<G, S, T>::Mechanics(Scene& scene, Ledger& ledger, const EngineOptions&
       pistons_(scene),
       sharpening_(grid_, scene.sharpening * S::blur),
       inverse_volume_(inverse_cell_volumes<S>(grid_)) {
+  if (T::increments && !pistons_.none()) {
+    throw std::invalid_argument("pistons cannot work with the transfer " + scene.transfer +
+                                ": points that add increments never take the velocity that a piston gives its nodes");
+  }
+  long points = 0;
+  for (const Body& body : scene.bodies) points += body.points.points();
+  if (points < fewest_shared) options_.threads = 1;
   for (int d = 0; d < dim; ++d) gravity_[d] = scene.gravity[static_cast<std::size_t>(d)];
   std::vector<std::string> names;
   for (Body& body : scene.bodies) {
@@ -82,19 +89,18 @@ void Mechanics<G, S, T>::place(Body& body, Located& at) const {
   std::vector<char> outside(static_cast<std::size_t>(1 + body.points.points() / place_stretch));
   for_each_piece(static_cast<int>(outside.size()), options_.threads, [&](int piece) {
     const int first = piece * place_stretch, last = std::min(first + place_stretch, body.points.points());
-    bool inside = true;
-    for (int p = first; p < last; ++p) {
-      int node = 0;
+    PackMask inside = first_lanes(lanes);
+    for_packs(first, last, [&](int p, int count) __attribute__((always_inline)) {
+      Pack node = 0.0;
       for (int d = 0; d < dim; ++d) {
-        const double x = (position[static_cast<std::size_t>(d)][p] - grid_.origin(d)) * (1 / grid_.h());
-        inside &= x >= -on_side && x <= grid_.cells(d) + on_side;
-        double local;
-        const int anchor = S::anchor(std::clamp(x, 0.0, 1.0 * grid_.cells(d)), grid_.cells(d), local);
-        node += (anchor + S::first + Grid<dim>::ghosts) * grid_.stride(d);
+        const Pack x = (load(position[static_cast<std::size_t>(d)] + p) - grid_.origin(d)) * (1 / grid_.h());
+        inside = inside && ((x >= -on_side && x <= grid_.cells(d) + on_side) || !first_lanes(count));
+        const Pack on_grid = min(max(x, Pack(0.0)), Pack(1.0 * grid_.cells(d)));
+        node += (S::anchor_node(on_grid, grid_.cells(d)) + (S::first + Grid<dim>::ghosts)) * (1.0 * grid_.stride(d));
       }
-      at.lowest[static_cast<std::size_t>(p)] = node;
-    }
-    outside[static_cast<std::size_t>(piece)] = !inside;
+      store_as_integers(at.lowest.data() + p, node, count);
+    });
+    outside[static_cast<std::size_t>(piece)] = !all_of(inside);
   });
   if (std::find(outside.begin(), outside.end(), 1) == outside.end()) return;
   for (int d = 0; d < dim; ++d) {
@@ -107,10 +113,20 @@ void Mechanics<G, S, T>::place(Body& body, Located& at) const {
   }
 }
 
+// By lowest node, and by number where that is the same.
+template <class G, class S, class T>
+bool Mechanics<G, S, T>::in_order(const Body& body, const Located& at) {
+  for (std::size_t p = 1; p < at.lowest.size(); ++p) {
+    const int step = at.lowest[p] - at.lowest[p - 1];
+    if (step < 0 || (step == 0 && body.id[p] < body.id[p - 1])) return false;
+  }
+  return true;
+}
+
 // Points are sorted whenever one has changed its bin; a chain keeps its order.
 template <class G, class S, class T>
 bool Mechanics<G, S, T>::sort_points(Body& body, Located& at) {
-  if (body.chain || std::is_sorted(at.lowest.begin(), at.lowest.end())) return false;
+  if (body.chain || in_order(body, at)) return false;
   const std::span<const int> order = at.bins_hold
                                          ? bin_sort_.sort_again(at.bins, at.lowest, body.id, grid_.node_count())
                                          : bin_sort_.sort(at.lowest, body.id, grid_.node_count());
@@ -126,12 +142,12 @@ bool Mechanics<G, S, T>::sort_points(Body& body, Located& at) {
   }
   body.points.reorder(order, stale, options_.threads);
   const auto reorder = [&](std::vector<int>& values) {
-    ids_.resize(values.size());
-    for_each_index(static_cast<int>(values.size()), options_.threads, [&](int k) {
+    spare_.resize(values.size());
+    for_each_index(static_cast<int>(order.size()), options_.threads, [&](int k) {
       const auto at_k = static_cast<std::size_t>(k);
-      ids_[at_k] = values[static_cast<std::size_t>(order[at_k])];
+      spare_[at_k] = values[static_cast<std::size_t>(order[at_k])];
     });
-    std::swap(ids_, values);
+    std::swap(spare_, values);
   };
   reorder(body.id);
   reorder(at.lowest);

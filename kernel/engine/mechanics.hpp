@@ -42,6 +42,7 @@ class Mechanics final : public Engine {
   void strain_points(double dt, NodalVelocity velocity) override;
   void evaluate_stress(NodalVelocity velocity) override;
   void predict_stress(double ahead) override;
+  void predict_stress_and_map_forces(double ahead) override;
   bool reverse_cooling() override;
   void return_transfer_loss() override;
   void move_and_heat_points(double dt) override;
@@ -67,6 +68,7 @@ class Mechanics final : public Engine {
   static constexpr int nodes = Stencil<dim, Shape, double>::nodes;
   static constexpr int block_height = dim == 1 ? 64 : 4;  // layers; a stencil reaches 3 beyond its own
   static constexpr int place_stretch = 4096;
+  static constexpr long fewest_shared = 2048;  // points below which waking a thread costs more than it does
   static constexpr int rotations = Geometry::rotations;
   using Field = VelocityField<dim>;
   using PackStencil = Stencil<dim, Shape, Pack>;
@@ -118,6 +120,15 @@ class Mechanics final : public Engine {
     bool power = false;  // advance_momentum has been called and its stress power is not yet summed
     bool loss = false;   // the map's loss is not yet summed
   };
+  struct StartSums {
+    double lost = 0, hoop_force = 0;
+    StartSums& operator+=(const StartSums& o) {
+      lost += o.lost;
+      hoop_force += o.hoop_force;
+      return *this;
+    }
+    friend StartSums operator+(StartSums a, const StartSums& b) { return a += b; }
+  };
   struct PowerSums {
     double power = 0, viscous = 0;
     PowerSums& operator+=(const PowerSums& o) {
@@ -146,6 +157,9 @@ class Mechanics final : public Engine {
   // The sum of work(chunk) over all chunks, which does not depend on threads.
   template <class T, class Work>
   T sum_over_chunks(const Located& at, Work&& work) const;
+  // The same for work that writes nodes.
+  template <class T, class Work>
+  T sum_over_chunks_writing_nodes(const Located& at, Work&& work) const;
   // visit(footprint, anchor, first point, last point) for each bin of a chunk; anchor: node index per direction, ghosts
   // not counted.
   template <class Visit>
@@ -170,8 +184,8 @@ class Mechanics final : public Engine {
   static void for_stencil_nodes(const Print& print, Visit&& visit);
 
   // --- one chunk of one body
-  void scatter_mass_and_momentum(const Body& body, const Located& at, const Chunk& chunk, Field& field, bool with_mass,
-                                 bool with_momentum) const;
+  template <bool with_mass, bool with_momentum>
+  void scatter_mass_and_momentum(const Body& body, const Located& at, const Chunk& chunk, Field& field) const;
   double gather_start(Body& body, const Located& at, const Chunk& chunk, const Wanted& wanted) const;
   template <bool isotropic, bool exchange>
   double scatter_forces(const Body& body, const Located& at, const Chunk& chunk, Field& field) const;
@@ -180,6 +194,7 @@ class Mechanics final : public Engine {
   // drift: how long the points then move with the velocity they got; none: over dt with the grid's.
   MotionSums gather_motion(Body& body, const Located& at, const Chunk& chunk, const Field& field, double dt,
                            std::optional<double> drift, const std::vector<Vec>* straining, bool exchange) const;
+  static std::pair<double, double> extent(const double* x, PointRange range);
   void reflect(Body& body, PointRange range, MotionSums& sums) const;
   void reflect_point(Body& body, int p, int d, double wall, MotionSums& sums) const;
   Survey survey(const Body& body, PointRange range) const;
@@ -187,6 +202,7 @@ class Mechanics final : public Engine {
   // --- one body or all
   static void refuse_other_geometry(const Body& body);
   void place(Body& body, Located& at) const;
+  static bool in_order(const Body& body, const Located& at);
   bool sort_points(Body& body, Located& at);
   void touch(const Located& at, Field& field) const;
   void keep_places(Body& body, Located& at) const;
@@ -194,7 +210,8 @@ class Mechanics final : public Engine {
   const std::vector<Vec>& straining_velocity(Field& field, NodalVelocity which) const;
   double drive(const Field& field, std::vector<Vec>& velocity, WallAction<dim>& action) const;
   void solve_exchange(Field& field, double dt) const;
-  void evaluate_stress_ahead(NodalVelocity velocity, double ahead);
+  void evaluate_stress_ahead(NodalVelocity velocity, double ahead, bool and_forces);
+  void clear_forces();
   void gather_all_motion(double dt, std::optional<double> drift);
   void finish_points(double dt, std::optional<double> drift);
   bool exchanges_heat(const Body& body) const { return scene_.heat_exchange > 0 && body.material->takes_heat(); }
@@ -225,7 +242,7 @@ class Mechanics final : public Engine {
   std::vector<double> inverse_volume_;  // 1 / |cell_i|, m^-dim; axisymmetric per radian
   std::optional<Field> own_field_;      // one body's mass alone
   BinSort bin_sort_;
-  std::vector<int> ids_;
+  std::vector<int> spare_;
   Pending pending_;
   NodalVelocity current_ = NodalVelocity::start;
   bool moved_ = true, forces_mapped_ = false, sorting_ = true;

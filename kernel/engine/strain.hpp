@@ -207,9 +207,9 @@ void Mechanics<G, S, T>::find_grid_density(Field& field) const {
   walls_.extend_even(field, field.density);
 }
 
-// Densities by the scene's method, then stresses; where the grid's mass of this step is the body's own, it serves.
+// Densities by the scene's method, then stresses, and_forces: then the forces, before the points have moved; where the grid's mass of this step is the body's own, it serves.
 template <class G, class S, class T>
-void Mechanics<G, S, T>::evaluate_stress_ahead(NodalVelocity velocity, double ahead) {
+void Mechanics<G, S, T>::evaluate_stress_ahead(NodalVelocity velocity, double ahead, bool and_forces) {
   settle_power();
   survey_.reset();
   if (velocity == NodalVelocity::current) velocity = current_;
@@ -239,11 +239,21 @@ void Mechanics<G, S, T>::evaluate_stress_ahead(NodalVelocity velocity, double ah
     if (loss_wanted) wanted.loss = &field_of(b).start;
     if (rates_wanted) wanted.rates = &nodal_velocity;
     if (grid_density && !elsewhere_wanted) wanted.density = &field->density;
-    pending_.map_loss += sum_over_chunks<double>(located_[b], [&](const Chunk& chunk) {
+    const auto evaluate = [&](const Chunk& chunk) {
       const double lost = wanted.none() ? 0.0 : gather_start(body, located_[b], chunk, wanted);
       if (!elsewhere_wanted) body.material->evaluate_stress(body.points, {chunk.first, chunk.last}, context(ahead));
       return lost;
-    });
+    };
+    if (and_forces) {
+      const StartSums sums = sum_over_chunks_writing_nodes<StartSums>(located_[b], [&](const Chunk& chunk) {
+        const double lost = evaluate(chunk);
+        return StartSums{lost, scatter_forces(body, located_[b], chunk, field_of(b))};
+      });
+      pending_.map_loss += sums.lost;
+      hoop_force_ += sums.hoop_force;
+    } else {
+      pending_.map_loss += sum_over_chunks<double>(located_[b], evaluate);
+    }
     if (elsewhere_wanted) {
       moved_ = false;  // weights of where the points stand now
       for_chunks(elsewhere, [&](const Chunk& chunk) {
@@ -259,12 +269,21 @@ void Mechanics<G, S, T>::evaluate_stress_ahead(NodalVelocity velocity, double ah
 
 template <class G, class S, class T>
 void Mechanics<G, S, T>::evaluate_stress(NodalVelocity velocity) {
-  evaluate_stress_ahead(velocity, 0);
+  evaluate_stress_ahead(velocity, 0, false);
 }
 
 template <class G, class S, class T>
 void Mechanics<G, S, T>::predict_stress(double ahead) {
-  evaluate_stress_ahead(NodalVelocity::start, ahead);  // [Leapfrog 2]
+  evaluate_stress_ahead(NodalVelocity::start, ahead, false);  // [Leapfrog 2]
+}
+
+template <class G, class S, class T>
+void Mechanics<G, S, T>::predict_stress_and_map_forces(double ahead) {
+  if (moved_) return Stages::predict_stress_and_map_forces(ahead);
+  settle_pending_strain();
+  clear_forces();
+  evaluate_stress_ahead(NodalVelocity::start, ahead, true);
+  forces_mapped_ = true;
 }
 
 template <class G, class S, class T>
@@ -278,7 +297,7 @@ void Mechanics<G, S, T>::map_own_mass(Body& body, Located& at, Field& field) {
   walls_.include_mirrors(field.touched);
   field.for_touched(grid_, [&](std::size_t i) { field.mass[i] = 0; });
   const bool frozen = std::exchange(moved_, false);
-  for_chunks_writing_nodes(at, [&](const Chunk& chunk) { scatter_mass_and_momentum(body, at, chunk, field, true, false); });
+  for_chunks_writing_nodes(at, [&](const Chunk& chunk) { scatter_mass_and_momentum<true, false>(body, at, chunk, field); });
   moved_ = frozen;
   walls_.fold_mass(field);
 }

@@ -6,8 +6,9 @@
 namespace plumbline {
 
 template <class G, class S, class T>
+template <bool with_mass, bool with_momentum>
 void Mechanics<G, S, T>::scatter_mass_and_momentum(const Body& body, const Located& at, const Chunk& chunk,
-                                                   Field& field, bool with_mass, bool with_momentum) const {
+                                                   Field& field) const {
   const auto x = places(body, at);
   const double* mass = body.points(column::mass);
   const double *velocity[dim], *affine[dim][dim] = {};
@@ -78,7 +79,7 @@ void Mechanics<G, S, T>::map_mass_and_momentum() {
   }
   for (std::size_t b = 0; b < located_.size(); ++b) {
     for_chunks_writing_nodes(located_[b], [&](const Chunk& chunk) {
-      scatter_mass_and_momentum(scene_.bodies[b], located_[b], chunk, field_of(b), true, true);
+      scatter_mass_and_momentum<true, true>(scene_.bodies[b], located_[b], chunk, field_of(b));
     });
   }
   for (Field& field : fields_) {
@@ -114,7 +115,7 @@ void Mechanics<G, S, T>::map_momentum() {
   for (Field& field : fields_) field.for_touched(grid_, [&](std::size_t i) { field.momentum[i].setZero(); });
   for (std::size_t b = 0; b < located_.size(); ++b) {
     for_chunks_writing_nodes(located_[b], [&](const Chunk& chunk) {
-      scatter_mass_and_momentum(scene_.bodies[b], located_[b], chunk, field_of(b), false, true);
+      scatter_mass_and_momentum<false, true>(scene_.bodies[b], located_[b], chunk, field_of(b));
     });
   }
   for (Field& field : fields_) {
@@ -211,8 +212,7 @@ void Mechanics<G, S, T>::solve_exchange(Field& field, double dt) const {
 }
 
 template <class G, class S, class T>
-void Mechanics<G, S, T>::map_forces() {
-  settle_pending_strain();
+void Mechanics<G, S, T>::clear_forces() {
   hoop_force_ = 0;
   for (Field& field : fields_) {
     field.for_touched(
@@ -223,15 +223,16 @@ void Mechanics<G, S, T>::map_forces() {
         },
         options_.threads);
   }
+}
+
+template <class G, class S, class T>
+void Mechanics<G, S, T>::map_forces() {
+  settle_pending_strain();
+  clear_forces();
   for (std::size_t b = 0; b < located_.size(); ++b) {
-    const Located& at = located_[b];
-    std::vector<double> hoop(G::axisymmetric ? at.bins.chunks().size() : 0);
-    for_chunks_writing_nodes(at, [&](const Chunk& chunk) {
-      const Body& body = scene_.bodies[b];
-      const double force = scatter_forces(body, at, chunk, field_of(b));
-      if (G::axisymmetric) hoop[static_cast<std::size_t>(&chunk - at.bins.chunks().data())] = force;
+    hoop_force_ += sum_over_chunks_writing_nodes<double>(located_[b], [&](const Chunk& chunk) {
+      return scatter_forces(scene_.bodies[b], located_[b], chunk, field_of(b));
     });
-    hoop_force_ += pairwise_sum(hoop.data(), hoop.size());
   }
   forces_mapped_ = true;
 }

@@ -144,13 +144,27 @@ auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Chun
   return sums;
 }
 
+// Least and largest of x over the range; where any is not a number, all is in between.
+template <class G, class S, class T>
+std::pair<double, double> Mechanics<G, S, T>::extent(const double* x, PointRange range) {
+  Pack low = HUGE_VAL, high = -HUGE_VAL;
+  for_packs(range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
+    const Pack here = count < lanes ? choose(first_lanes(count), load(x + p), x[p]) : load(x + p);
+    low = min(low, here);
+    high = max(high, here);
+  });
+  return {hmin(low), hmax(high)};
+}
+
 // Points beyond a wall change places with their mirror images. [EC-APIC walls]
 template <class G, class S, class T>
 void Mechanics<G, S, T>::reflect(Body& body, PointRange range, MotionSums& sums) const {
   Columns& points = body.points;
   for (int d = 0; d < dim; ++d) {
+    const auto [lowest, highest] = extent(points(column::position, d), range);
     for (int side = 0; side < 2; ++side) {
       if (grid_.wall(d, side) == Wall::free) continue;
+      if (side == 0 ? lowest >= grid_.origin(d) : highest <= grid_.origin(d) + grid_.cells(d) * grid_.h()) continue;
       const double sign = side == 0 ? 1 : -1;
       const double wall = grid_.origin(d) + (side == 0 ? 0 : grid_.cells(d) * grid_.h());
       const double beyond = wall - sign * on_side * grid_.h();
@@ -301,7 +315,7 @@ void Mechanics<G, S, T>::drift_points(double dt) {
       for (int d = 0; d < dim; ++d) {
         double* x = body.points(column::position, d);
         const double* v = body.points(column::velocity, d);
-        for_packs(chunk.first, chunk.last, [&](int p, int count) {
+        for_packs(chunk.first, chunk.last, [&](int p, int count) __attribute__((always_inline)) {
           const Pack step = dt * load(v + p);
           if (one.too_far < 0 && any_of(!(abs(step) <= grid_.h()) && first_lanes(count))) one.too_far = p;
           store(x + p, load(x + p) + step, count);  // [Leapfrog 1]

@@ -80,7 +80,7 @@ struct Loops {
     const double *volume = points(column::volume), *mass = points(column::mass);
     double *energy = points(column::energy), *density = points(column::density);
     Pack stored = 0.0;
-    for_packs(range.first, range.last, [&](int p, int count) {
+    for_packs(range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
       const Tensor d = rate[p];
       const Pack heat = dt * load(volume + p) * stress[p].dot(d);
       store(energy + p, load(energy + p) + heat / load(mass + p), count);  // [York 4.8]
@@ -95,7 +95,7 @@ struct Loops {
     const Writing stresses(points, column::stress);
     const double *mass = points(column::mass), *energy = points(column::energy), *density = points(column::density);
     double *volume = points(column::volume), *pressure = points(column::pressure);
-    for_packs(range.first, range.last, [&](int p, int count) {
+    for_packs(range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
       const Tensor d = rate[p];
       const Pack m = load(mass + p), e = ahead(load(energy + p), (gas.gamma - 1) * context.ahead * d.trace());
       const Pack rho = context.volume_given ? m / load(volume + p) : load(density + p);
@@ -112,7 +112,7 @@ struct Loops {
     const double *mass = points(column::mass), *energy = points(column::energy), *volume = points(column::volume);
     const double* pressures = points(column::pressure);
     bool changed = false;
-    for_packs(range.first, range.last, [&](int p, int count) {
+    for_packs(range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
       const Pack e = load(energy + p), rho = load(mass + p) / load(volume + p), pressure = load(pressures + p);
       const Tensor d = rate[p], old = stresses[p];
       const PackMask cools = viscous_part(old, pressure).dot(d) < 0.0 && first_lanes(count);
@@ -129,7 +129,7 @@ struct Loops {
     const Reading rate(points, column::strain_rate), stress(points, column::stress);
     const double *volume = points(column::volume), *pressure = points(column::pressure);
     Pack total = 0.0;
-    for_packs(range.first, range.last, [&](int p, int count) {
+    for_packs(range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
       total += kept(dt * load(volume + p) * viscous_part(stress[p], load(pressure + p)).dot(rate[p]), count);
     });
     return sum(total);
@@ -140,7 +140,7 @@ struct Loops {
     const double *volume = points(column::volume), *mass = points(column::mass), *density = points(column::density);
     const auto n = static_cast<std::size_t>(points.points());
     std::vector<double> all((continuity ? 2 : 1) * n);
-    for_packs(0, points.points(), [&](int p, int count) {
+    for_packs(0, points.points(), [&](int p, int count) __attribute__((always_inline)) {
       store(all.data() + p, load(volume + p) / load(mass + p) * stress[p].dot(rate[p]), count);  // [York 4.8]
       if (continuity) store(all.data() + n + static_cast<std::size_t>(p), -load(density + p) * rate[p].trace(), count);
     });
@@ -202,7 +202,7 @@ double IdealGas::viscous_heat(const Columns& points, PointRange range, const Mat
 void IdealGas::add_heat(Columns& points, PointRange range, const double* heat) const {
   const double* mass = points(column::mass);
   double* energy = points(column::energy);
-  for_packs(range.first, range.last, [&](int p, int count) {
+  for_packs(range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
     plumbline::store(energy + p, load(energy + p) + load(heat + p) / load(mass + p), count);  // [EC-APIC 6]
   });
 }
@@ -211,7 +211,7 @@ double IdealGas::stored_energy(const Columns& points, PointRange range) const {
   const double *mass = points(column::mass), *energy = points(column::energy);
   Pack total = 0.0;
   for_packs(range.first, range.last,
-            [&](int p, int count) { total += kept(load(mass + p) * load(energy + p), count); });
+            [&](int p, int count) __attribute__((always_inline)) { total += kept(load(mass + p) * load(energy + p), count); });
   return sum(total);
 }
 
@@ -221,7 +221,7 @@ StepBounds IdealGas::step_bounds(const Columns& points, PointRange range, int di
   for (int d = 0; d < dim; ++d) velocity[d] = points(column::velocity, d);
   Pack fastest = 0.0, lightest = std::numeric_limits<double>::infinity();
   bool number = true;
-  for_packs(range.first, range.last, [&](int p, int count) {
+  for_packs(range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
     Pack square = load(velocity[0] + p) * load(velocity[0] + p);
     for (int d = 1; d < dim; ++d) square += load(velocity[d] + p) * load(velocity[d] + p);
     const Pack signal = kept(sqrt(gamma * (gamma - 1) * load(energy + p)) + sqrt(square), count);
@@ -239,7 +239,7 @@ Material::Fault IdealGas::first_fault(const Columns& points, PointRange range) c
   const double *mass = points(column::mass), *energy = points(column::energy), *volume = points(column::volume);
   const auto admissible = [](const Pack& value) { return value < std::numeric_limits<double>::infinity(); };
   bool good = true;
-  for_packs(range.first, range.last, [&](int p, int count) {
+  for_packs(range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
     const Pack v = load(volume + p), e = load(energy + p);
     good = good && all_of((v > 0.0 && admissible(v) && e >= 0.0 && admissible(e)) || !first_lanes(count));
   });
@@ -259,7 +259,7 @@ Material::Fault IdealGas::first_fault(const Columns& points, PointRange range) c
 void IdealGas::describe(Columns& points) const {
   const double *mass = points(column::mass), *energy = points(column::energy), *volume = points(column::volume);
   double *density = points(column::density), *pressure = points(column::pressure);
-  for_packs(0, points.points(), [&](int p, int count) {
+  for_packs(0, points.points(), [&](int p, int count) __attribute__((always_inline)) {
     const Pack rho = load(mass + p) / load(volume + p);
     plumbline::store(density + p, rho, count);
     plumbline::store(pressure + p, (gamma - 1) * rho * load(energy + p), count);  // [York 4.4]

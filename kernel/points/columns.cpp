@@ -36,7 +36,7 @@ void Columns::add(const ColumnId& id, int components) {
   Column& column = columns_[index];
   if (column.components > 0) return;
   column.components = components;
-  column.values.assign(stride() * static_cast<std::size_t>(components) + static_cast<std::size_t>(lanes), 0.0);
+  column.values.assign(stride() * static_cast<std::size_t>(components) + static_cast<std::size_t>(padding), 0.0);
 }
 
 int Columns::components(const ColumnId& id) const {
@@ -44,18 +44,59 @@ int Columns::components(const ColumnId& id) const {
   return index < columns_.size() && points_ > 0 ? columns_[index].components : 0;
 }
 
+void Columns::find_runs(std::span<const int> order, int threads) {
+  const int pieces = (points_ + stretch - 1) / stretch;
+  runs_.resize(static_cast<std::size_t>(points_ + pieces));
+  run_count_.resize(static_cast<std::size_t>(pieces));
+  for_each_piece(pieces, threads, [&](int piece) {
+    const int first = piece * stretch, last = std::min(first + stretch, points_);
+    Run* runs = runs_.data() + first + piece;
+    int count = 0, expected = -1;
+    for (int p = first; p < last; ++p) {
+      const int from = order[static_cast<std::size_t>(p)];
+      runs[count] = {p, from};
+      count += from != expected;
+      expected = from + 1;
+    }
+    runs[count] = {last, -1};
+    run_count_[static_cast<std::size_t>(piece)] = count;
+  });
+}
+
+// Run after run in whole packs: what one writes beyond its end, the next writes over.
+void Columns::copy_runs(int piece, const double* from, double* to) const {
+  using std::experimental::element_aligned;
+  constexpr int at_once = padding;
+  const Run* run = runs_.data() + piece * (stretch + 1);
+  const Run* last = run + run_count_[static_cast<std::size_t>(piece)];
+  for (; run < last; ++run) {
+    const int length = run[1].to - run->to;
+    if (run[1].to + at_once > last->to) {
+      std::copy_n(from + run->from, length, to + run->to);
+      continue;
+    }
+    for (int start = 0; start < length; start += at_once) {  // hardly ever twice: a loop that is easily foretold
+      for (int k = start; k < start + at_once; k += lanes) {
+        load(from + run->from + k).copy_to(to + run->to + k, element_aligned);
+      }
+    }
+  }
+}
+
 void Columns::reorder(std::span<const int> order, std::span<const ColumnId> stale, int threads) {
+  find_runs(order, threads);
   for (std::size_t c = 0; c < columns_.size(); ++c) {
     Column& column = columns_[c];
     const auto is_it = [&](const ColumnId& id) { return static_cast<std::size_t>(id.index()) == c; };
     if (column.components == 0 || std::any_of(stale.begin(), stale.end(), is_it)) continue;
     spare_.resize(column.values.size());
-    for (int k = 0; k < column.components; ++k) {
-      const double* from = column.values.data() + static_cast<std::size_t>(k) * stride();
-      double* to = spare_.data() + static_cast<std::size_t>(k) * stride();
-      for_each_index(points_, threads, [&](int p) { to[p] = from[order[static_cast<std::size_t>(p)]]; });
-    }
-    std::copy(column.values.end() - lanes, column.values.end(), spare_.end() - lanes);
+    for_each_piece(static_cast<int>(run_count_.size()), threads, [&](int piece) {
+      for (int k = 0; k < column.components; ++k) {
+        const std::size_t start = static_cast<std::size_t>(k) * stride();
+        copy_runs(piece, column.values.data() + start, spare_.data() + start);
+      }
+    });
+    std::copy(column.values.end() - padding, column.values.end(), spare_.end() - padding);
     std::swap(spare_, column.values);
   }
 }
@@ -64,7 +105,7 @@ void Columns::append_copies(std::span<const int> of) {
   const std::size_t before = stride(), now = before + of.size();
   for (Column& column : columns_) {
     if (column.components == 0) continue;
-    std::vector<double> values(now * static_cast<std::size_t>(column.components) + static_cast<std::size_t>(lanes), 0.0);
+    std::vector<double> values(now * static_cast<std::size_t>(column.components) + static_cast<std::size_t>(padding), 0.0);
     for (std::size_t k = 0; k < static_cast<std::size_t>(column.components); ++k) {
       const double* from = column.values.data() + k * before;
       double* to = std::copy(from, from + before, values.data() + k * now);

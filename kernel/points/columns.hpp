@@ -55,9 +55,21 @@ class Columns {
     return columns_[static_cast<std::size_t>(id.index())].values;
   }
 
+  // Points that stay neighbours when they are reordered: to, to + 1, ... were from, from + 1, ... up to the next run.
+  struct Run {
+    int to, from;
+  };
+  static constexpr int padding = 16;    // values behind the last component
+  static constexpr int stretch = 4096;  // points that one thread takes at a time
+
+  void find_runs(std::span<const int> order, int threads);
+  void copy_runs(int piece, const double* from, double* to) const;
+
   int points_;
   std::vector<Column> columns_;  // by ColumnId::index()
   std::vector<double> spare_;    // takes the next column that is reordered
+  std::vector<Run> runs_;        // of each stretch, and an end; scratch of reorder()
+  std::vector<int> run_count_;
 };
 
 }  // namespace plumbline

@@ -11,11 +11,16 @@ struct Cubic {
   static constexpr double blur = 1.0 / 6;  // theta of S(k) = 1 - theta k^2 h^2 + ...: half the variance of the shape [Sharpening 1]
 
   // The node below the point, and the distance above it in cells: 0 <= local <= 1.
+  // A point on the last node line belongs to the last cell.
+  template <class Number>
+  static Number anchor_node(const Number& x, int cells) {
+    using std::floor, std::min;
+    return min(floor(x), Number(cells - 1.0));
+  }
   static int anchor(double x, int cells, double& local) {
-    int node = static_cast<int>(std::floor(x));
-    if (node >= cells) node = cells - 1;
+    const double node = anchor_node(x, cells);
     local = x - node;
-    return node;
+    return static_cast<int>(node);
   }
   template <class Number>
   static void weights(const Number& f, Number (&w)[support]) {

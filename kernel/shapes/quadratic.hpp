@@ -11,10 +11,15 @@ struct Quadratic {
   static constexpr double blur = 1.0 / 8;  // theta of S(k) = 1 - theta k^2 h^2 + ...: half the variance of the shape [Sharpening 1]
 
   // The nearest node, and the distance to it in cells: -1/2 <= local <= 1/2.
-  static int anchor(double x, int, double& local) {
-    const int node = static_cast<int>(std::floor(x + 0.5));
+  template <class Number>
+  static Number anchor_node(const Number& x, int) {
+    using std::floor;
+    return floor(x + 0.5);
+  }
+  static int anchor(double x, int cells, double& local) {
+    const double node = anchor_node(x, cells);
     local = x - node;
-    return node;
+    return static_cast<int>(node);
   }
   template <class Number>
   static void weights(const Number& f, Number (&w)[support]) {

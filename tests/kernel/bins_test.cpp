@@ -73,7 +73,8 @@ TEST(Bins, ChunksAreConsecutiveBins) {
       EXPECT_EQ(chunk.last, bins.end(chunk.last_bin - 1));
       bin = chunk.last_bin;
       point = chunk.last;
-      EXPECT_LT(bins.start(chunk.last_bin - 1) - chunk.first, Bins::chunk_points);  // without its last bin it is not full
+      EXPECT_LT(bins.start(chunk.last_bin - 1) - chunk.first,
+                Bins::chunk_points);  // without its last bin it is not full
       if (c + 1 == bins.chunk_count()) continue;
       const bool same_block = !in_order || bins.node(chunk.first_bin) / (layer * height) ==
                                                bins.node(chunk.last_bin) / (layer * height);

@@ -66,7 +66,8 @@ void expect_ring_volumes(double m, double q) {
   GridSpec off_axis = scenes::box(Space::axisymmetric, {6, 4, 1}, 0.5);
   off_axis.origin[0] = 2;
   const auto free = along<Shape>(off_axis, 0);
-  for (std::size_t i = 0; i < free.size(); ++i) EXPECT_NEAR(free[i], 0.5 * (2 + 0.5 * (static_cast<double>(i) - 1)), rounding);
+  for (std::size_t i = 0; i < free.size(); ++i)
+    EXPECT_NEAR(free[i], 0.5 * (2 + 0.5 * (static_cast<double>(i) - 1)), rounding);
   for (double v : along<Shape>(off_axis, 1)) EXPECT_NEAR(v, 0.5, rounding);  // along the axis as elsewhere
 }
 TEST(CellVolumes, OfRings) {

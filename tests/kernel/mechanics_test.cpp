@@ -105,8 +105,8 @@ Scene with_images(const Scene& scene) {
   const int n = half.points(), beyond = scene.grid.cells[0];
   whole.bodies[0] = make_body("gas", scene.bodies[0].material, 2 * n, 2, true);
   Columns& points = whole.bodies[0].points;
-  for (const ColumnId* id : {&column::position, &column::velocity, &column::mass, &column::volume, &column::density,
-                             &column::energy}) {
+  for (const ColumnId* id :
+       {&column::position, &column::velocity, &column::mass, &column::volume, &column::density, &column::energy}) {
     for (int d = 0; d < points.components(*id); ++d) {
       const bool odd = d == 0 && (id == &column::position || id == &column::velocity);
       for (int p = 0; p < n; ++p) {
@@ -130,8 +130,8 @@ TEST_P(EveryCombination, StepsAsThePrintedEquationsSay) {
     for (scenes::Space space : scenes::spaces) {
       SCOPED_TRACE(space);
       for (const IdealGas& gas : {scenes::rough_law(), scenes::inviscid_law()}) {
-        expect_like_naive(
-            scenes::rough_gas_in_space(space, c.shape, c.transfer, gravity_in(space), gas), c.integrator, 0.01);
+        expect_like_naive(scenes::rough_gas_in_space(space, c.shape, c.transfer, gravity_in(space), gas), c.integrator,
+                          0.01);
       }
     }
     for (int dim : {1, 2}) expect_like_naive(free_membrane(dim, c.shape, c.transfer), c.integrator, 0.01);
@@ -194,7 +194,8 @@ TEST_P(EveryCombination, TheAxisIsAMirror) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Integrators, EveryCombination, testing::Values("usf", "usl", "musl", "usavg", "energy", "leapfrog"),
+INSTANTIATE_TEST_SUITE_P(Integrators, EveryCombination,
+                         testing::Values("usf", "usl", "musl", "usavg", "energy", "leapfrog"),
                          [](const auto& chosen) { return chosen.param; });
 
 // --- walls ----------------------------------------------------------------------------------------------------------

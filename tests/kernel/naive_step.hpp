@@ -91,7 +91,8 @@ class NaiveStep {
     if (integrator == "energy" || leapfrog) {
       strain(dt, Of::middle);
       if (gas_) {
-        for (NaivePoint& point : points) point.energy += point.exchanged + point.loss / point.m;  // [EC-APIC 6] [Exchange 1]
+        for (NaivePoint& point : points)
+          point.energy += point.exchanged + point.loss / point.m;  // [EC-APIC 6] [Exchange 1]
         transfer = transfer_before;
       }
       if (leapfrog) drift(dt / 2);  // [Leapfrog 3]
@@ -228,10 +229,9 @@ class NaiveStep {
   }
 
   void forces() {
-    for (NaiveNode& node : nodes_)
-      node.force = node.m * gravity_;  // [York 3.18]
+    for (NaiveNode& node : nodes_) node.force = node.m * gravity_;  // [York 3.18]
     for_pairs([&](NaivePoint& p, NaiveNode& i, double n, const Vec& g) {
-      i.force -= p.volume * p.stress * g;                                              // [York 3.17]
+      i.force -= p.volume * p.stress * g;                                       // [York 3.17]
       if (rings()) i.force[0] -= p.volume * p.stress(2, 2) * n / frozen(p)[0];  // hoop stress pulls inwards
     });
     forces_known_ = true;
@@ -239,7 +239,8 @@ class NaiveStep {
 
   void advance(double dt) {
     std::vector<Vec> a;
-    for (const NaiveNode& node : nodes_) a.push_back(node.m > 0 ? Vec(node.force / node.m) : Vec(Vec::Zero()));  // [York 3.19]
+    for (const NaiveNode& node : nodes_)
+      a.push_back(node.m > 0 ? Vec(node.force / node.m) : Vec(Vec::Zero()));  // [York 3.19]
     a = sharpened(a);
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       nodes_[i].end = nodes_[i].start + dt * a[i];  // [York 3.20]
@@ -336,7 +337,10 @@ class NaiveStep {
     std::vector<Vec>& straining = straining_[static_cast<std::size_t>(which)];
     if (straining.empty()) {
       for (const NaiveNode& i : nodes_) {
-        straining.push_back(which == Of::start ? i.start : which == Of::end ? i.end : which == Of::middle ? i.middle : i.again);
+        straining.push_back(which == Of::start    ? i.start
+                            : which == Of::end    ? i.end
+                            : which == Of::middle ? i.middle
+                                                  : i.again);
       }
       straining = sharpened(straining);
     }

@@ -27,9 +27,12 @@ TEST(Parallel, EveryPieceOnce) {
 // a third with its own, and where there are chains one of them.
 Scene crowd(Space space, const std::string& shape, const std::string& transfer) {
   const int dim = scenes::dim_of(space);
-  const std::array<int, 3> cells = dim == 1 ? std::array{900, 1, 1} : dim == 2 ? std::array{24, 48, 1} : std::array{6, 7, 16};
-  const GridSpec grid = scenes::box(space, cells, 0.1, scenes::walls(Wall::symmetry, Wall::no_slip, Wall::no_slip,
-                                                                     Wall::symmetry, Wall::symmetry, Wall::no_slip));
+  const std::array<int, 3> cells = dim == 1   ? std::array{900, 1, 1}
+                                   : dim == 2 ? std::array{24, 48, 1}
+                                              : std::array{6, 7, 16};
+  const GridSpec grid = scenes::box(
+      space, cells, 0.1,
+      scenes::walls(Wall::symmetry, Wall::no_slip, Wall::no_slip, Wall::symmetry, Wall::symmetry, Wall::no_slip));
   const int per_cell = dim == 1 ? 4 : 2, last = dim - 1;
   const auto gas = [&](const IdealGas& law, unsigned long seed, double from, double to) {
     std::array<int, 3> low{0, 0, 0}, high = cells;
@@ -106,7 +109,8 @@ TEST_P(Threads, NeighboursInAPackDoNotMeet) {
     const auto run = [&](int first_changed) {
       Scene own = scene;
       Columns& points = own.bodies[0].points;
-      for (const ColumnId* id : {&column::mass, &column::volume, &column::velocity, &column::energy, &column::density}) {
+      for (const ColumnId* id :
+           {&column::mass, &column::volume, &column::velocity, &column::energy, &column::density}) {
         for (int k = 0; k < points.components(*id); ++k) {
           for (int p = first_changed; p >= 0 && p < first_changed + 3; ++p) points(*id, k)[p] *= 3.7;
           if (first_changed < 0 || k + 1 < points.components(*id)) continue;
@@ -115,7 +119,8 @@ TEST_P(Threads, NeighboursInAPackDoNotMeet) {
       }
       Ledger ledger;
       const auto integrator = find_integrator(c.integrator)->make();
-      const auto engine = make_engine(own, ledger, {integrator->returns_transfer_loss(), integrator->evaluates_stress_first()});
+      const auto engine = make_engine(own, ledger,
+                                      {integrator->returns_transfer_loss(), integrator->evaluates_stress_first()});
       engine->initialise();
       for (int k = 0; k < 2; ++k) integrator->step(*engine, 0.01);
       return own.bodies[0];
@@ -124,9 +129,11 @@ TEST_P(Threads, NeighboursInAPackDoNotMeet) {
     for (int first_changed : {0, 3}) {
       const Body other = run(first_changed);
       const int first = 3 - first_changed;
-      for (const ColumnId* id : {&column::position, &column::velocity, &column::energy, &column::volume, &column::stress}) {
+      for (const ColumnId* id :
+           {&column::position, &column::velocity, &column::energy, &column::volume, &column::stress}) {
         for (int k = 0; k < other.points.components(*id); ++k) {
-          for (int p = first; p < first + 3; ++p) EXPECT_EQ(other.points(*id, k)[p], same.points(*id, k)[p]) << id->name() << p;
+          for (int p = first; p < first + 3; ++p)
+            EXPECT_EQ(other.points(*id, k)[p], same.points(*id, k)[p]) << id->name() << p;
         }
       }
     }

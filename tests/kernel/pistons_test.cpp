@@ -66,8 +66,9 @@ TEST(Pistons, DriveTheNodesBehindThem) {
 // A gas and a piston in it, in every geometry, with mirrors beside: momenta and energy close with the piston's part booked.
 TEST(Pistons, TheirWorkIsBooked) {
   for (Space space : scenes::spaces) {
-    for (const scenes::Combination& c :
-         {scenes::Combination{"leapfrog", "cubic", "apic"}, {"energy", "quadratic", "pic"}, {"musl", "linear", "apic"}}) {
+    for (const scenes::Combination& c : {scenes::Combination{"leapfrog", "cubic", "apic"},
+                                         {"energy", "quadratic", "pic"},
+                                         {"musl", "linear", "apic"}}) {
       SCOPED_TRACE(testing::Message() << space << ", " << c);
       Scene scene = scenes::rough_gas(space, c.shape, c.transfer);
       const int along = space == Space::axisymmetric ? 1 : 0;
@@ -94,7 +95,9 @@ TEST(Pistons, AMovingBoxIsAtRest) {
   const auto places = scenes::lattice(grid, 2, {5, 0, 0}, {15, 1, 1});
   Scene scene = scenes::scene_of(grid,
                                  {scenes::gas_body({}, 1, places, 0.05,
-                                                   [](auto&) { return scenes::GasState{1, 2.5, {0.4, 0, 0}}; })},
+                                                   [](auto&) {
+                                                     return scenes::GasState{1, 2.5, {0.4, 0, 0}};
+                                                   })},
                                  "quadratic", "apic");
   scene.pistons = {{0, 0, 0.5, 0.4}, {0, 1, 1.5, 0.4}};
   Simulation run(scene, "leapfrog", {0.3, 0.01});

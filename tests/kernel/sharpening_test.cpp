@@ -135,7 +135,8 @@ void expect_multiplier() {
   int seen = 0;
   for (int i = 0; i < nodes.grid.node_count(); ++i) {
     bool inner = true;
-    for (int d = 0; d < dim; ++d) inner &= nodes.grid.index(i, d) > 0 && nodes.grid.index(i, d) < nodes.grid.nodes(d) - 1;
+    for (int d = 0; d < dim; ++d)
+      inner &= nodes.grid.index(i, d) > 0 && nodes.grid.index(i, d) < nodes.grid.nodes(d) - 1;
     if (!inner) continue;
     ++seen;
     const auto at = static_cast<std::size_t>(i);
@@ -171,7 +172,8 @@ TEST(Sharpening, MultipliesStandingWavesBetweenWalls) {
       const auto x = nodes.grid.position(i);
       const double s0 = std::sin(k[0] * x[0]), c0 = std::cos(k[0] * x[0]), s1 = std::sin(k[1] * x[1]),
                    c1 = std::cos(k[1] * x[1]);
-      wave[static_cast<std::size_t>(i)] = kind == Wall::no_slip ? Nodes<2>::Vec(s0 * s1, -s0 * s1) : Nodes<2>::Vec(s0 * c1, c0 * s1);
+      wave[static_cast<std::size_t>(i)] = kind == Wall::no_slip ? Nodes<2>::Vec(s0 * s1, -s0 * s1)
+                                                                : Nodes<2>::Vec(s0 * c1, c0 * s1);
     }
     const double multiplier = 1 + 2 * theta * (2 - std::cos(k[0] * h) - std::cos(k[1] * h));
     const auto q = nodes.sharpened(wave, theta);

@@ -21,21 +21,24 @@ TEST_P(Touched, NothingStaysWhereACloudWas) {
   for (int first : {1, 6}) {
     low[static_cast<std::size_t>(along)] = first;
     high[static_cast<std::size_t>(along)] = first + 2;
-    const auto cloud = scenes::jittered(scenes::lattice(grid, 2, low, high), 0.01, dim, static_cast<unsigned long>(first));
+    const auto cloud = scenes::jittered(scenes::lattice(grid, 2, low, high), 0.01, dim,
+                                        static_cast<unsigned long>(first));
     places.insert(places.end(), cloud.begin(), cloud.end());
   }
-  for (const scenes::Combination& c :
-       {scenes::Combination{"leapfrog", "cubic", "apic"}, {"energy", "quadratic", "pic"}, {"usavg", "linear", "flip"}}) {
+  for (const scenes::Combination& c : {scenes::Combination{"leapfrog", "cubic", "apic"},
+                                       {"energy", "quadratic", "pic"},
+                                       {"usavg", "linear", "flip"}}) {
     SCOPED_TRACE(c);
     scenes::Random random(3);
-    Scene scene = scenes::scene_of(grid,
-                                   {scenes::gas_body(scenes::rough_law(), space, places, scenes::lattice_volume(grid, 2),
-                                                     [&](auto&) {
-                                                       scenes::GasState state{random(0.5, 1), 1e-3 * random(1, 2)};
-                                                       state.velocity[static_cast<std::size_t>(along)] = random(1, 1.05);
-                                                       return state;
-                                                     })},
-                                   c.shape, c.transfer);
+    Scene scene = scenes::scene_of(
+        grid,
+        {scenes::gas_body(scenes::rough_law(), space, places, scenes::lattice_volume(grid, 2),
+                          [&](auto&) {
+                            scenes::GasState state{random(0.5, 1), 1e-3 * random(1, 2)};
+                            state.velocity[static_cast<std::size_t>(along)] = random(1, 1.05);
+                            return state;
+                          })},
+        c.shape, c.transfer);
     scene.sharpening = c.shape == "linear" ? 0 : 1;
     scene.heat_exchange = 1;
     Simulation run(scene, c.integrator, {0.3, 0.03});

@@ -29,7 +29,11 @@ class Oscillator final : public Stages {
   double x, v, strain, omega, by_place;
 
   Oscillator(double place, double velocity, double frequency, double share)
-      : x(place), v(velocity), strain(place), omega(frequency), by_place(share) {}
+      : x(place),
+        v(velocity),
+        strain(place),
+        omega(frequency),
+        by_place(share) {}
 
   void locate_points() override { located_ = x; }
   void map_mass_and_momentum() override { start_ = v; }
@@ -93,9 +97,7 @@ TEST(Leapfrog, KeepsTheAmplitudeOfAnOscillation) {
 // Its frequency: cos(w dt) = 1 - (omega dt)^2 / 2, so w = omega (1 + (omega dt)^2 / 24 + ...), second order in dt. With half the
 // step a quarter of the error, to the next term's share, 9/80 (omega dt)^2 of it. [Leapfrog 1-3]
 TEST(Leapfrog, FrequencyIsOfSecondOrder) {
-  const auto error = [](double dt) {
-    return std::acos(amplification("leapfrog", dt, 1 / 1.4).trace() / 2) / dt - 1;
-  };
+  const auto error = [](double dt) { return std::acos(amplification("leapfrog", dt, 1 / 1.4).trace() / 2) / dt - 1; };
   EXPECT_NEAR(error(0.1), 0.01 / 24, 0.01 * 0.01 / 24);
   EXPECT_NEAR(error(0.2) / error(0.1), 4, 4 * 9.0 / 80 * 0.04);
 }
@@ -123,13 +125,14 @@ TEST(Leapfrog, DustFliesStraight) {
 TEST(Leapfrog, WallsSendPointsBack) {
   for (Wall kind : {Wall::symmetry, Wall::no_slip}) {
     const GridSpec grid = scenes::plane(4, 4, 1, scenes::walls_everywhere(kind));
-    Scene scene = scenes::scene_of(grid,
-                                   {scenes::gas_body({}, 2, {{3.9, 2, 0}, {1.3, 0.1, 0}}, 0.1,
-                                                     [](const scenes::Place& x) {
-                                                       return x[0] > 2 ? scenes::GasState{1, 0, {0.8, 0.3, 0}}
-                                                                       : scenes::GasState{2, 0, {0.2, -0.6, 0}};
-                                                     })},
-                                   "quadratic", "apic");
+    Scene scene = scenes::scene_of(
+        grid,
+        {scenes::gas_body(
+            {}, 2, {{3.9, 2, 0}, {1.3, 0.1, 0}}, 0.1,
+            [](const scenes::Place& x) {
+              return x[0] > 2 ? scenes::GasState{1, 0, {0.8, 0.3, 0}} : scenes::GasState{2, 0, {0.2, -0.6, 0}};
+            })},
+        "quadratic", "apic");
     Ledger ledger;
     const auto engine = make_engine(scene, ledger, {});
     engine->initialise();
@@ -150,8 +153,8 @@ TEST(Leapfrog, WallsSendPointsBack) {
       EXPECT_NEAR(ledger.momentum[d].flow(Flow::walls), after.momentum[d] - before.momentum[d], 1e-15);
       EXPECT_GT(std::abs(ledger.momentum[d].flow(Flow::walls)), 0.01);
     }
-    EXPECT_NEAR(ledger.angular_momentum[2].flow(Flow::walls),
-                after.angular_momentum[2] - before.angular_momentum[2], 1e-15);
+    EXPECT_NEAR(ledger.angular_momentum[2].flow(Flow::walls), after.angular_momentum[2] - before.angular_momentum[2],
+                1e-15);
     EXPECT_EQ(after.energy.kinetic, before.energy.kinetic);
   }
 }
