@@ -33,8 +33,8 @@ void Bins::build(std::span<const int> lowest, int layer, int height, bool in_ord
 }
 
 void Bins::close_chunk(int first_bin, int last_bin, int block) {
-  chunks_.push_back({first_bin, last_bin, start_[static_cast<std::size_t>(first_bin)],
-                     start_[static_cast<std::size_t>(last_bin)]});
+  chunks_.push_back(
+      {first_bin, last_bin, start_[static_cast<std::size_t>(first_bin)], start_[static_cast<std::size_t>(last_bin)]});
   auto& same_colour = blocks_[block % 2];
   if (block == open_block_) {
     same_colour.back().last = chunk_count();

@@ -90,7 +90,7 @@ inline constexpr int normal_components(int dim, bool axisymmetric) { return dim 
 
 // Rotations: one in the plane (about z), three in space (about x, y, z).
 template <int dim>
-inline constexpr int rotation_count = dim * (dim - 1) / 2;
+inline constexpr int rotation_count = dim*(dim - 1) / 2;
 
 // The two axes that turn into each other under rotation k: a x b has component a_i b_j - a_j b_i there.
 template <int dim>

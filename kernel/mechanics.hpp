@@ -10,9 +10,9 @@
 namespace plumbline {
 
 struct EngineOptions {
-  bool keep_loss = false;              // points carry what the maps took, for return_transfer_loss()
+  bool keep_loss = false;               // points carry what the maps took, for return_transfer_loss()
   bool evaluates_stress_first = false;  // see TimeIntegrator
-  int threads = 1;                     // >= 1; no result depends on it
+  int threads = 1;                      // >= 1; no result depends on it
 };
 
 class Engine : public Stages {

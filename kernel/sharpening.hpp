@@ -38,9 +38,8 @@ class Sharpening {
 
   // to = Q from, on the touched nodes that are not ghosts of a wall.
   void apply(const VelocityField<dim>& field, const std::vector<Vec>& from, std::vector<Vec>& to, int threads) const {
-    for_each_piece(grid_.rows(), threads, [&](int row) {
-      apply_to_row(field, row, from, to, [](int, int, int, const Vec&) {});
-    });
+    for_each_piece(grid_.rows(), threads,
+                   [&](int row) { apply_to_row(field, row, from, to, [](int, int, int, const Vec&) {}); });
   }
 
   // The same; returns what Q adds to sum_i M_i a_i and sum_i x_i x M_i a_i.

@@ -23,8 +23,7 @@ Simulation::Simulation(Scene scene, const std::string& integrator, StepControl c
                                 scene_.transfer + ": " + why);
   }
   engine_ = make_engine(
-      scene_, ledger_,
-      {integrator_->returns_transfer_loss(), integrator_->evaluates_stress_first(), control_.threads});
+      scene_, ledger_, {integrator_->returns_transfer_loss(), integrator_->evaluates_stress_first(), control_.threads});
   engine_->initialise();
   ledger_.open(engine_->totals());
 }

@@ -13,9 +13,7 @@ namespace plumbline {
 namespace {
 
 // D over h^2; without an affine transfer there is none to keep, and d is bounded as by quadratic shapes.
-double inertia_of(const std::string& shape) {
-  return shape == "cubic" ? Cubic::inertia(0.0) : Quadratic::inertia(0.0);
-}
+double inertia_of(const std::string& shape) { return shape == "cubic" ? Cubic::inertia(0.0) : Quadratic::inertia(0.0); }
 
 // The points of a body that have outgrown the kernel, in their order. Almost always none: one look at one column.
 std::vector<int> outgrown(const Columns& points, const GridSpec& grid, double largest, int threads) {

@@ -87,7 +87,8 @@ class Stencil {
   }
 
   template <int d, class At>
-  [[gnu::always_inline]] inline Jet<dim, Number> gather_along(const Footprint<dim>& footprint, At& at, int offset) const {
+  [[gnu::always_inline]] inline Jet<dim, Number> gather_along(const Footprint<dim>& footprint, At& at,
+                                                              int offset) const {
     Jet<dim, Number> sums;
     sums.value = 0.0;
     for (int k = 0; k <= d; ++k) sums.gradient[k] = sums.affine[k] = 0.0;

@@ -42,7 +42,6 @@ class Walls {
   // sum over ghosts of M_g (u_g - u_mirror).
   WallAction<dim> extension_impulse(const VelocityField<dim>& field, const std::vector<Vec>& u) const;
 
-
  private:
   // Calls visit(node, mirror, d, no_slip) for each touched ghost node of direction d, and wall(node, d, no_slip) for
   // each touched wall node.

@@ -29,17 +29,17 @@ class Passes {
 
   PointWork of(const std::string& integrator) {
     if (integrator == "leapfrog") {
-      // drift_points; locate_points, map_mass_and_momentum, predict_stress, map_forces; the rest is one pass.
-      for (const Pass& pass : {drift(), sort(true), map(true), stress(true), forces(), finish(true)}) add(pass);
+      // drift_points; locate_points, map_mass_and_momentum; stress and forces in one pass; the rest is another.
+      for (const Pass& pass : {drift(), sort(true), map(true), stress(true), forces(true), finish(true)}) add(pass);
     } else if (integrator == "energy") {
       // reverse_cooling() wants the midpoint strain rates; somewhere in a flow with shocks it changes a point, and forces
       // are mapped again.
-      for (const Pass& pass : {sort(true), map(true), stress(true), forces(), cooling(), forces(), finish(false)})
+      for (const Pass& pass : {sort(true), map(true), stress(true), forces(false), cooling(), forces(false), finish(false)})
         add(pass);
     } else {
       // map_mass_and_momentum, map_forces; move_points: strain rates, their power, then the points move; map_momentum;
       // update_stress: strain rates, advance, the density from a map of its own, and the survey.
-      for (const Pass& pass : {sort(false), map(true), forces(), rates(), power(), move(), map(false), rates(),
+      for (const Pass& pass : {sort(false), map(true), forces(false), rates(), power(), move(), map(false), rates(),
                                advance(), place_again(), mass_alone(), density_and_stress(), survey()})
         add(pass);
     }
@@ -233,8 +233,8 @@ class Passes {
     equation_of_state(ahead);
     return {2 * vector + tensor() + 2, 5, counted()};
   }
-  // x, V, sigma; with heat exchange m, e and the rate.
-  Pass forces() {
+  // x, V, sigma; with heat exchange m, e and the rate; nothing anew in the pass that found the stress.
+  Pass forces(bool with_stress) {
     begin();
     const Kernel weights = stencil();
     const Traced s = -given() * given();
@@ -252,7 +252,7 @@ class Passes {
       scatter(weights, m * given());
       scatter(weights, m * function_of(-given(), 0.0));
     }
-    return {vector + 2 + (exchange_ ? 3 : 0), 0, counted()};
+    return {with_stress ? 0 : vector + 2 + (exchange_ ? 3 : 0), 0, counted()};
   }
   Pass cooling() {
     begin();

@@ -121,7 +121,8 @@ int execute(const Invocation& invocation, const ConvergeOptions& options) {
     for (CaseGate& gate : entry.gates()) {
       if (declared && gate.study == plan.id) gates.push_back(std::move(gate));
     }
-    for (CaseGate& gate : generic_gates(plan.id, study.levels.front().run.dim, study.levels.front().run.axisymmetric)) gates.push_back(std::move(gate));
+    for (CaseGate& gate : generic_gates(plan.id, study.levels.front().run.dim, study.levels.front().run.axisymmetric))
+      gates.push_back(std::move(gate));
     const auto judged = judge_gates(gates, study);
     folder.write_study(study, judged, provenance);
     print(out, study, judged, declared);

@@ -161,10 +161,10 @@ class NohRadial final : public Case {
 const NohRadial cylindrical{{"noh-cylindrical", "Noh's problem against an axis",
                              "The shock stands within one cell of its place and leaves sixteen times the density.",
                              "an axis", 2, 16}};
-const NohRadial spherical{{"noh-spherical", "Noh's problem against a centre",
-                           "The shock runs outwards at a third of the stream's speed; what coarse meshes leave of 64 times the density.",
-                           "a centre",
-                           3, 64}};
+const NohRadial spherical{
+    {"noh-spherical", "Noh's problem against a centre",
+     "The shock runs outwards at a third of the stream's speed; what coarse meshes leave of 64 times the density.",
+     "a centre", 3, 64}};
 
 }  // namespace
 }  // namespace plumbline

@@ -251,7 +251,8 @@ std::vector<CaseGate> generic_gates(const std::string& study, int dim, bool axis
                              "stresses are symmetric and every transfer is booked, " + why,
                              largest_over_runs([](const RunResult& r) {
                                double drift = 0;
-                               for (const Account& a : r.ledger.angular_momentum) drift = larger(drift, a.relative_drift(true));
+                               for (const Account& a : r.ledger.angular_momentum)
+                                 drift = larger(drift, a.relative_drift(true));
                                return drift;
                              })));
   }

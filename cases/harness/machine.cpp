@@ -43,7 +43,8 @@ double rounds_per_second(int threads, const Work& work) {
   long rounds = 1;
   double time = seconds_of_rounds(threads, rounds, work);
   while (time < shortest) {
-    rounds = std::max(2 * rounds, static_cast<long>(1.2 * shortest / std::max(time, 1e-9) * static_cast<double>(rounds)));
+    rounds = std::max(2 * rounds,
+                      static_cast<long>(1.2 * shortest / std::max(time, 1e-9) * static_cast<double>(rounds)));
     time = seconds_of_rounds(threads, rounds, work);
   }
   for (int k = 1; k < repetitions; ++k) time = std::min(time, seconds_of_rounds(threads, rounds, work));

@@ -9,8 +9,7 @@ template <class G, class S, class T>
 template <class Work>
 void Mechanics<G, S, T>::for_chunks(const Located& at, Work&& work) const {
   const auto& chunks = at.bins.chunks();
-  for_each_piece(at.bins.chunk_count(), options_.threads,
-                 [&](int k) { work(chunks[static_cast<std::size_t>(k)]); });
+  for_each_piece(at.bins.chunk_count(), options_.threads, [&](int k) { work(chunks[static_cast<std::size_t>(k)]); });
 }
 
 template <class G, class S, class T>
@@ -40,15 +39,15 @@ template <class G, class S, class T>
 template <class Sum, class Work>
 Sum Mechanics<G, S, T>::sum_over_chunks_writing_nodes(const Located& at, Work&& work) const {
   std::vector<Sum> sums(at.bins.chunks().size());
-  for_chunks_writing_nodes(at, [&](const Chunk& chunk) {
-    sums[static_cast<std::size_t>(&chunk - at.bins.chunks().data())] = work(chunk);
-  });
+  for_chunks_writing_nodes(
+      at, [&](const Chunk& chunk) { sums[static_cast<std::size_t>(&chunk - at.bins.chunks().data())] = work(chunk); });
   return pairwise_sum(sums.data(), sums.size());
 }
 
 template <class G, class S, class T>
 template <class Visit>
-[[gnu::always_inline]] inline void Mechanics<G, S, T>::for_bins(const Bins& bins, const Chunk& chunk, Visit&& visit) const {
+[[gnu::always_inline]] inline void Mechanics<G, S, T>::for_bins(const Bins& bins, const Chunk& chunk,
+                                                                Visit&& visit) const {
   Print print;
   for (int d = 0; d < dim; ++d) print.stride[d] = grid_.stride(d);
   for (int bin = chunk.first_bin; bin < chunk.last_bin; ++bin) {
@@ -68,8 +67,8 @@ template <class G, class S, class T>
 auto Mechanics<G, S, T>::places(const Body& body, const Located& at) const -> std::array<const double*, dim> {
   std::array<const double*, dim> x;
   for (int d = 0; d < dim; ++d) {
-    x[static_cast<std::size_t>(d)] =
-        moved_ ? at.frozen[static_cast<std::size_t>(d)].data() : body.points(column::position, d);
+    x[static_cast<std::size_t>(d)] = moved_ ? at.frozen[static_cast<std::size_t>(d)].data()
+                                            : body.points(column::position, d);
   }
   return x;
 }

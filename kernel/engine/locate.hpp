@@ -90,16 +90,18 @@ void Mechanics<G, S, T>::place(Body& body, Located& at) const {
   for_each_piece(static_cast<int>(outside.size()), options_.threads, [&](int piece) {
     const int first = piece * place_stretch, last = std::min(first + place_stretch, body.points.points());
     PackMask inside = first_lanes(lanes);
-    for_packs(first, last, [&](int p, int count) __attribute__((always_inline)) {
-      Pack node = 0.0;
-      for (int d = 0; d < dim; ++d) {
-        const Pack x = (load(position[static_cast<std::size_t>(d)] + p) - grid_.origin(d)) * (1 / grid_.h());
-        inside = inside && ((x >= -on_side && x <= grid_.cells(d) + on_side) || !first_lanes(count));
-        const Pack on_grid = min(max(x, Pack(0.0)), Pack(1.0 * grid_.cells(d)));
-        node += (S::anchor_node(on_grid, grid_.cells(d)) + (S::first + Grid<dim>::ghosts)) * (1.0 * grid_.stride(d));
-      }
-      store_as_integers(at.lowest.data() + p, node, count);
-    });
+    for_packs(
+        first, last, [&](int p, int count) __attribute__((always_inline)) {
+          Pack node = 0.0;
+          for (int d = 0; d < dim; ++d) {
+            const Pack x = (load(position[static_cast<std::size_t>(d)] + p) - grid_.origin(d)) * (1 / grid_.h());
+            inside = inside && ((x >= -on_side && x <= grid_.cells(d) + on_side) || !first_lanes(count));
+            const Pack on_grid = min(max(x, Pack(0.0)), Pack(1.0 * grid_.cells(d)));
+            node += (S::anchor_node(on_grid, grid_.cells(d)) + (S::first + Grid<dim>::ghosts)) *
+                    (1.0 * grid_.stride(d));
+          }
+          store_as_integers(at.lowest.data() + p, node, count);
+        });
     outside[static_cast<std::size_t>(piece)] = !all_of(inside);
   });
   if (std::find(outside.begin(), outside.end(), 1) == outside.end()) return;

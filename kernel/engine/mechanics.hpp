@@ -89,7 +89,7 @@ class Mechanics final : public Engine {
   // What the engine knows of a body beside its columns.
   struct Located {
     std::size_t field = 0;
-    std::vector<int> lowest;               // flat index of the lowest node reached, per point
+    std::vector<int> lowest;                      // flat index of the lowest node reached, per point
     std::array<std::vector<double>, dim> frozen;  // where the points stood when they were located, once they have moved
     Bins bins;
     bool bins_hold = false;  // the points are in the order of the bins, each sorted by id

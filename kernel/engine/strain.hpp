@@ -10,8 +10,9 @@ namespace plumbline {
 template <class G, class S, class T>
 template <class Component>
 [[gnu::always_inline]] inline void Mechanics<G, S, T>::store_strain_rates(const RateColumns& rates,
-                                                                          const PackStencil& weights, const Pack& radius,
-                                                                          int p, int count, Component&& u) const {
+                                                                          const PackStencil& weights,
+                                                                          const Pack& radius, int p, int count,
+                                                                          Component&& u) const {
   Pack gradient[dim][dim], hoop_rate = 0.0;
   for (int d = 0; d < dim; ++d) {
     const auto jet = weights.gather_array([&](int k) { return u(k, d); });
@@ -232,8 +233,8 @@ void Mechanics<G, S, T>::evaluate_stress_ahead(NodalVelocity velocity, double ah
       cell_density<dim>(grid_, body.points, scene_.density == DensityMethod::quadratic);
     }
     const bool rates_wanted = velocity != rate_of_, loss_wanted = pending_.loss;
-    const std::vector<Vec>& nodal_velocity =
-        rates_wanted ? straining_velocity(field_of(b), velocity) : field_of(b).start;
+    const std::vector<Vec>& nodal_velocity = rates_wanted ? straining_velocity(field_of(b), velocity)
+                                                          : field_of(b).start;
     const bool elsewhere_wanted = grid_density && moved_;
     Wanted wanted;
     if (loss_wanted) wanted.loss = &field_of(b).start;
@@ -297,7 +298,8 @@ void Mechanics<G, S, T>::map_own_mass(Body& body, Located& at, Field& field) {
   walls_.include_mirrors(field.touched);
   field.for_touched(grid_, [&](std::size_t i) { field.mass[i] = 0; });
   const bool frozen = std::exchange(moved_, false);
-  for_chunks_writing_nodes(at, [&](const Chunk& chunk) { scatter_mass_and_momentum<true, false>(body, at, chunk, field); });
+  for_chunks_writing_nodes(at,
+                           [&](const Chunk& chunk) { scatter_mass_and_momentum<true, false>(body, at, chunk, field); });
   moved_ = frozen;
   walls_.fold_mass(field);
 }

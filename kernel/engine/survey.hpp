@@ -89,8 +89,9 @@ auto Mechanics<G, S, T>::surveyed() const -> const Survey& {
     Survey all;
     for (std::size_t b = 0; b < located_.size(); ++b) {
       if (scene_.bodies[b].points.points() == 0) continue;
-      all += sum_over_chunks<Survey>(
-          located_[b], [&](const Chunk& chunk) { return survey(scene_.bodies[b], {chunk.first, chunk.last}); });
+      all += sum_over_chunks<Survey>(located_[b], [&](const Chunk& chunk) {
+        return survey(scene_.bodies[b], {chunk.first, chunk.last});
+      });
     }
     all.totals.grid_mass = grid_mass_;
     survey_ = all;

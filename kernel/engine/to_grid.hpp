@@ -269,8 +269,8 @@ void Mechanics<G, S, T>::advance_momentum(double dt) {
         },
         options_.threads);
     if (!sharpening_.none()) {
-      const SharpeningAction<dim> added =
-          sharpening_.apply_to_accelerations(field, field.end, field.midpoint, options_.threads);  // [Sharpening 1]
+      const SharpeningAction<dim> added = sharpening_.apply_to_accelerations(field, field.end, field.midpoint,
+                                                                             options_.threads);  // [Sharpening 1]
       pending_.wall.linear += dt * added.walls.linear;
       pending_.wall.angular += dt * added.walls.angular;
       pending_.sharpening_turn += dt * added.turn;

@@ -23,8 +23,8 @@ auto Mechanics<G, S, T>::MotionSums::operator+=(const MotionSums& o) -> MotionSu
 // straining: also the strain rates of this nodal velocity. exchange: also e_p += sum_i N_ip alpha_i (E_i - e_p), which
 // conserves sum_p m_p e_p node by node, and leaves no energy negative: each becomes a mean of what points have. [Exchange 1]
 template <class G, class S, class T>
-auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Chunk& chunk, const Field& field,
-                                       double dt, std::optional<double> drift, const std::vector<Vec>* straining,
+auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Chunk& chunk, const Field& field, double dt,
+                                       std::optional<double> drift, const std::vector<Vec>* straining,
                                        bool exchange) const -> MotionSums {
   Columns& points = body.points;
   const RateColumns rates = rate_columns(body);
@@ -148,11 +148,12 @@ auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Chun
 template <class G, class S, class T>
 std::pair<double, double> Mechanics<G, S, T>::extent(const double* x, PointRange range) {
   Pack low = HUGE_VAL, high = -HUGE_VAL;
-  for_packs(range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
-    const Pack here = count < lanes ? choose(first_lanes(count), load(x + p), x[p]) : load(x + p);
-    low = min(low, here);
-    high = max(high, here);
-  });
+  for_packs(
+      range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
+        const Pack here = count < lanes ? choose(first_lanes(count), load(x + p), x[p]) : load(x + p);
+        low = min(low, here);
+        high = max(high, here);
+      });
   return {hmin(low), hmax(high)};
 }
 
@@ -213,7 +214,8 @@ void Mechanics<G, S, T>::reflect_point(Body& body, int p, int d, double wall, Mo
   for (int k = 0; k < dim; ++k) {
     const double sign = no_slip || k == d ? -1 : 1;
     points(column::velocity, k)[p] = sign * v[k];
-    for (int e = 0; T::affine && e < dim; ++e) points(column::affine, k * dim + e)[p] = (e == d ? -sign : sign) * c(k, e);
+    for (int e = 0; T::affine && e < dim; ++e)
+      points(column::affine, k * dim + e)[p] = (e == d ? -sign : sign) * c(k, e);
   }
   momenta(1);
 }
@@ -315,11 +317,12 @@ void Mechanics<G, S, T>::drift_points(double dt) {
       for (int d = 0; d < dim; ++d) {
         double* x = body.points(column::position, d);
         const double* v = body.points(column::velocity, d);
-        for_packs(chunk.first, chunk.last, [&](int p, int count) __attribute__((always_inline)) {
-          const Pack step = dt * load(v + p);
-          if (one.too_far < 0 && any_of(!(abs(step) <= grid_.h()) && first_lanes(count))) one.too_far = p;
-          store(x + p, load(x + p) + step, count);  // [Leapfrog 1]
-        });
+        for_packs(
+            chunk.first, chunk.last, [&](int p, int count) __attribute__((always_inline)) {
+              const Pack step = dt * load(v + p);
+              if (one.too_far < 0 && any_of(!(abs(step) <= grid_.h()) && first_lanes(count))) one.too_far = p;
+              store(x + p, load(x + p) + step, count);  // [Leapfrog 1]
+            });
       }
       reflect(body, {chunk.first, chunk.last}, one);
       return one;
@@ -389,14 +392,14 @@ void Mechanics<G, S, T>::finish_points(double dt, std::optional<double> drift) {
     Body& body = scene_.bodies[b];
     const double* loss = body.points.has(column::transfer_loss) ? body.points(column::transfer_loss) : nullptr;
     const Field& field = field_of(b);
-    const std::vector<Vec>& midpoint =
-        rates_wanted ? straining_velocity(field_of(b), NodalVelocity::midpoint) : field.midpoint;
+    const std::vector<Vec>& midpoint = rates_wanted ? straining_velocity(field_of(b), NodalVelocity::midpoint)
+                                                    : field.midpoint;
     const bool exchange = exchanges_heat(body);
     const Sums own = sum_over_chunks<Sums>(located_[b], [&](const Chunk& chunk) {
       const PointRange range{chunk.first, chunk.last};
       Sums sums;
-      sums.motion =
-          gather_motion(body, located_[b], chunk, field, dt, drift, rates_wanted ? &midpoint : nullptr, exchange);
+      sums.motion = gather_motion(body, located_[b], chunk, field, dt, drift, rates_wanted ? &midpoint : nullptr,
+                                  exchange);
       sums.power.power = stress_power(body, range, dt);
       sums.power.viscous = body.material->viscous_heat(body.points, range, context(), dt);
       sums.stored = body.material->advance(body.points, range, context(), dt);  // [EC-APIC 6]

@@ -80,13 +80,14 @@ struct Loops {
     const double *volume = points(column::volume), *mass = points(column::mass);
     double *energy = points(column::energy), *density = points(column::density);
     Pack stored = 0.0;
-    for_packs(range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
-      const Tensor d = rate[p];
-      const Pack heat = dt * load(volume + p) * stress[p].dot(d);
-      store(energy + p, load(energy + p) + heat / load(mass + p), count);  // [York 4.8]
-      if (continuity) store(density + p, load(density + p) / (1.0 + dt * d.trace()), count);  // [York 4.7]
-      stored += kept(heat, count);
-    });
+    for_packs(
+        range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
+          const Tensor d = rate[p];
+          const Pack heat = dt * load(volume + p) * stress[p].dot(d);
+          store(energy + p, load(energy + p) + heat / load(mass + p), count);                     // [York 4.8]
+          if (continuity) store(density + p, load(density + p) / (1.0 + dt * d.trace()), count);  // [York 4.7]
+          stored += kept(heat, count);
+        });
     return sum(stored);
   }
 
@@ -95,15 +96,16 @@ struct Loops {
     const Writing stresses(points, column::stress);
     const double *mass = points(column::mass), *energy = points(column::energy), *density = points(column::density);
     double *volume = points(column::volume), *pressure = points(column::pressure);
-    for_packs(range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
-      const Tensor d = rate[p];
-      const Pack m = load(mass + p), e = ahead(load(energy + p), (gas.gamma - 1) * context.ahead * d.trace());
-      const Pack rho = context.volume_given ? m / load(volume + p) : load(density + p);
-      if (!context.volume_given) store(volume + p, m / rho, count);
-      const Pack p_now = (gas.gamma - 1) * rho * e;  // [York 4.4]
-      store(pressure + p, p_now, count);
-      stresses.set(p, stress(gas, d, rho, e, p_now, context.h), count);
-    });
+    for_packs(
+        range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
+          const Tensor d = rate[p];
+          const Pack m = load(mass + p), e = ahead(load(energy + p), (gas.gamma - 1) * context.ahead * d.trace());
+          const Pack rho = context.volume_given ? m / load(volume + p) : load(density + p);
+          if (!context.volume_given) store(volume + p, m / rho, count);
+          const Pack p_now = (gas.gamma - 1) * rho * e;  // [York 4.4]
+          store(pressure + p, p_now, count);
+          stresses.set(p, stress(gas, d, rho, e, p_now, context.h), count);
+        });
   }
 
   static bool reverse_cooling(const IdealGas& gas, Columns& points, PointRange range, double h) {
@@ -112,16 +114,17 @@ struct Loops {
     const double *mass = points(column::mass), *energy = points(column::energy), *volume = points(column::volume);
     const double* pressures = points(column::pressure);
     bool changed = false;
-    for_packs(range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
-      const Pack e = load(energy + p), rho = load(mass + p) / load(volume + p), pressure = load(pressures + p);
-      const Tensor d = rate[p], old = stresses[p];
-      const PackMask cools = viscous_part(old, pressure).dot(d) < 0.0 && first_lanes(count);
-      if (none_of(cools)) return;
-      Tensor s = stress(gas, d, rho, e, pressure, h);
-      for (int k = 0; k < strains; ++k) s.component[k] = choose(cools, s.component[k], old.component[k]);
-      stresses.set(p, s, count);
-      changed = true;
-    });
+    for_packs(
+        range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
+          const Pack e = load(energy + p), rho = load(mass + p) / load(volume + p), pressure = load(pressures + p);
+          const Tensor d = rate[p], old = stresses[p];
+          const PackMask cools = viscous_part(old, pressure).dot(d) < 0.0 && first_lanes(count);
+          if (none_of(cools)) return;
+          Tensor s = stress(gas, d, rho, e, pressure, h);
+          for (int k = 0; k < strains; ++k) s.component[k] = choose(cools, s.component[k], old.component[k]);
+          stresses.set(p, s, count);
+          changed = true;
+        });
     return changed;
   }
 
@@ -129,9 +132,10 @@ struct Loops {
     const Reading rate(points, column::strain_rate), stress(points, column::stress);
     const double *volume = points(column::volume), *pressure = points(column::pressure);
     Pack total = 0.0;
-    for_packs(range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
-      total += kept(dt * load(volume + p) * viscous_part(stress[p], load(pressure + p)).dot(rate[p]), count);
-    });
+    for_packs(
+        range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
+          total += kept(dt * load(volume + p) * viscous_part(stress[p], load(pressure + p)).dot(rate[p]), count);
+        });
     return sum(total);
   }
 
@@ -140,10 +144,12 @@ struct Loops {
     const double *volume = points(column::volume), *mass = points(column::mass), *density = points(column::density);
     const auto n = static_cast<std::size_t>(points.points());
     std::vector<double> all((continuity ? 2 : 1) * n);
-    for_packs(0, points.points(), [&](int p, int count) __attribute__((always_inline)) {
-      store(all.data() + p, load(volume + p) / load(mass + p) * stress[p].dot(rate[p]), count);  // [York 4.8]
-      if (continuity) store(all.data() + n + static_cast<std::size_t>(p), -load(density + p) * rate[p].trace(), count);
-    });
+    for_packs(
+        0, points.points(), [&](int p, int count) __attribute__((always_inline)) {
+          store(all.data() + p, load(volume + p) / load(mass + p) * stress[p].dot(rate[p]), count);  // [York 4.8]
+          if (continuity)
+            store(all.data() + n + static_cast<std::size_t>(p), -load(density + p) * rate[p].trace(), count);
+        });
     return all;
   }
 };
@@ -193,8 +199,7 @@ bool IdealGas::reverse_cooling(Columns& points, PointRange range, const Material
   return with_loops(points, [&](auto loops) { return loops.reverse_cooling(*this, points, range, context.h); });
 }
 
-double IdealGas::viscous_heat(const Columns& points, PointRange range, const MaterialContext&,
-                              double dt) const {
+double IdealGas::viscous_heat(const Columns& points, PointRange range, const MaterialContext&, double dt) const {
   if (!viscous()) return 0;
   return with_loops(points, [&](auto loops) { return loops.viscous_heat(points, range, dt); });
 }
@@ -202,16 +207,19 @@ double IdealGas::viscous_heat(const Columns& points, PointRange range, const Mat
 void IdealGas::add_heat(Columns& points, PointRange range, const double* heat) const {
   const double* mass = points(column::mass);
   double* energy = points(column::energy);
-  for_packs(range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
-    plumbline::store(energy + p, load(energy + p) + load(heat + p) / load(mass + p), count);  // [EC-APIC 6]
-  });
+  for_packs(
+      range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
+        plumbline::store(energy + p, load(energy + p) + load(heat + p) / load(mass + p), count);  // [EC-APIC 6]
+      });
 }
 
 double IdealGas::stored_energy(const Columns& points, PointRange range) const {
   const double *mass = points(column::mass), *energy = points(column::energy);
   Pack total = 0.0;
-  for_packs(range.first, range.last,
-            [&](int p, int count) __attribute__((always_inline)) { total += kept(load(mass + p) * load(energy + p), count); });
+  for_packs(
+      range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
+        total += kept(load(mass + p) * load(energy + p), count);
+      });
   return sum(total);
 }
 
@@ -221,14 +229,16 @@ StepBounds IdealGas::step_bounds(const Columns& points, PointRange range, int di
   for (int d = 0; d < dim; ++d) velocity[d] = points(column::velocity, d);
   Pack fastest = 0.0, lightest = std::numeric_limits<double>::infinity();
   bool number = true;
-  for_packs(range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
-    Pack square = load(velocity[0] + p) * load(velocity[0] + p);
-    for (int d = 1; d < dim; ++d) square += load(velocity[d] + p) * load(velocity[d] + p);
-    const Pack signal = kept(sqrt(gamma * (gamma - 1) * load(energy + p)) + sqrt(square), count);
-    number = number && none_of(isnan(signal));  // max() would swallow it
-    fastest = max(fastest, signal);
-    if (viscosity > 0) lightest = min(lightest, choose(first_lanes(count), load(mass + p) / load(volume + p), lightest));
-  });
+  for_packs(
+      range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
+        Pack square = load(velocity[0] + p) * load(velocity[0] + p);
+        for (int d = 1; d < dim; ++d) square += load(velocity[d] + p) * load(velocity[d] + p);
+        const Pack signal = kept(sqrt(gamma * (gamma - 1) * load(energy + p)) + sqrt(square), count);
+        number = number && none_of(isnan(signal));  // max() would swallow it
+        fastest = max(fastest, signal);
+        if (viscosity > 0)
+          lightest = min(lightest, choose(first_lanes(count), load(mass + p) / load(volume + p), lightest));
+      });
   StepBounds bounds;
   bounds.fastest = number ? hmax(fastest) : std::numeric_limits<double>::quiet_NaN();
   if (viscosity > 0) bounds.diffusivity = 4.0 / 3.0 * viscosity / hmin(lightest);
@@ -239,10 +249,11 @@ Material::Fault IdealGas::first_fault(const Columns& points, PointRange range) c
   const double *mass = points(column::mass), *energy = points(column::energy), *volume = points(column::volume);
   const auto admissible = [](const Pack& value) { return value < std::numeric_limits<double>::infinity(); };
   bool good = true;
-  for_packs(range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
-    const Pack v = load(volume + p), e = load(energy + p);
-    good = good && all_of((v > 0.0 && admissible(v) && e >= 0.0 && admissible(e)) || !first_lanes(count));
-  });
+  for_packs(
+      range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
+        const Pack v = load(volume + p), e = load(energy + p);
+        good = good && all_of((v > 0.0 && admissible(v) && e >= 0.0 && admissible(e)) || !first_lanes(count));
+      });
   if (good) return {};
   for (int p = range.first; p < range.last; ++p) {
     const double density = mass[p] / volume[p];
@@ -259,11 +270,12 @@ Material::Fault IdealGas::first_fault(const Columns& points, PointRange range) c
 void IdealGas::describe(Columns& points) const {
   const double *mass = points(column::mass), *energy = points(column::energy), *volume = points(column::volume);
   double *density = points(column::density), *pressure = points(column::pressure);
-  for_packs(0, points.points(), [&](int p, int count) __attribute__((always_inline)) {
-    const Pack rho = load(mass + p) / load(volume + p);
-    plumbline::store(density + p, rho, count);
-    plumbline::store(pressure + p, (gamma - 1) * rho * load(energy + p), count);  // [York 4.4]
-  });
+  for_packs(
+      0, points.points(), [&](int p, int count) __attribute__((always_inline)) {
+        const Pack rho = load(mass + p) / load(volume + p);
+        plumbline::store(density + p, rho, count);
+        plumbline::store(pressure + p, (gamma - 1) * rho * load(energy + p), count);  // [York 4.4]
+      });
 }
 
 }  // namespace plumbline

@@ -28,8 +28,8 @@ enum class Store { none, internal, elastic };
 
 // What bounds the step: dt < cfl h / fastest and dt < cfl h^2 / (2 dim diffusivity).
 struct StepBounds {
-  double fastest = 0;      // max c_p + |v_p|, m/s
-  double diffusivity = 0;  // max 4/3 mu / rho_p, m^2/s
+  double fastest = 0;                     // max c_p + |v_p|, m/s
+  double diffusivity = 0;                 // max 4/3 mu / rho_p, m^2/s
   void include(const StepBounds& other);  // the larger of both; a NaN stays
 };
 
@@ -43,7 +43,7 @@ class Material {
   virtual bool has_density() const { return false; }  // a density column that a density method may set
   virtual bool takes_heat() const { return false; }   // transfer losses can become internal energy
 
-  virtual bool isotropic() const { return false; }    // the stress is a pressure: one component, one strain rate (div v)
+  virtual bool isotropic() const { return false; }  // the stress is a pressure: one component, one strain rate (div v)
 
   // Advances the internal variables over dt with the strain_rate column. Returns the energy stored meanwhile,
   // sum_p of the change of each point by its own formula, J.

@@ -7,8 +7,7 @@
 
 namespace plumbline {
 
-Body make_body(std::string name, std::shared_ptr<const Material> material, int points, int dim,
-               bool axisymmetric) {
+Body make_body(std::string name, std::shared_ptr<const Material> material, int points, int dim, bool axisymmetric) {
   const int strains = material->isotropic() ? 1 : strain_components(dim, axisymmetric);
   Body body;
   body.name = std::move(name);

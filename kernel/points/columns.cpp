@@ -105,7 +105,8 @@ void Columns::append_copies(std::span<const int> of) {
   const std::size_t before = stride(), now = before + of.size();
   for (Column& column : columns_) {
     if (column.components == 0) continue;
-    std::vector<double> values(now * static_cast<std::size_t>(column.components) + static_cast<std::size_t>(padding), 0.0);
+    std::vector<double> values(now * static_cast<std::size_t>(column.components) + static_cast<std::size_t>(padding),
+                               0.0);
     for (std::size_t k = 0; k < static_cast<std::size_t>(column.components); ++k) {
       const double* from = column.values.data() + k * before;
       double* to = std::copy(from, from + before, values.data() + k * now);

@@ -8,7 +8,8 @@ namespace plumbline {
 struct Cubic {
   static constexpr int support = 4, first = -1, ghosts = 1;
   static constexpr bool fixed_inertia = true;
-  static constexpr double blur = 1.0 / 6;  // theta of S(k) = 1 - theta k^2 h^2 + ...: half the variance of the shape [Sharpening 1]
+  static constexpr double blur =
+      1.0 / 6;  // theta of S(k) = 1 - theta k^2 h^2 + ...: half the variance of the shape [Sharpening 1]
 
   // The node below the point, and the distance above it in cells: 0 <= local <= 1.
   // A point on the last node line belongs to the last cell.
@@ -39,7 +40,9 @@ struct Cubic {
     g[3] = 0.5 * f * f;
   }
   template <class Number>
-  static Number inertia(const Number&) { return 1.0 / 3.0; }  // [EC-APIC 5] D = h^2/3
+  static Number inertia(const Number&) {
+    return 1.0 / 3.0;
+  }  // [EC-APIC 5] D = h^2/3
   template <class Number>
   static void affine_weights(const Number& f, Number (&a)[support]) {
     weights(f, a);

@@ -10,7 +10,8 @@ struct Linear {
   static constexpr int first = 0;               // lowest node of the support, relative to the anchor node
   static constexpr int ghosts = 0;              // node layers beyond a wall that a point inside can reach
   static constexpr bool fixed_inertia = false;  // D depends on where the point stands in its cell
-  static constexpr double blur = 1.0 / 12;  // theta of S(k) = 1 - theta k^2 h^2 + ...: half the variance of the shape [Sharpening 1]
+  static constexpr double blur =
+      1.0 / 12;  // theta of S(k) = 1 - theta k^2 h^2 + ...: half the variance of the shape [Sharpening 1]
 
   // The anchor node of a point at `x` (in cells from the first node line, 0 <= x <= cells), and its local coordinate.
   // A point on the last node line belongs to the last cell.
@@ -37,10 +38,14 @@ struct Linear {
   }
   // D / h^2 = sum_i N_i r_i^2 / h^2 with r_i = x_i - x_p.
   template <class Number>
-  static Number inertia(const Number& f) { return f * (1.0 - f); }
+  static Number inertia(const Number& f) {
+    return f * (1.0 - f);
+  }
   // N_i r_i h / D: for tents this is the gradient, finite even where D vanishes.
   template <class Number>
-  static void affine_weights(const Number& f, Number (&a)[support]) { gradients(f, a); }
+  static void affine_weights(const Number& f, Number (&a)[support]) {
+    gradients(f, a);
+  }
 };
 
 }  // namespace plumbline

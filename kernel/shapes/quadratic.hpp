@@ -8,7 +8,8 @@ namespace plumbline {
 struct Quadratic {
   static constexpr int support = 3, first = -1, ghosts = 1;
   static constexpr bool fixed_inertia = true;
-  static constexpr double blur = 1.0 / 8;  // theta of S(k) = 1 - theta k^2 h^2 + ...: half the variance of the shape [Sharpening 1]
+  static constexpr double blur =
+      1.0 / 8;  // theta of S(k) = 1 - theta k^2 h^2 + ...: half the variance of the shape [Sharpening 1]
 
   // The nearest node, and the distance to it in cells: -1/2 <= local <= 1/2.
   template <class Number>
@@ -34,7 +35,9 @@ struct Quadratic {
     g[2] = f + 0.5;
   }
   template <class Number>
-  static Number inertia(const Number&) { return 0.25; }  // [EC-APIC 5] D = h^2/4
+  static Number inertia(const Number&) {
+    return 0.25;
+  }  // [EC-APIC 5] D = h^2/4
   template <class Number>
   static void affine_weights(const Number& f, Number (&a)[support]) {
     weights(f, a);

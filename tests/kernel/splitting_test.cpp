@@ -236,13 +236,13 @@ Scene parting(Space space) {
   std::array<int, 3> first{8, 8, 8}, last{16, 16, 16};
   if (dim == 3) first[1] = first[2] = 0, last[1] = last[2] = 5;
   const auto places = scenes::jittered(scenes::lattice(grid, 1, first, last), 0.01, dim);
-  Scene scene = scenes::scene_of(grid,
-                                 {scenes::gas_body(scenes::inviscid_law(), space, places,
-                                                   scenes::lattice_volume(grid, 1), [](const scenes::Place& x) {
-                                                     return scenes::GasState{
-                                                         1, 2, {8 * (x[0] - 1.2), 2 * (x[0] - 1.2), 0}};
-                                                   })},
-                                 "cubic", "apic");
+  Scene scene = scenes::scene_of(
+      grid,
+      {scenes::gas_body(scenes::inviscid_law(), space, places, scenes::lattice_volume(grid, 1),
+                        [](const scenes::Place& x) {
+                          return scenes::GasState{1, 2, {8 * (x[0] - 1.2), 2 * (x[0] - 1.2), 0}};
+                        })},
+      "cubic", "apic");
   scene.split = 1.3;
   return scene;
 }

@@ -207,7 +207,8 @@ template <int dim, class Shape>
 void expect_packs_like_numbers() {
   Pack local[dim];
   for (int d = 0; d < dim; ++d) {
-    local[d] = Pack([&](auto lane) { return local_coordinate<Shape>(0.1 * static_cast<double>(lane) - 0.4 + 0.07 * d); });
+    local[d] = Pack(
+        [&](auto lane) { return local_coordinate<Shape>(0.1 * static_cast<double>(lane) - 0.4 + 0.07 * d); });
   }
   const Stencil<dim, Shape, Pack> together(local, h);
   const auto field = [](int k) { return std::sin(1.0 + k); };

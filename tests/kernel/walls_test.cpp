@@ -97,7 +97,8 @@ std::vector<GridSpec> walled_boxes() {
       for (int c = 0; c < 3; ++c) {
         const Wall x = kinds[a], y = kinds[b], z = kinds[c];
         const Wall other_x = kinds[(a + b) % 3], other_y = kinds[(b + c) % 3], other_z = kinds[(c + a + 1) % 3];
-        all.push_back(scenes::box(scenes::Space::solid, {3, 2, 4}, 0.5, scenes::walls(x, other_x, y, other_y, z, other_z)));
+        all.push_back(
+            scenes::box(scenes::Space::solid, {3, 2, 4}, 0.5, scenes::walls(x, other_x, y, other_y, z, other_z)));
       }
     }
   }
@@ -120,7 +121,8 @@ void expect_mass_folds(const GridSpec& spec) {
 
 // What the walls did is what changed: sums over up to 42 nodes, in space 210, that grow like the root of their number.
 template <int dim>
-void expect_action(const WallAction<dim>& action, const Eigen::Matrix<double, dim, 1>& linear, const Spin<dim>& angular) {
+void expect_action(const WallAction<dim>& action, const Eigen::Matrix<double, dim, 1>& linear,
+                   const Spin<dim>& angular) {
   EXPECT_LE((action.linear - linear).norm(), 20 * dim * rounding);
   for (int k = 0; k < angular.size(); ++k) EXPECT_NEAR(action.angular[k], angular[k], 40 * dim * rounding);
 }
@@ -228,7 +230,9 @@ void expect_still_wall(Wall kind) {
     print.stride[1] = m.grid.row_length();
     Eigen::Vector2d v;
     for (int d = 0; d < 2; ++d) {
-      v[d] = Stencil<2, Shape, double>(local, 0.5).gather(print, [&](std::size_t node) { return m.values[node][d]; }).value;
+      v[d] = Stencil<2, Shape, double>(local, 0.5)
+                 .gather(print, [&](std::size_t node) { return m.values[node][d]; })
+                 .value;
     }
     EXPECT_NEAR(v[0], 0, 1e-16);
     EXPECT_EQ(std::abs(v[1]) <= 1e-16, kind == Wall::no_slip);

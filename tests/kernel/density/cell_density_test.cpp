@@ -53,7 +53,8 @@ TEST(Density, AUniformGasIsUniformUpToTheWalls) {
 
 // Rings of one density in cells up to the axis: the mean radius of even points is that of their cell. [York 4.5]
 TEST(Density, CellsOfRingsHaveTheDensityOfTheirRings) {
-  const GridSpec grid = scenes::box(scenes::Space::axisymmetric, {6, 5, 1}, 0.25, scenes::walls_everywhere(Wall::symmetry));
+  const GridSpec grid = scenes::box(scenes::Space::axisymmetric, {6, 5, 1}, 0.25,
+                                    scenes::walls_everywhere(Wall::symmetry));
   for (int per_cell : {1, 2, 3}) {
     const Scene scene = scenes::scene_of(
         grid,

@@ -144,7 +144,8 @@ TEST_P(Patch, ShearedDustKeepsItsVelocities) {
                  now = scenes::by_id(run.scene().bodies[0], column::velocity, d);
       for (std::size_t p = 0; p < now.size(); ++p) ASSERT_NEAR(now[p], before[p], 1e-13);
       for (int e = 0; e < dim; ++e) {
-        for (double c : scenes::by_id(run.scene().bodies[0], column::affine, d * dim + e)) ASSERT_NEAR(c, l(d, e), 1e-12);
+        for (double c : scenes::by_id(run.scene().bodies[0], column::affine, d * dim + e))
+          ASSERT_NEAR(c, l(d, e), 1e-12);
       }
     }
     scenes::expect_ledger_closes(run.ledger(), 1e-13);
@@ -197,7 +198,8 @@ TEST_P(Patch, TranslationAlongSymmetryWalls) {
   for (const scenes::Combination& c : scenes::working_combinations()) {
     SCOPED_TRACE(c);
     Scene scene = scenes::rough_gas(space, c.shape, c.transfer, scenes::no_gravity);
-    scene.grid.walls = scenes::walls(Wall::symmetry, Wall::symmetry, Wall::free, Wall::free, Wall::free, Wall::symmetry);
+    scene.grid.walls = scenes::walls(Wall::symmetry, Wall::symmetry, Wall::free, Wall::free, Wall::free,
+                                     Wall::symmetry);
     scene.grid.origin[1] = -0.25;
     scene.grid.cells[1] = 9;
     expect_translation(std::move(scene), c, Vector(0, -0.2, 0));
@@ -219,7 +221,9 @@ Scene even_gas(Space space, int per_cell, int filled, const std::string& shape, 
   }
   Scene scene = scenes::scene_of(grid,
                                  {scenes::gas_body(gas, space, places, scenes::lattice_volume(grid, per_cell),
-                                                   [](auto&) { return scenes::GasState{2, 2.5, {0, 0, 0}}; })},
+                                                   [](auto&) {
+                                                     return scenes::GasState{2, 2.5, {0, 0, 0}};
+                                                   })},
                                  shape, "apic");
   scene.density = DensityMethod::continuity;  // V_p as the scene gives them
   return scene;
@@ -297,7 +301,9 @@ TEST(PatchAtTheAxis, PressurePushesByTheLatticesQuadrature) {
     Scene scene = scenes::scene_of(
         grid,
         {scenes::gas_body({}, Space::axisymmetric, places, scenes::lattice_volume(grid, per_cell),
-                          [](auto&) { return scenes::GasState{2, 2.5, {0, 0, 0}}; })},
+                          [](auto&) {
+                            return scenes::GasState{2, 2.5, {0, 0, 0}};
+                          })},
         "quadratic", "pic");
     scene.density = DensityMethod::continuity;
     const double dt = 0.001, d = 1.0 / per_cell;

@@ -243,8 +243,8 @@ Columns many_points(int strains) {
   return points;
 }
 
-constexpr const ColumnId* gas_columns[] = {&column::mass,   &column::volume, &column::strain_rate, &column::stress,
-                                           &column::energy, &column::density, &column::pressure,   &column::velocity};
+constexpr const ColumnId* gas_columns[] = {&column::mass,   &column::volume,  &column::strain_rate, &column::stress,
+                                           &column::energy, &column::density, &column::pressure,    &column::velocity};
 
 void expect_same_in_range(const Columns& a, const Columns& b, PointRange range) {
   for (const ColumnId* id : gas_columns) {

@@ -36,8 +36,10 @@ int doubles(Scene scene, const std::string& integrator) {
 TEST(Body, DoublesPerGasPoint) {
   using scenes::Space;
   const IdealGas thick = scenes::rough_law(), thin = scenes::inviscid_law();
-  for (const auto& [space, base, stresses, affine] :
-       {std::tuple{Space::line, 7, 1, 1}, {Space::plane, 9, 3, 4}, {Space::axisymmetric, 9, 4, 4}, {Space::solid, 11, 6, 9}}) {
+  for (const auto& [space, base, stresses, affine] : {std::tuple{Space::line, 7, 1, 1},
+                                                      {Space::plane, 9, 3, 4},
+                                                      {Space::axisymmetric, 9, 4, 4},
+                                                      {Space::solid, 11, 6, 9}}) {
     SCOPED_TRACE(space);
     for (const IdealGas& gas : {thick, thin}) {
       const int flip = base + 2 * (gas.viscosity > 0 ? stresses : 1);
@@ -59,7 +61,8 @@ TEST(Body, DoublesPerMembranePoint) {
 }
 
 TEST(Body, FlipHasNoAffineColumnAndMembranesNoEnergy) {
-  const Simulation flip(gas_scene(scenes::Space::plane, "flip"), "musl", {}), net(membrane_scene(2, "apic"), "energy", {});
+  const Simulation flip(gas_scene(scenes::Space::plane, "flip"), "musl", {}),
+      net(membrane_scene(2, "apic"), "energy", {});
   EXPECT_FALSE(flip.scene().bodies[0].points.has(column::affine));
   EXPECT_FALSE(flip.scene().bodies[0].points.has(column::transfer_loss));
   EXPECT_TRUE(net.scene().bodies[0].points.has(column::affine));
