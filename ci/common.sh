@@ -2,9 +2,9 @@
 # shellcheck shell=bash
 script=$(realpath "$0")
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit
-export OMP_NUM_THREADS=1   # the tests and the studies run side by side; threads inside a run only slow them
 # shellcheck disable=SC2034  # used by the scripts that source this one
-jobs=$(nproc)
+jobs=$(nproc)              # before the next line, which nproc would take for the number of processors
+export OMP_NUM_THREADS=1   # the tests and the studies run side by side; threads inside a run only slow them
 
 say() { printf '== %s\n' "$*"; }
 die() { printf '%s: %s\n' "${0##*/}" "$1" >&2; exit "${2:-2}"; }

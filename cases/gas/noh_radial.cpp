@@ -132,13 +132,16 @@ class NohRadial final : public Case {
                    .full_values = {100, 140, 200, 280, 400}};
     if (text_.dimension == 3) {
       plan.values = {20, 28, 36, 44, 52};
-      plan.full_values = {28, 40, 56, 80, 100};
+      plan.full_values = {28, 40, 52, 72, 100};
     }
     return {plan};
   }
   std::vector<CaseGate> gates() const override {
     std::vector<CaseGate> all{energy_gate("default")};
-    if (text_.dimension == 3) return all;
+    if (text_.dimension == 3) {
+      add_missed(all);
+      return all;
+    }
     for (CaseGate& gate : target_order("default", "density.L1", 0.8,
                                        "a shock and the layer at the axis allow 1; 0.8 as of the shock tubes")) {
       all.push_back(std::move(gate));
@@ -151,9 +154,23 @@ class NohRadial final : public Case {
     all.push_back(radial_coverage_gate("default", 200));
     return all;
   }
-  GateCount gate_count() const override { return text_.dimension == 3 ? GateCount{5, 5} : GateCount{9, 11}; }
+  GateCount gate_count() const override { return text_.dimension == 3 ? GateCount{7, 7} : GateCount{9, 11}; }
 
  private:
+  // What the sphere does not reach on meshes that can be paid for.
+  void add_missed(std::vector<CaseGate>& all) const {
+    const std::string cause =
+        "gas is compressed 64 times within a layer at the centre that is heated once and for all and some ten cells "
+        "thick: "
+        "the plateau lacks 48, 25 and 12 % at 52, 100 and 200 cells, with order 1";
+    const double cell = 1.0 / 52;
+    std::vector<CaseGate> missed = shock_gates("default", 52, cell, text_.plateau);
+    missed[0].gate = expected_failure(missed[0].gate, cause, {cell, 1.2 * cell}, "2026-11-21 12b1694");
+    missed[1].gate = expected_failure(missed[1].gate, cause, {0.45 * text_.plateau, 0.5 * text_.plateau},
+                                      "2026-11-21 12b1694");
+    all.insert(all.end(), missed.begin(), missed.end());
+  }
+
   NohRadialText text_;
   RegisterCase registered_;
 };
