@@ -11,7 +11,7 @@ namespace plumbline {
 
 // Along direction d: integral of N_i, with the ghosts' share at their mirrors: h inside, h/2 on a wall. Along the radius of
 // an axisymmetric grid the integral of N_i r, m^2: what uniform points put on the node is then exactly in proportion.
-// [EC-APIC 2] Three Gauss points on half cells are exact for cubic shapes.
+// [EC-APIC 2] Three Gauss points on quarters of a cell are exact for cubic shapes and for boxes of half a cell.
 template <class Shape, int dim>
 std::vector<double> line_volumes(const Grid<dim>& grid, int d) {
   constexpr int beyond = 3;  // cells that a ghost node of an open side reaches
@@ -21,9 +21,9 @@ std::vector<double> line_volumes(const Grid<dim>& grid, int d) {
   std::vector<double> volume(static_cast<std::size_t>(grid.nodes(d)));
   const double abscissa = std::sqrt(0.6), weight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
   const int last = grid.nodes(d) - 1, ghosts = Grid<dim>::ghosts;
-  for (double start = low; start < high - 0.25; start += 0.5) {
+  for (double start = low; start < high - 0.125; start += 0.25) {
     for (int k = 0; k < 3; ++k) {
-      const double x = start + 0.25 * (1 + (k - 1) * abscissa);
+      const double x = start + 0.125 * (1 + (k - 1) * abscissa);
       double local, n[Shape::support];
       const int anchor = Shape::anchor(x, grid.cells(d) + 2 * beyond, local);
       Shape::weights(local, n);
@@ -33,7 +33,7 @@ std::vector<double> line_volumes(const Grid<dim>& grid, int d) {
         if (node < ghosts && walled[0]) node = 2 * ghosts - node;
         if (node > last - ghosts && walled[1]) node = 2 * (last - ghosts) - node;
         if (node < 0 || node > last) continue;
-        volume[static_cast<std::size_t>(node)] += 0.5 * grid.h() * weight[k] * n[j] * r;
+        volume[static_cast<std::size_t>(node)] += 0.25 * grid.h() * weight[k] * n[j] * r;
       }
     }
   }

@@ -27,6 +27,8 @@ class Engine : public Stages {
   virtual void check() const = 0;
   // Upper limit of a stable step for Courant number 1, s: h / max(c_p + |v_p|), also h^2 / (2 dim diffusivity).
   virtual double step_limit() const = 0;
+  // Time at the start of the next step, s.
+  virtual void set_time(double time) = 0;
   // To be called after columns were set from outside to what they were at `time`, s.
   virtual void points_changed(double time) = 0;
   // To be called after points were put behind those of some body.

@@ -31,9 +31,11 @@ struct Scene {
   std::array<double, 3> gravity{0, 0, 0};  // b, m/s^2
   std::vector<Piston> pistons;
   std::vector<Body> bodies;
-  std::string shape = "quadratic";  // linear, quadratic, cubic
-  std::string transfer = "apic";    // pic, flip, apic
+  std::string shape = "quadratic";  // linear, quadratic, cubic, gimp, contiguous-gimp
+  std::string transfer = "apic";    // pic, flip, apic, xpic, fmpm
+  int transfer_order = 2;           // m of xpic and fmpm, >= 1
   DensityMethod density = DensityMethod::grid;
+  std::string contact = "none";  // between velocity fields: none, york-9.7, york-9.8, york-9.9, touching
   double sharpening = 0;     // 0: none, 1: the leading term of the maps' smoothing undone, see sharpening.hpp; [0, 1]
   double split = 0;          // > 0: gas points larger than this many cells are split, see splitting.hpp; 0: never
   double heat_exchange = 0;  // kappa >= 0: heat that points of a compressed gas exchange through the nodes [Exchange 1]
@@ -46,6 +48,7 @@ struct Choice {
 const std::vector<Choice>& shapes();
 const std::vector<Choice>& transfers();
 const std::vector<Choice>& densities();
+const std::vector<Choice>& contacts();
 DensityMethod density_method(const std::string& name);  // throws std::out_of_range
 
 }  // namespace plumbline

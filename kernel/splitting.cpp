@@ -164,8 +164,9 @@ class Splitter {
 }  // namespace
 
 std::string splitting_refusal(const std::string& shape, const std::string& transfer) {
-  if (transfer != "apic" || shape != "linear") return {};
-  return "halves take over the point's affine velocity, whose inertia under linear shapes depends on where they stand";
+  if (transfer != "apic" || shape == "quadratic" || shape == "cubic") return {};
+  return "halves take over the point's affine velocity, whose inertia under " + shape +
+         " shapes depends on where they stand";
 }
 
 int split_points(Scene& scene, double time, int threads, Ledger& ledger) {

@@ -47,8 +47,9 @@ class Stages {
   // v~_i = v_i + dt f_i / M_i. [York 3.19, 3.20] May be repeated with corrected forces; the last one counts.
   virtual void advance_momentum(double dt) = 0;
 
-  // x_p and v_p (and C_p) from the nodal velocities, as the transfer says. [York 3.21, 3.22] [EC-APIC 5]
-  virtual void move_points(double dt) = 0;
+  // x_p and v_p (and C_p) from the nodal velocities, as the transfer says; points are carried by the nodal velocity
+  // `carrying` (end or midpoint). [York 3.21, 3.22] [EC-APIC 5]
+  virtual void move_points(double dt, NodalVelocity carrying = NodalVelocity::end) = 0;
 
   // x_p += dt v_p. Points that pass a wall come back as their mirror images.
   virtual void drift_points(double dt) = 0;
@@ -65,8 +66,8 @@ class Stages {
   // Densities by the scene's method, then stresses, with strain rates from a nodal velocity. [York 4.1] [EC-APIC 2, 3]
   virtual void evaluate_stress(NodalVelocity velocity = NodalVelocity::current) = 0;
 
-  // The same `ahead` seconds later, as the strain rates of the start of the step foretell it; nothing is advanced.
-  virtual void predict_stress(double ahead) = 0;
+  // The same `ahead` seconds later, as the strain rates of a nodal velocity foretell it; nothing is advanced.
+  virtual void predict_stress(double ahead, NodalVelocity velocity = NodalVelocity::start) = 0;
 
   // predict_stress, then map_forces. An engine may do it in one pass over the points.
   virtual void predict_stress_and_map_forces(double ahead) {

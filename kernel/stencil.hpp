@@ -27,13 +27,21 @@ class Stencil {
   static constexpr int support = Shape::support;
   static constexpr int nodes = dim == 1 ? support : dim == 2 ? support * support : support * support * support;
 
-  // local: coordinate from the anchor node per direction, in cells; h in m.
-  [[gnu::always_inline]] inline Stencil(const Number (&local)[dim], double h) : h_(h) {
+  // local: coordinate from the anchor node per direction, half: half size of the point's box where the shape has boxes,
+  // both in cells; h in m.
+  [[gnu::always_inline]] inline Stencil(const Number (&local)[dim], const Number (&half)[dim], double h) : h_(h) {
     for (int d = 0; d < dim; ++d) {
       local_[d] = local[d];
-      Shape::weights(local[d], n_[d]);
-      Shape::gradients(local[d], g_[d]);
-      Shape::affine_weights(local[d], a_[d]);
+      half_[d] = half[d];
+      if constexpr (Shape::boxes) {
+        Shape::weights(local[d], half[d], n_[d]);
+        Shape::gradients(local[d], half[d], g_[d]);
+        Shape::affine_weights(local[d], half[d], a_[d]);
+      } else {
+        Shape::weights(local[d], n_[d]);
+        Shape::gradients(local[d], g_[d]);
+        Shape::affine_weights(local[d], a_[d]);
+      }
       for (int k = 0; k < support; ++k) {
         g_[d][k] *= 1 / h;
         a_[d][k] *= 1 / h;
@@ -41,6 +49,9 @@ class Stencil {
       }
     }
   }
+
+  [[gnu::always_inline]] inline Stencil(const Number (&local)[dim], double h) requires(!Shape::boxes)
+      : Stencil(local, local, h) {}
 
   // The jet of the field at(offset), offset from the lowest node. Parts that are not used are not computed.
   template <class At>
@@ -59,7 +70,10 @@ class Stencil {
   }
 
   // D_p along d: sum N (x_i - x_p)_d^2, m^2. [EC-APIC 5]
-  Number inertia(int d) const { return Shape::inertia(local_[d]) * (h_ * h_); }
+  Number inertia(int d) const {
+    if constexpr (Shape::boxes) return Shape::inertia(local_[d], half_[d]) * (h_ * h_);
+    else return Shape::inertia(local_[d]) * (h_ * h_);
+  }
 
   // Adds to sums[node * step], for each node of the stencil in turn, N base + sum_d slope_d dN/dx_d.
   [[gnu::always_inline]] inline void spread_gradient(const Number& base, const Number (&slope)[dim], Number* sums,
@@ -154,7 +168,7 @@ class Stencil {
   }
 
   double h_;
-  Number local_[dim], n_[dim][support], g_[dim][support], a_[dim][support], moment_[dim][support];
+  Number local_[dim], half_[dim], n_[dim][support], g_[dim][support], a_[dim][support], moment_[dim][support];
 };
 
 }  // namespace plumbline

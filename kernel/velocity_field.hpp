@@ -25,10 +25,12 @@ struct VelocityField {
         momentum(size(grid), Vec::Zero()),
         start(size(grid), Vec::Zero()),
         force(size(grid), Vec::Zero()),
+        body_force(size(grid), Vec::Zero()),
         end(size(grid), Vec::Zero()),
         midpoint(size(grid), Vec::Zero()),
         remapped(size(grid), Vec::Zero()),
         straining(size(grid), Vec::Zero()),
+        filtered(size(grid), Vec::Zero()),
         density(size(grid)),
         heat(size(grid)),
         exchange(size(grid)) {}
@@ -41,10 +43,12 @@ struct VelocityField {
   std::vector<Vec> momentum;                 // P_i
   std::vector<Vec> start;                    // v_i at the start of the step
   std::vector<Vec> force;                    // f_i, body force included
+  std::vector<Vec> body_force;               // what of it is sum_p m_p b_p N_ip, as points put it there
   std::vector<Vec> end;                      // v~_i = v_i + dt f_i / M_i
   std::vector<Vec> midpoint;                 // (v_i + v~_i) / 2
   std::vector<Vec> remapped;                 // v_i from the updated point velocities [York 3.24]
   std::vector<Vec> straining;                // the nodal velocity whose gradients strain the points, sharpened
+  std::vector<Vec> filtered;                 // w_i of the transfers xpic and fmpm
   std::vector<double> density;               // M_i / |cell_i|
   std::vector<double> heat;                  // sum_p m_p e_p N_ip, then E_i, its mean per mass
   std::vector<double> exchange;              // sum_p m_p N_ip max(0, -div v), then alpha_i

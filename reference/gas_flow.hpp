@@ -1,8 +1,7 @@
 #pragma once
 // What the exact gas flows share: arguments, the measure of a sphere in 1, 2, 3 dimensions, and fronts whose place is
 // known within a bound.
-#include <string>
-
+#include "reference/argument.hpp"
 #include "reference/bounded.hpp"
 #include "reference/circle.hpp"
 #include "reference/parameter.hpp"
@@ -11,15 +10,6 @@
 namespace plumbline::reference {
 
 // Each throws ParameterError with the key.
-inline void check_positive(const std::string& key, double value) {
-  check({key, 0, 0, rounding::infinity, true, true, "", ""}, value);
-}
-inline void check_not_negative(const std::string& key, double value) {
-  check({key, 0, 0, rounding::infinity, false, true, "", ""}, value);
-}
-inline void check_finite(const std::string& key, double value) {
-  check({key, 0, -rounding::infinity, rounding::infinity, true, true, "", ""}, value);
-}
 inline void check_gamma(double gamma) { check({"gamma", 0, 1, rounding::infinity, true, true, "", ""}, gamma); }
 inline void check_dimension(int dimension) {
   if (dimension < 1 || dimension > 3) throw ParameterError("dimension", dimension, "1, 2 or 3");

@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "cases/harness/settings.hpp"
+#include "kernel/scene.hpp"
 
 namespace plumbline {
 
 // What a scene consists of; decides which keys exist and which default holds.
-enum class Kind { gas, membrane };
+enum class Kind { gas, membrane, solid };
 
 std::string name(Kind kind);
 std::vector<std::string> scheme_names();  // default, york1997
@@ -18,6 +19,9 @@ std::string scheme_source(const std::string& scheme);
 
 // The keys that every case of a kind has, with the values of `default`.
 std::vector<Key> kind_keys(Kind kind);
+
+// Puts the choices that all kinds have into the scene: shape, transfer and its order, and of solids the contact.
+void apply_choices(const Settings& settings, Scene& scene);
 
 // What a scheme sets among them; empty for `default`.
 std::vector<Override> scheme_choices(const std::string& scheme, Kind kind);

@@ -86,14 +86,18 @@ void Settings::set_text(const std::string& assignment, const std::string& owner)
     throw UsageError("--set", assignment, "key=value", {}, fmt::format("--set wants key=value, got '{}'", assignment));
   }
   const std::string key = assignment.substr(0, equals), text = assignment.substr(equals + 1);
+  const auto found = std::find_if(keys_.begin(), keys_.end(), [&](const Key& k) { return k.name == key; });
+  const bool is_choice = found != keys_.end() &&
+                         std::find(found->choices.begin(), found->choices.end(), text) != found->choices.end();
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error == std::errc() && end == text.data() + text.size()) {
+  if (is_choice) {  // one may be called none, or look like a number
+    set(key, text, owner);
+  } else if (error == std::errc() && end == text.data() + text.size()) {
     set(key, number, owner);
   } else if (text == "none") {
     set(key, std::monostate{}, owner);
   } else {
-    const auto found = std::find_if(keys_.begin(), keys_.end(), [&](const Key& k) { return k.name == key; });
     if (found != keys_.end() && found->choices.empty()) {
       throw UsageError(key, text, found->allowed(), {},
                        fmt::format("{} = '{}' is not a number: {}", key, text, found->allowed()));

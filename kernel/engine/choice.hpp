@@ -8,6 +8,7 @@
 #include "kernel/engine/to_grid.hpp"
 #include "kernel/engine/to_points.hpp"
 #include "kernel/shapes/cubic.hpp"
+#include "kernel/shapes/gimp.hpp"
 #include "kernel/shapes/linear.hpp"
 #include "kernel/shapes/quadratic.hpp"
 
@@ -15,10 +16,10 @@ namespace plumbline {
 
 template <class Geometry, class Shape>
 std::unique_ptr<Engine> engine_with_shape(Scene& scene, Ledger& ledger, const EngineOptions& options) {
-  if (scene.transfer == "pic") return std::make_unique<Mechanics<Geometry, Shape, Pic>>(scene, ledger, options);
-  if (scene.transfer == "flip") return std::make_unique<Mechanics<Geometry, Shape, Flip>>(scene, ledger, options);
-  if (scene.transfer == "apic") return std::make_unique<Mechanics<Geometry, Shape, Apic>>(scene, ledger, options);
-  return nullptr;
+  if (transfer_choice(scene.transfer, scene.transfer_order).affine) {
+    return std::make_unique<Mechanics<Geometry, Shape, Affine>>(scene, ledger, options);
+  }
+  return std::make_unique<Mechanics<Geometry, Shape, Plain>>(scene, ledger, options);
 }
 
 template <class Geometry>
@@ -26,6 +27,9 @@ std::unique_ptr<Engine> engine_of(Scene& scene, Ledger& ledger, const EngineOpti
   if (scene.shape == "linear") return engine_with_shape<Geometry, Linear>(scene, ledger, options);
   if (scene.shape == "quadratic") return engine_with_shape<Geometry, Quadratic>(scene, ledger, options);
   if (scene.shape == "cubic") return engine_with_shape<Geometry, Cubic>(scene, ledger, options);
+  if (scene.shape == "gimp" || scene.shape == "contiguous-gimp") {
+    return engine_with_shape<Geometry, Gimp>(scene, ledger, options);
+  }
   return nullptr;
 }
 

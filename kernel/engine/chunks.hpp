@@ -64,24 +64,45 @@ template <class Visit>
 }
 
 template <class G, class S, class T>
-auto Mechanics<G, S, T>::places(const Body& body, const Located& at) const -> std::array<const double*, dim> {
-  std::array<const double*, dim> x;
+auto Mechanics<G, S, T>::places(const Body& body, const Located& at) const -> Places {
+  Places places;
   for (int d = 0; d < dim; ++d) {
-    x[static_cast<std::size_t>(d)] = moved_ ? at.frozen[static_cast<std::size_t>(d)].data()
-                                            : body.points(column::position, d);
+    places.x[d] = moved_ ? at.frozen[static_cast<std::size_t>(d)].data() : body.points(column::position, d);
+    if (S::boxes) places.half_size[d] = body.points(column::half_size, d);
   }
-  return x;
+  return places;
+}
+
+// Half size of the points' boxes along d, in cells.
+template <class G, class S, class T>
+[[gnu::always_inline]] inline Pack Mechanics<G, S, T>::box(const Places& places, int d, int p) const {
+  if constexpr (S::boxes) {
+    const Pack half = load(places.half_size[d] + p) * (1 / grid_.h());
+    return min(max(half, Pack(S::narrowest)), Pack(S::widest));
+  } else {
+    return 0.0;
+  }
+}
+
+// D_p / h^2 along d of points at x cells from the first node line, with boxes of the half size `half`.
+template <class G, class S, class T>
+template <class Number>
+[[gnu::always_inline]] inline Number Mechanics<G, S, T>::inertia_at(const Number& x, const Number& half) {
+  using std::floor;
+  if constexpr (S::boxes) return S::inertia_at(x, half);
+  else return S::inertia(Number(x - floor(x)));
 }
 
 template <class G, class S, class T>
-[[gnu::always_inline]] inline auto Mechanics<G, S, T>::stencil(const std::array<const double*, dim>& places,
+[[gnu::always_inline]] inline auto Mechanics<G, S, T>::stencil(const Places& places,
                                                                const double (&anchor)[dim], int p) const
     -> PackStencil {
-  Pack local[dim];
+  Pack local[dim], half[dim];
   for (int d = 0; d < dim; ++d) {
-    local[d] = (load(places[static_cast<std::size_t>(d)] + p) - grid_.origin(d)) * (1 / grid_.h()) - anchor[d];
+    local[d] = (load(places.x[d] + p) - grid_.origin(d)) * (1 / grid_.h()) - anchor[d];
+    half[d] = box(places, d, p);
   }
-  return PackStencil(local, grid_.h());
+  return PackStencil(local, half, grid_.h());
 }
 
 template <class G, class S, class T>

@@ -17,19 +17,22 @@ Mechanics<G, S, T>::Mechanics(Scene& scene, Ledger& ledger, const EngineOptions&
     : scene_(scene),
       ledger_(ledger),
       options_(options),
+      transfer_(transfer_choice(scene.transfer, scene.transfer_order)),
       grid_(scene.grid),
       walls_(grid_),
       pistons_(scene),
       sharpening_(grid_, scene.sharpening * S::blur),
       inverse_volume_(inverse_cell_volumes<S>(grid_)) {
-  if (T::increments && !pistons_.none()) {
+  if ((transfer_.increments || transfer_.order > 0) && !pistons_.none()) {
     throw std::invalid_argument("pistons cannot work with the transfer " + scene.transfer +
-                                ": points that add increments never take the velocity that a piston gives its nodes");
+                                ": its points do not take the velocity that a piston gives its nodes");
   }
+  for (int d = 0; d < dim; ++d) gravity_[d] = scene.gravity[static_cast<std::size_t>(d)];
+  contact_ = make_contact<dim>(scene.contact, grid_, S::support);
+  loaded_ = !gravity_.isZero(0);
   long points = 0;
   for (const Body& body : scene.bodies) points += body.points.points();
   if (points < fewest_shared) options_.threads = 1;
-  for (int d = 0; d < dim; ++d) gravity_[d] = scene.gravity[static_cast<std::size_t>(d)];
   std::vector<std::string> names;
   for (Body& body : scene.bodies) {
     const auto found = std::find(names.begin(), names.end(), body.field);
@@ -44,10 +47,75 @@ Mechanics<G, S, T>::Mechanics(Scene& scene, Ledger& ledger, const EngineOptions&
     if (!first_of_field) alone_[at.field] = false;
     at.lowest.resize(static_cast<std::size_t>(body.points.points()));
     located_.push_back(std::move(at));
+    loaded_ = loaded_ || body.load;
     refuse_other_geometry(body);
     if (T::affine) body.points.add(column::affine, dim * dim);
+    if (S::boxes) add_boxes(body);
     if (options.keep_loss && body.material->takes_heat()) body.points.add(column::transfer_loss);
   }
+}
+
+// Boxes start as cubes of the points' spacing.
+template <class G, class S, class T>
+void Mechanics<G, S, T>::add_boxes(Body& body) const {
+  if (body.points.has(column::half_size)) return;
+  body.points.add(column::half_size, dim);
+  const bool deform = scene_.shape == "contiguous-gimp" && body.points.has(column::deformation);
+  if (deform) body.points.add(column::half_size_at_start, dim);
+  for (int p = 0; p < body.points.points(); ++p) {
+    const double half = 0.5 * point_spacing(body, p, dim, G::axisymmetric);
+    for (int d = 0; d < dim; ++d) {
+      body.points(column::half_size, d)[p] = half;
+      if (deform) body.points(column::half_size_at_start, d)[p] = half;
+    }
+  }
+}
+
+// A box follows its point's deformation by its second moments: l_d^2 = sum_e F_de^2 l0_e^2, whatever the rotation. With
+// it changes the inertia of the point's affine velocity, whose energy and spin are booked. [GIMP 2]
+template <class G, class S, class T>
+void Mechanics<G, S, T>::deform_boxes(Body& body) {
+  if constexpr (S::boxes) {
+    Columns& points = body.points;
+    if (!points.has(column::half_size_at_start)) return;
+    double energy = 0;
+    Turn spin{};
+    for (int p = 0; p < points.points(); ++p) {
+      double change[dim];  // of D
+      for (int d = 0; d < dim; ++d) {
+        double& half = points(column::half_size, d)[p];
+        const double before = inertia_of(points, d, p);
+        double square = 0;
+        for (int e = 0; e < dim; ++e) {
+          const double edge = points(column::deformation, d * dim + e)[p] * points(column::half_size_at_start, e)[p];
+          square += edge * edge;
+        }
+        half = std::sqrt(square);  // [GIMP 2]
+        change[d] = points(column::mass)[p] * (inertia_of(points, d, p) - before);
+      }
+      if constexpr (T::affine) {
+        const auto c = [&](int d, int e) { return points(column::affine, d * dim + e)[p]; };
+        for (int d = 0; d < dim; ++d) {
+          for (int e = 0; e < dim; ++e) energy += 0.5 * change[e] * c(d, e) * c(d, e);
+        }
+        for (int k = 0; k < rotations; ++k) {
+          const int a = rotation_axis<dim>(k, 0), b = rotation_axis<dim>(k, 1);
+          spin[static_cast<std::size_t>(dim == 2 ? 2 : k)] += change[a] * c(b, a) - change[b] * c(a, b);
+        }
+      }
+    }
+    ledger_.energy.book(Flow::transfer, energy);
+    for (std::size_t k = 0; k < 3; ++k) ledger_.angular_momentum[k].book(Flow::transfer, spin[k]);
+  }
+}
+
+// D_p along d where the point stands, m^2.
+template <class G, class S, class T>
+double Mechanics<G, S, T>::inertia_of(const Columns& points, int d, int p) const {
+  const double cells = grid_.logical(points(column::position, d)[p], d);
+  double half = 0;
+  if constexpr (S::boxes) half = std::clamp(points(column::half_size, d)[p] / grid_.h(), S::narrowest, S::widest);
+  return inertia_at(cells, half) * grid_.h() * grid_.h();
 }
 
 // A body made for another dimension or geometry would be read beyond its columns.
@@ -62,8 +130,9 @@ void Mechanics<G, S, T>::refuse_other_geometry(const Body& body) {
   };
   expect(column::position, dim);
   expect(column::velocity, dim);
-  expect(column::stress, body.material->isotropic() ? 1 : G::strains);
-  if (body.chain && (dim > 2 || G::axisymmetric)) {
+  expect(column::stress, stress_components(body.material->measure(), dim, G::axisymmetric));
+  const bool tangents = body.material->measure() != StressMeasure::point_force;
+  if (body.chain && (G::axisymmetric || (dim > 2 && tangents))) {
     throw std::invalid_argument("body " + body.name + ": a chain of membrane points lives on a line or in the plane");
   }
 }
@@ -180,6 +249,7 @@ void Mechanics<G, S, T>::locate_points() {
   for (std::size_t b = 0; b < located_.size(); ++b) {
     Body& body = scene_.bodies[b];
     Located& at = located_[b];
+    deform_boxes(body);
     place(body, at);
     if (sorting_) sort_points(body, at);
     at.bins.build(at.lowest, grid_.stride(dim - 1), block_height, sorting_ && !body.chain);
@@ -189,6 +259,7 @@ void Mechanics<G, S, T>::locate_points() {
   for (Field& field : fields_) walls_.include_mirrors(field.touched);
   pending_ = Pending{};
   moved_ = forces_mapped_ = false;
+  load_ahead_ = 0;
   rate_of_ = NodalVelocity::current;
   pending_strain_dt_ = pending_stored_ = 0;
 }

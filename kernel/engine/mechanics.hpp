@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernel/bins.hpp"
+#include "kernel/contact/contact.hpp"
 #include "kernel/inadmissible.hpp"
 #include "kernel/mechanics.hpp"
 #include "kernel/pack.hpp"
@@ -35,13 +36,13 @@ class Mechanics final : public Engine {
   void map_mass_and_momentum() override;
   void map_forces() override;
   void advance_momentum(double dt) override;
-  void move_points(double dt) override;
+  void move_points(double dt, NodalVelocity carrying) override;
   void drift_points(double dt) override;
   void kick_points(double dt) override;
   void map_momentum() override;
   void strain_points(double dt, NodalVelocity velocity) override;
   void evaluate_stress(NodalVelocity velocity) override;
-  void predict_stress(double ahead) override;
+  void predict_stress(double ahead, NodalVelocity velocity) override;
   void predict_stress_and_map_forces(double ahead) override;
   bool reverse_cooling() override;
   void return_transfer_loss() override;
@@ -56,6 +57,10 @@ class Mechanics final : public Engine {
   void refresh_density() override;
   void check() const override;
   double step_limit() const override;
+  void set_time(double time) override {
+    time_ = time;
+    drifted_ = 0;
+  }
   void points_changed(double time) override {
     survey_.reset();
     pistons_.set_time(time);
@@ -70,6 +75,7 @@ class Mechanics final : public Engine {
   static constexpr int place_stretch = 4096;
   static constexpr long fewest_shared = 2048;  // points below which waking a thread costs more than it does
   static constexpr int rotations = Geometry::rotations;
+  static constexpr int most_components = dim * dim + 1;  // of stress, whatever the material
   using Field = VelocityField<dim>;
   using PackStencil = Stencil<dim, Shape, Pack>;
   using Print = Footprint<dim>;
@@ -83,8 +89,8 @@ class Mechanics final : public Engine {
     bool none() const { return !loss && !rates && !density; }
   };
   struct RateColumns {
-    double* at[Geometry::strains];
-    bool isotropic;
+    double* at[most_components];
+    StressMeasure measure;
   };
   // What the engine knows of a body beside its columns.
   struct Located {
@@ -115,7 +121,12 @@ class Mechanics final : public Engine {
     WallAction<dim> wall, map_wall;
     Vec body = Vec::Zero();
     Spin<dim> body_angular = Spin<dim>::Zero();
-    Spin<dim> sharpening_turn = Spin<dim>::Zero();
+    Spin<dim> force_turn = Spin<dim>::Zero(), filter_turn = Spin<dim>::Zero();
+    struct {
+      Vec linear = Vec::Zero();
+      Spin<dim> angular = Spin<dim>::Zero();
+      double work = 0;
+    } contact;
     double wall_work = 0, map_wall_work = 0, body_work = 0, stress_power = 0, map_loss = 0, viscous = 0, dt = 0;
     bool power = false;  // advance_momentum has been called and its stress power is not yet summed
     bool loss = false;   // the map's loss is not yet summed
@@ -165,8 +176,14 @@ class Mechanics final : public Engine {
   template <class Visit>
   void for_bins(const Bins& bins, const Chunk& chunk, Visit&& visit) const;
   // Where the frozen weights come from: the positions, or what they were before the points moved.
-  std::array<const double*, dim> places(const Body& body, const Located& at) const;
-  PackStencil stencil(const std::array<const double*, dim>& places, const double (&anchor)[dim], int p) const;
+  struct Places {
+    const double *x[dim], *half_size[dim];
+  };
+  Places places(const Body& body, const Located& at) const;
+  PackStencil stencil(const Places& places, const double (&anchor)[dim], int p) const;
+  Pack box(const Places& places, int d, int p) const;
+  template <class Number>
+  static Number inertia_at(const Number& x, const Number& half);
   // Sums the lanes of a bin's node sums into `to[node]` (component k of each node's value).
   template <int components, class Add>
   void add_to_nodes(const Print& print, const Pack (&sums)[nodes * components], Add&& add) const;
@@ -187,13 +204,14 @@ class Mechanics final : public Engine {
   template <bool with_mass, bool with_momentum>
   void scatter_mass_and_momentum(const Body& body, const Located& at, const Chunk& chunk, Field& field) const;
   double gather_start(Body& body, const Located& at, const Chunk& chunk, const Wanted& wanted) const;
-  template <bool isotropic, bool exchange>
+  template <StressMeasure measure, bool exchange>
   double scatter_forces(const Body& body, const Located& at, const Chunk& chunk, Field& field) const;
   double scatter_forces(const Body& body, const Located& at, const Chunk& chunk, Field& field) const;
   double stress_power(const Body& body, PointRange range, double dt) const;
   // drift: how long the points then move with the velocity they got; none: over dt with the grid's.
   MotionSums gather_motion(Body& body, const Located& at, const Chunk& chunk, const Field& field, double dt,
-                           std::optional<double> drift, const std::vector<Vec>* straining, bool exchange) const;
+                           std::optional<double> drift, const std::vector<Vec>* straining, bool exchange,
+                           const std::vector<Vec>* carrying) const;
   static std::pair<double, double> extent(const double* x, PointRange range);
   void reflect(Body& body, PointRange range, MotionSums& sums) const;
   void reflect_point(Body& body, int p, int d, double wall, MotionSums& sums) const;
@@ -201,6 +219,9 @@ class Mechanics final : public Engine {
 
   // --- one body or all
   static void refuse_other_geometry(const Body& body);
+  void add_boxes(Body& body) const;
+  void deform_boxes(Body& body);
+  double inertia_of(const Columns& points, int d, int p) const;
   void place(Body& body, Located& at) const;
   static bool in_order(const Body& body, const Located& at);
   bool sort_points(Body& body, Located& at);
@@ -212,13 +233,23 @@ class Mechanics final : public Engine {
   void solve_exchange(Field& field, double dt) const;
   void evaluate_stress_ahead(NodalVelocity velocity, double ahead, bool and_forces);
   void clear_forces();
-  void gather_all_motion(double dt, std::optional<double> drift);
+  void gather_all_motion(double dt, std::optional<double> drift, NodalVelocity carrying);
+  void filter_velocities();
+  void pass_to_points_and_back(std::size_t field_index, const std::vector<Vec>& from, std::vector<Vec>& to);
   void finish_points(double dt, std::optional<double> drift);
   bool exchanges_heat(const Body& body) const { return scene_.heat_exchange > 0 && body.material->takes_heat(); }
   void find_grid_density(Field& field) const;
   void map_own_mass(Body& body, Located& at, Field& field);
   void find_all_strain_rates(NodalVelocity which);
   void add_body_force(Field& field, double dt);
+  void map_load(std::size_t body);
+  void add_stress_turn(std::size_t body);
+  void touch_bodies(double dt);
+  std::vector<std::size_t> field_indices() const {
+    std::vector<std::size_t> indices;
+    for (const Located& at : located_) indices.push_back(at.field);
+    return indices;
+  }
   void settle_pending_strain();
   void settle_power();
   void settle_loss();
@@ -231,6 +262,7 @@ class Mechanics final : public Engine {
   Scene& scene_;
   Ledger& ledger_;
   EngineOptions options_;
+  TransferChoice transfer_;
   Grid<dim> grid_;
   Walls<dim> walls_;
   Pistons<dim> pistons_;
@@ -245,8 +277,12 @@ class Mechanics final : public Engine {
   std::vector<int> spare_;
   Pending pending_;
   NodalVelocity current_ = NodalVelocity::start;
-  bool moved_ = true, forces_mapped_ = false, sorting_ = true;
+  std::unique_ptr<Contact<dim>> contact_;  // null: none
+  bool moved_ = true, forces_mapped_ = false, sorting_ = true, loaded_ = false, contact_decided_ = false;
+  double time_ = 0, load_ahead_ = 0;  // of the step's start; how far after it the loads are wanted, s
+  double drifted_ = 0;                // how far after it points stand by drift_points() alone, s
   double grid_mass_ = 0, hoop_force_ = 0;
+  Spin<dim> stress_turn_ = Spin<dim>::Zero();  // torque of the forces as mapped that should be none, N m
   NodalVelocity rate_of_ = NodalVelocity::current;     // velocity the strain_rate columns hold; current: none
   double pending_strain_dt_ = 0, pending_stored_ = 0;  // strained before the forces were known
   mutable std::optional<Survey> survey_;

@@ -49,7 +49,7 @@ void Mechanics<G, S, T>::set_state(const State& state) {
 
 template <class G, class S, class T>
 State Mechanics<G, S, T>::rate() {
-  if constexpr (!T::increments) {
+  if (!transfer_.increments) {
     throw std::logic_error("rates of change want the transfer flip: other transfers filter velocities once a step");
   }
   sorting_ = false;  // a State names points by their place
@@ -75,11 +75,11 @@ State Mechanics<G, S, T>::rate() {
     const std::size_t start = rate.values.size();
     rate.values.resize(start + 2 * dim * n);
     double* values = rate.values.data() + start;
-    const auto x = places(body, at);
+    const Places places = this->places(body, at);
     for_chunks(at, [&](const Chunk& chunk) {
       for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
         for_packs(first, last, [&](int p, int count) {
-          const PackStencil weights = stencil(x, anchor, p);
+          const PackStencil weights = stencil(places, anchor, p);
           for (std::size_t d = 0; d < dim; ++d) {
             const auto gather = [&](const std::vector<Vec>& nodal_values) {
               return weights.gather(print, [&](std::size_t i) { return nodal_values[i][static_cast<int>(d)]; }).value;

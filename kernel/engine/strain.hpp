@@ -16,15 +16,27 @@ template <class Component>
   Pack gradient[dim][dim], hoop_rate = 0.0;
   for (int d = 0; d < dim; ++d) {
     const auto jet = weights.gather_array([&](int k) { return u(k, d); });
+    if (rates.measure == StressMeasure::point_force) {
+      store(rates.at[d] + p, jet.value, count);
+      continue;
+    }
     for (int e = 0; e < dim; ++e) gradient[d][e] = jet.gradient[e];
     if constexpr (G::axisymmetric) {
       if (d == 0) hoop_rate = jet.value / radius;
     }
   }
-  if (rates.isotropic) {
+  if (rates.measure == StressMeasure::point_force) return;
+  if (rates.measure == StressMeasure::pressure) {
     Pack divergence = gradient[0][0] + hoop_rate;
     for (int d = 1; d < dim; ++d) divergence += gradient[d][d];
     store(rates.at[0] + p, divergence, count);
+    return;
+  }
+  if (rates.measure == StressMeasure::full) {
+    for (int d = 0; d < dim; ++d) {
+      for (int e = 0; e < dim; ++e) store(rates.at[d * dim + e] + p, gradient[d][e], count);
+    }
+    if constexpr (G::axisymmetric) store(rates.at[dim * dim] + p, hoop_rate, count);
     return;
   }
   Pack rate[G::strains];
@@ -35,8 +47,10 @@ template <class Component>
 template <class G, class S, class T>
 auto Mechanics<G, S, T>::rate_columns(Body& body) const -> RateColumns {
   RateColumns rates;
-  rates.isotropic = body.material->isotropic();
-  for (int k = 0; k < G::strains; ++k) rates.at[k] = body.points(column::strain_rate, rates.isotropic ? 0 : k);
+  rates.measure = body.material->measure();
+  for (int k = 0; k < stress_components(rates.measure, dim, G::axisymmetric); ++k) {
+    rates.at[k] = body.points(column::strain_rate, k);
+  }
   return rates;
 }
 
@@ -48,7 +62,7 @@ auto Mechanics<G, S, T>::rate_columns(Body& body) const -> RateColumns {
 //   density  V_p = m_p / rho_p, rho_p = sum_i N_ip rho_i [EC-APIC 2]
 template <class G, class S, class T>
 double Mechanics<G, S, T>::gather_start(Body& body, const Located& at, const Chunk& chunk, const Wanted& wanted) const {
-  const auto x = places(body, at);
+  const Places places = this->places(body, at);
   const double* mass = body.points(column::mass);
   const double *velocity[dim], *affine[dim][dim] = {};
   for (int d = 0; d < dim; ++d) {
@@ -68,9 +82,9 @@ double Mechanics<G, S, T>::gather_start(Body& body, const Located& at, const Chu
       if (wanted.density) rho[k] = (*wanted.density)[i];
     });
     for_packs(first, last, [&](int p, int count) {
-      const PackStencil weights = stencil(x, anchor, p);
+      const PackStencil weights = stencil(places, anchor, p);
       if (wanted.rates) {
-        store_strain_rates(rates, weights, load(x[0] + p), p, count, [&](int k, int d) { return strained[k][d]; });
+        store_strain_rates(rates, weights, load(places.x[0] + p), p, count, [&](int k, int d) { return strained[k][d]; });
       }
       if (wanted.density) {
         const Pack density = weights.gather_array([&](int k) { return rho[k]; }).value;
@@ -127,16 +141,16 @@ void Mechanics<G, S, T>::find_all_strain_rates(NodalVelocity which) {
 template <class G, class S, class T>
 double Mechanics<G, S, T>::stress_power(const Body& body, PointRange range, double dt) const {
   const double* volume = body.points(column::volume);
-  const bool isotropic = body.material->isotropic();
+  const int components = stress_components(body.material->measure(), dim, G::axisymmetric);
   Pack power = 0.0;
-  const double *stress[G::strains], *rate[G::strains];
-  for (int k = 0; k < G::strains; ++k) {
-    stress[k] = body.points(column::stress, isotropic ? 0 : k);
-    rate[k] = body.points(column::strain_rate, isotropic ? 0 : k);
+  const double *stress[most_components], *rate[most_components];
+  for (int k = 0; k < components; ++k) {
+    stress[k] = body.points(column::stress, k);
+    rate[k] = body.points(column::strain_rate, k);
   }
   for_packs(range.first, range.last, [&](int p, int count) {
     Pack dot = load(stress[0] + p) * load(rate[0] + p);
-    for (int k = 1; !isotropic && k < G::strains; ++k) dot += load(stress[k] + p) * load(rate[k] + p);
+    for (int k = 1; k < components; ++k) dot += load(stress[k] + p) * load(rate[k] + p);
     power += kept(dt * load(volume + p) * dot, count);
   });
   return sum(power);
@@ -208,16 +222,20 @@ void Mechanics<G, S, T>::find_grid_density(Field& field) const {
   walls_.extend_even(field, field.density);
 }
 
-// Densities by the scene's method, then stresses, and_forces: then the forces, before the points have moved; where the grid's mass of this step is the body's own, it serves.
+// Densities by the scene's method, then stresses, and_forces: then the forces, before the points have moved; where the
+// grid's mass of this step is the body's own, it serves. Point forces are those of places, which may have drifted.
 template <class G, class S, class T>
 void Mechanics<G, S, T>::evaluate_stress_ahead(NodalVelocity velocity, double ahead, bool and_forces) {
   settle_power();
   survey_.reset();
+  load_ahead_ = ahead;
   if (velocity == NodalVelocity::current) velocity = current_;
   for (std::size_t b = 0; b < located_.size(); ++b) {
     Body& body = scene_.bodies[b];
     const bool has_density = body.material->has_density();
     const bool grid_density = has_density && scene_.density == DensityMethod::grid;
+    const bool of_places = body.material->measure() == StressMeasure::point_force;
+    const MaterialContext then = context(of_places && ahead != 0 ? ahead - drifted_ : ahead);
     Located elsewhere;  // where the points stand now, if they have moved since they were located
     const Located* at = &located_[b];
     Field* field = &field_of(b);
@@ -242,7 +260,7 @@ void Mechanics<G, S, T>::evaluate_stress_ahead(NodalVelocity velocity, double ah
     if (grid_density && !elsewhere_wanted) wanted.density = &field->density;
     const auto evaluate = [&](const Chunk& chunk) {
       const double lost = wanted.none() ? 0.0 : gather_start(body, located_[b], chunk, wanted);
-      if (!elsewhere_wanted) body.material->evaluate_stress(body.points, {chunk.first, chunk.last}, context(ahead));
+      if (!elsewhere_wanted) body.material->evaluate_stress(body.points, {chunk.first, chunk.last}, then);
       return lost;
     };
     if (and_forces) {
@@ -252,6 +270,8 @@ void Mechanics<G, S, T>::evaluate_stress_ahead(NodalVelocity velocity, double ah
       });
       pending_.map_loss += sums.lost;
       hoop_force_ += sums.hoop_force;
+      add_stress_turn(b);
+      map_load(b);
     } else {
       pending_.map_loss += sum_over_chunks<double>(located_[b], evaluate);
     }
@@ -259,7 +279,7 @@ void Mechanics<G, S, T>::evaluate_stress_ahead(NodalVelocity velocity, double ah
       moved_ = false;  // weights of where the points stand now
       for_chunks(elsewhere, [&](const Chunk& chunk) {
         gather_start(body, elsewhere, chunk, {.density = &field->density});
-        body.material->evaluate_stress(body.points, {chunk.first, chunk.last}, context(ahead));
+        body.material->evaluate_stress(body.points, {chunk.first, chunk.last}, then);
       });
       moved_ = true;
     }
@@ -274,8 +294,8 @@ void Mechanics<G, S, T>::evaluate_stress(NodalVelocity velocity) {
 }
 
 template <class G, class S, class T>
-void Mechanics<G, S, T>::predict_stress(double ahead) {
-  evaluate_stress_ahead(NodalVelocity::start, ahead, false);  // [Leapfrog 2]
+void Mechanics<G, S, T>::predict_stress(double ahead, NodalVelocity velocity) {
+  evaluate_stress_ahead(velocity, ahead, false);  // [Leapfrog 2]
 }
 
 template <class G, class S, class T>

@@ -20,6 +20,8 @@ template <class G, class S, class T>
 auto Mechanics<G, S, T>::survey(const Body& body, PointRange range) const -> Survey {
   const Columns& points = body.points;
   const double* mass = points(column::mass);
+  Places places;
+  for (int d = 0; S::boxes && d < dim; ++d) places.half_size[d] = points(column::half_size, d);
   const double *velocity[dim], *position[dim], *affine[dim][dim] = {};
   for (int d = 0; d < dim; ++d) {
     velocity[d] = points(column::velocity, d);
@@ -50,7 +52,7 @@ auto Mechanics<G, S, T>::survey(const Body& body, PointRange range) const -> Sur
     if constexpr (T::affine) {
       for (int e = 0; e < dim; ++e) {
         const Pack cells = (x[e] - grid_.origin(e)) * (1 / grid_.h());
-        inertia[e] = S::inertia(Pack(cells - floor(cells))) * (grid_.h() * grid_.h());
+        inertia[e] = inertia_at(cells, box(places, e, p)) * (grid_.h() * grid_.h());
         for (int d = 0; d < dim; ++d) {
           c[d][e] = load(affine[d][e] + p);
           square += inertia[e] * c[d][e] * c[d][e];

@@ -24,12 +24,12 @@ auto Mechanics<G, S, T>::MotionSums::operator+=(const MotionSums& o) -> MotionSu
 // conserves sum_p m_p e_p node by node, and leaves no energy negative: each becomes a mean of what points have. [Exchange 1]
 template <class G, class S, class T>
 auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Chunk& chunk, const Field& field, double dt,
-                                       std::optional<double> drift, const std::vector<Vec>* straining,
-                                       bool exchange) const -> MotionSums {
+                                       std::optional<double> drift, const std::vector<Vec>* straining, bool exchange,
+                                       const std::vector<Vec>* carrying) const -> MotionSums {
   Columns& points = body.points;
   const RateColumns rates = rate_columns(body);
   double* energy = exchange ? points(column::energy) : nullptr;
-  const auto x = places(body, at);
+  const Places places = this->places(body, at);
   const double* mass = points(column::mass);
   double* loss = points.has(column::transfer_loss) ? points(column::transfer_loss) : nullptr;
   double *velocity[dim], *position[dim], *affine[dim][dim] = {};
@@ -40,7 +40,8 @@ auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Chun
   }
   MotionSums sums;
   Pack lost = 0.0, torque[3] = {0.0, 0.0, 0.0}, moved[3] = {0.0, 0.0, 0.0};
-  const bool loss_first = loss && T::increments;
+  const bool increments = !T::affine && transfer_.increments, filters = !T::affine && transfer_.order > 0;
+  const bool loss_first = loss && increments;
   for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
     const BinVelocity end = bin_velocity(print, field.end);
     double strained[nodes][dim], alpha[nodes], heat[nodes], most_exchange = 0;
@@ -51,20 +52,21 @@ auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Chun
       heat[k] = alpha[k] * field.heat[i];
       most_exchange = std::max(most_exchange, alpha[k]);
     });
-    double change[nodes][dim], change_square[nodes];
-    if constexpr (T::increments) {
+    double change[nodes][dim], change_square[nodes], carried[nodes][dim];
+    if (increments || filters || carrying) {
       for_stencil_nodes(print, [&](int k, std::size_t i) {
         change_square[k] = 0;
         for (int d = 0; d < dim; ++d) {
-          change[k][d] = field.end[i][d] - field.start[i][d];
+          change[k][d] = increments ? field.end[i][d] - field.start[i][d] : filters ? field.filtered[i][d] - end.base[d] : 0;
           change_square[k] += change[k][d] * change[k][d];
+          if (carrying) carried[k][d] = (*carrying)[i][d];
         }
       });
     }
     for_packs(first, last, [&](int p, int count) {
-      const PackStencil weights = stencil(x, anchor, p);
+      const PackStencil weights = stencil(places, anchor, p);
       if (straining) {
-        store_strain_rates(rates, weights, load(x[0] + p), p, count, [&](int k, int d) { return strained[k][d]; });
+        store_strain_rates(rates, weights, load(places.x[0] + p), p, count, [&](int k, int d) { return strained[k][d]; });
       }
       if (most_exchange > 0) {
         const Pack share = weights.gather_array([&](int k) { return alpha[k]; }).value, e = load(energy + p);
@@ -77,7 +79,7 @@ auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Chun
         here[d] = load(position[d] + p);
       }
       Pack square = 0.0;  // of what the grid carries, less what the point keeps of it
-      if constexpr (T::increments) {
+      if (increments) {
         square = weights.gather_array([&](int k) { return change_square[k]; }).value;
       } else {
         square = weights.gather_array([&](int k) { return end.square[k]; }).value;
@@ -85,16 +87,22 @@ auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Chun
       for (int d = 0; d < dim; ++d) {
         const auto u = weights.gather_array([&](int k) { return end.u[k][d]; });
         v[d] = u.value + end.base[d];
-        if constexpr (T::increments) {
+        if (increments) {
           const auto a = weights.gather_array([&](int k) { return change[k][d]; });
           v_new[d] = load(velocity[d] + p) + a.value;  // [York 3.22]
           square -= a.value * a.value;
           for (int e = 0; e < dim; ++e) c[d][e] = a.affine[e];
+        } else if (filters) {
+          const auto w = weights.gather_array([&](int k) { return change[k][d]; });
+          v_new[d] = w.value + end.base[d];
+          square += 2.0 * end.base[d] * (u.value - w.value) - w.value * w.value;
+          for (int e = 0; e < dim; ++e) c[d][e] = w.affine[e];
         } else {
           v_new[d] = v[d];
           square -= u.value * u.value;
           for (int e = 0; e < dim; ++e) c[d][e] = u.affine[e];  // [EC-APIC 5]
         }
+        if (carrying) v[d] = weights.gather_array([&](int k) { return carried[k][d]; }).value;
       }
       PackMask too_far = first_lanes(0);
       for (int d = 0; d < dim; ++d) {
@@ -115,7 +123,7 @@ auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Chun
         // With the inertia of the new place: where that is another, so are the energy and the spin of the affine part.
         for (int d = 0; !S::fixed_inertia && d < dim; ++d) {
           const Pack cells = (here[d] - grid_.origin(d)) * (1 / grid_.h());
-          inertia[d] = S::inertia(Pack(cells - floor(cells))) * (grid_.h() * grid_.h());
+          inertia[d] = inertia_at(cells, box(places, d, p)) * (grid_.h() * grid_.h());
         }
         for (int d = 0; d < dim; ++d) {
           for (int e = 0; e < dim; ++e) {
@@ -129,7 +137,7 @@ auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Chun
         }
       }
       // Never negative but by rounding, and a cold gas has nothing to pay that with. Only a changing inertia can give.
-      if constexpr (!T::affine || S::fixed_inertia) square = max(square, Pack(0.0));
+      if (!filters && (!T::affine || S::fixed_inertia)) square = max(square, Pack(0.0));
       const Pack given = 0.5 * m * square;  // [EC-APIC 5]
       if (loss) store(loss + p, loss_first ? given : load(loss + p) + given, count);
       lost += given;
@@ -197,10 +205,7 @@ void Mechanics<G, S, T>::reflect_point(Body& body, int p, int d, double wall, Mo
     Spin<dim> turn = cross<dim>(x, v);
     for (int k = 0; T::affine && k < rotation_count<dim>; ++k) {
       const int a = rotation_axis<dim>(k, 0), b = rotation_axis<dim>(k, 1);
-      const auto inertia = [&](int e) {
-        const double cells = grid_.logical(x[e], e);
-        return S::inertia(cells - std::floor(cells)) * grid_.h() * grid_.h();
-      };
+      const auto inertia = [&](int e) { return inertia_of(points, e, p); };
       turn[k] += inertia(a) * c(b, a) - inertia(b) * c(a, b);
     }
     const std::size_t about = dim == 2 ? 2 : 0;
@@ -246,7 +251,7 @@ template <class G, class S, class T>
 void Mechanics<G, S, T>::book_motion(const MotionSums& sums, double dt) {
   for (const Field& field : fields_) {
     WallAction<dim> action = walls_.extension_impulse(field, field.end);
-    if constexpr (T::increments) {
+    if (transfer_.increments) {
       const WallAction<dim> before = walls_.extension_impulse(field, field.start);
       action.linear -= before.linear;
       action.angular -= before.angular;
@@ -259,6 +264,7 @@ void Mechanics<G, S, T>::book_motion(const MotionSums& sums, double dt) {
     const double reflected = sums.reflected[static_cast<std::size_t>(d)];
     account.book(Flow::walls, pending_.wall.linear[d] + pending_.map_wall.linear[d] + reflected);
     account.book(Flow::body_force, pending_.body[d]);
+    if (contact_) account.book(Flow::contact, pending_.contact.linear[d]);
   }
   const std::size_t about = dim == 2 ? 2 : 0;
   for (int k = 0; k < rotations; ++k) {
@@ -266,11 +272,13 @@ void Mechanics<G, S, T>::book_motion(const MotionSums& sums, double dt) {
     Account& account = ledger_.angular_momentum[axis];
     account.book(Flow::walls, pending_.wall.angular[k] + pending_.map_wall.angular[k] + sums.reflected_turn[axis]);
     account.book(Flow::body_force, pending_.body_angular[k]);
-    account.book(Flow::transfer, -sums.torque[axis]);
-    account.book(Flow::integration, sums.moved[axis] + pending_.sharpening_turn[k]);
+    if (contact_) account.book(Flow::contact, pending_.contact.angular[k]);
+    account.book(Flow::transfer, pending_.filter_turn[k] - sums.torque[axis]);
+    account.book(Flow::integration, sums.moved[axis] + pending_.force_turn[k]);
   }
   ledger_.energy.book(Flow::walls, pending_.wall_work + pending_.map_wall_work);
   ledger_.energy.book(Flow::body_force, pending_.body_work);
+  if (contact_) ledger_.energy.book(Flow::contact, pending_.contact.work);
   ledger_.energy.book(Flow::transfer, -pending_.map_loss - sums.lost);
   ledger_.energy.book(Flow::integration, -pending_.stress_power);
   ledger_.viscous += pending_.viscous;
@@ -278,27 +286,91 @@ void Mechanics<G, S, T>::book_motion(const MotionSums& sums, double dt) {
   moved_ = true;
 }
 
+// to = P from: what the nodes have of `from` after it went to the points and back.
 template <class G, class S, class T>
-void Mechanics<G, S, T>::move_points(double dt) {
-  gather_all_motion(dt, {});
+void Mechanics<G, S, T>::pass_to_points_and_back(std::size_t field_index, const std::vector<Vec>& from,
+                                                 std::vector<Vec>& to) {
+  Field& field = fields_[field_index];
+  field.for_touched(grid_, [&](std::size_t i) { field.momentum[i].setZero(); });
+  for (std::size_t b = 0; b < located_.size(); ++b) {
+    const Located& at = located_[b];
+    if (at.field != field_index) continue;
+    const Body& body = scene_.bodies[b];
+    const Places places = this->places(body, at);
+    const double* mass = body.points(column::mass);
+    for_chunks_writing_nodes(at, [&](const Chunk& chunk) {
+      for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
+        Pack sums[nodes * dim];
+        for (Pack& s : sums) s = 0.0;
+        for_packs(first, last, [&](int p, int count) {
+          const PackStencil weights = stencil(places, anchor, p);
+          const Pack m = kept(load(mass + p), count);
+          for (int d = 0; d < dim; ++d) {
+            const Pack v = weights.gather(print, [&](std::size_t i) { return Pack(from[i][d]); }).value;
+            weights.spread(m * v, sums + d, dim);
+          }
+        });
+        add_to_nodes<dim>(print, sums, [&](std::size_t i, const double* total) {
+          for (int d = 0; d < dim; ++d) field.momentum[i][d] += total[d];
+        });
+      });
+    });
+  }
+  walls_.fold(field, field.momentum);
+  solve_velocity(field, to);
+}
+
+// w of the transfers xpic and fmpm: the velocity whose smoothing by a map is undone by m terms. Its momentum is that of
+// the grid but for what walls take meanwhile.
+template <class G, class S, class T>
+void Mechanics<G, S, T>::filter_velocities() {
+  if (transfer_.order == 0) return;
+  for (std::size_t f = 0; f < fields_.size(); ++f) {
+    Field& field = fields_[f];
+    std::vector<Vec> left = transfer_.filters_end ? field.end : field.start, passed(left.size(), Vec::Zero());
+    field.filtered = left;
+    for (int j = 1; j < transfer_.order; ++j) {
+      pass_to_points_and_back(f, left, passed);
+      field.for_touched(grid_, [&](std::size_t i) {
+        left[i] -= passed[i];
+        field.filtered[i] += left[i];  // [XPIC 1] [FMPM 1]
+      });
+    }
+    field.for_touched(grid_, [&](std::size_t i) {
+      if (!transfer_.filters_end) field.filtered[i] += field.end[i] - field.start[i];  // [XPIC 1]
+    });
+    walls_.extend(field, field.filtered);
+    field.for_touched(grid_, [&](std::size_t i) {
+      const Vec change = field.own_mass[i] * (field.filtered[i] - field.end[i]);
+      pending_.wall.linear += change;
+      pending_.filter_turn += cross<dim>(grid_.position(static_cast<int>(i)), change);
+    });
+  }
+}
+
+template <class G, class S, class T>
+void Mechanics<G, S, T>::move_points(double dt, NodalVelocity carrying) {
+  gather_all_motion(dt, {}, carrying);
 }
 
 template <class G, class S, class T>
 void Mechanics<G, S, T>::kick_points(double dt) {
-  gather_all_motion(dt, 0.0);
+  gather_all_motion(dt, 0.0, NodalVelocity::end);
 }
 
 template <class G, class S, class T>
-void Mechanics<G, S, T>::gather_all_motion(double dt, std::optional<double> drift) {
+void Mechanics<G, S, T>::gather_all_motion(double dt, std::optional<double> drift, NodalVelocity carrying) {
   settle_power();
   settle_loss();
+  filter_velocities();
   survey_.reset();
   MotionSums sums;
   for (std::size_t b = 0; b < located_.size(); ++b) {
     Body& body = scene_.bodies[b];
     keep_places(body, located_[b]);
     const MotionSums own = sum_over_chunks<MotionSums>(located_[b], [&](const Chunk& chunk) {
-      return gather_motion(body, located_[b], chunk, field_of(b), dt, drift, nullptr, false);
+      const std::vector<Vec>* carried = carrying == NodalVelocity::end ? nullptr : &nodal(field_of(b), carrying);
+      return gather_motion(body, located_[b], chunk, field_of(b), dt, drift, nullptr, false, carried);
     });
     stop_if_too_far(own, body);
     sums += own;
@@ -309,6 +381,7 @@ void Mechanics<G, S, T>::gather_all_motion(double dt, std::optional<double> drif
 template <class G, class S, class T>
 void Mechanics<G, S, T>::drift_points(double dt) {
   survey_.reset();
+  drifted_ += dt;
   MotionSums sums;
   for (std::size_t b = 0; b < located_.size(); ++b) {
     Body& body = scene_.bodies[b];
@@ -371,6 +444,7 @@ void Mechanics<G, S, T>::kick_heat_and_drift_points(double dt, double drift) {
 template <class G, class S, class T>
 void Mechanics<G, S, T>::finish_points(double dt, std::optional<double> drift) {
   settle_loss();
+  filter_velocities();
   struct Sums {
     MotionSums motion;
     PowerSums power;
@@ -395,11 +469,16 @@ void Mechanics<G, S, T>::finish_points(double dt, std::optional<double> drift) {
     const std::vector<Vec>& midpoint = rates_wanted ? straining_velocity(field_of(b), NodalVelocity::midpoint)
                                                     : field.midpoint;
     const bool exchange = exchanges_heat(body);
-    const Sums own = sum_over_chunks<Sums>(located_[b], [&](const Chunk& chunk) {
+    const auto move = [&](const Chunk& chunk) {
+      return gather_motion(body, located_[b], chunk, field, dt, drift, rates_wanted ? &midpoint : nullptr, exchange,
+                           nullptr);
+    };
+    MotionSums chain_motion;  // all points of a chain move before any looks where its neighbours stand
+    if (body.chain) chain_motion = sum_over_chunks<MotionSums>(located_[b], move);
+    Sums own = sum_over_chunks<Sums>(located_[b], [&](const Chunk& chunk) {
       const PointRange range{chunk.first, chunk.last};
       Sums sums;
-      sums.motion = gather_motion(body, located_[b], chunk, field, dt, drift, rates_wanted ? &midpoint : nullptr,
-                                  exchange);
+      if (!body.chain) sums.motion = move(chunk);
       sums.power.power = stress_power(body, range, dt);
       sums.power.viscous = body.material->viscous_heat(body.points, range, context(), dt);
       sums.stored = body.material->advance(body.points, range, context(), dt);  // [EC-APIC 6]
@@ -411,6 +490,7 @@ void Mechanics<G, S, T>::finish_points(double dt, std::optional<double> drift) {
       sums.survey = survey(body, range);
       return sums;
     });
+    own.motion += chain_motion;
     stop_if_too_far(own.motion, body);
     all += own;
   }

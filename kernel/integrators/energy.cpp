@@ -22,6 +22,10 @@ class EnergyConserving final : public TimeIntegrator {
   std::string refusal(const std::string& shape, const std::string& transfer) const override {
     if (shape == "linear")
       return "the gradient of linear shapes jumps between cells and their affine inertia vanishes at nodes";
+    if (shape == "gimp" || shape == "contiguous-gimp")
+      return "the affine inertia of boxes changes as points move, and with it energy that is nobody's loss";
+    if (transfer == "xpic" || transfer == "fmpm")
+      return transfer + " gives points velocities that the grid does not have, and may so give energy";
     if (transfer == "flip")
       return "flip keeps the energy that its maps filter out, so there is no loss to return exactly";
     return {};

@@ -22,6 +22,27 @@ void StepBounds::include(const StepBounds& other) {
   take(diffusivity, other.diffusivity);
 }
 
+double fastest_point(const Columns& points, PointRange range, int dim) {
+  double largest = 0;
+  for (int p = range.first; p < range.last; ++p) {
+    double square = 0;
+    for (int d = 0; d < dim; ++d) square += points(column::velocity, d)[p] * points(column::velocity, d)[p];
+    if (!std::isnan(largest) && !(square <= largest)) largest = square;
+  }
+  return std::sqrt(largest);
+}
+
+Material::Fault first_not_finite(const Columns& points, PointRange range, const ColumnId& id,
+                                 const std::string& reason) {
+  for (int p = range.first; p < range.last; ++p) {
+    for (int k = 0; k < points.components(id); ++k) {
+      const double value = points(id, k)[p];
+      if (!std::isfinite(value)) return {p, id.name(), value, reason};
+    }
+  }
+  return {};
+}
+
 const std::vector<MaterialEntry>& materials() { return registered(); }
 
 RegisterMaterial::RegisterMaterial(MaterialEntry entry) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "kernel/geometry.hpp"
 #include "kernel/points/columns.hpp"
 
 namespace plumbline {
@@ -22,6 +23,20 @@ struct PointRange {
   int first, last;
 };
 inline PointRange all_points(const Columns& points) { return {0, points.points()}; }
+
+// What the stress column holds, and with it the strain_rate column, whose dot product with it is the power per volume.
+//   pressure     one normal stress for all directions; div v
+//   symmetric    normal stresses, then shears; normal strain rates, then engineering shears
+//   full         all components sigma_de, row by row, then in an axisymmetric scene the hoop's; the velocity gradient
+//                dv_d/dx_e. Of finite strains: J^-1 P F^T is symmetric only where P and F are of one instant.
+//   point_force  -F_p / V_p of a force F_p on the point itself, which goes to the nodes by N_ip; the velocity at the point
+enum class StressMeasure { pressure, symmetric, full, point_force };
+
+inline constexpr int stress_components(StressMeasure measure, int dim, bool axisymmetric) {
+  if (measure == StressMeasure::pressure) return 1;
+  if (measure == StressMeasure::full) return dim * dim + (axisymmetric ? 1 : 0);
+  return measure == StressMeasure::point_force ? dim : strain_components(dim, axisymmetric);
+}
 
 // Where a material keeps the energy that its stress power becomes.
 enum class Store { none, internal, elastic };
@@ -43,7 +58,8 @@ class Material {
   virtual bool has_density() const { return false; }  // a density column that a density method may set
   virtual bool takes_heat() const { return false; }   // transfer losses can become internal energy
 
-  virtual bool isotropic() const { return false; }  // the stress is a pressure: one component, one strain rate (div v)
+  virtual StressMeasure measure() const { return StressMeasure::symmetric; }
+  bool isotropic() const { return measure() == StressMeasure::pressure; }
 
   // Advances the internal variables over dt with the strain_rate column. Returns the energy stored meanwhile,
   // sum_p of the change of each point by its own formula, J.
@@ -84,6 +100,12 @@ class Material {
   // Sets columns that nothing in a step reads (density, pressure), for those who look at points between steps.
   virtual void describe(Columns&) const {}
 };
+
+// Largest |v_p| of the range, m/s; a NaN stays.
+double fastest_point(const Columns& points, PointRange range, int dim);
+
+// First point of the range with a value of the column that is not finite.
+Material::Fault first_not_finite(const Columns& points, PointRange range, const ColumnId& id, const std::string& reason);
 
 // What `list` says of a material; each registers itself in its own source file.
 struct MaterialEntry {

@@ -7,6 +7,9 @@ namespace {
 
 const RegisterMaterial entry{
     {"uniaxial_membrane", "one layer of points, tension along the tangent, one-way law", "York 1997, chapter 5"}};
+const RegisterMaterial plane_stress_entry{{"plane_stress_membrane",
+                                           "the same held out of the plane, with the modulus E / (1 - nu^2)",
+                                           "York 1997, (5.12-5.15)"}};
 
 struct Direction {
   double x, y;
@@ -80,7 +83,7 @@ void UniaxialMembrane::evaluate_stress(Columns& points, PointRange range, const 
     if (context.ahead != 0) {
       eps += context.ahead * (context.dim == 1 ? points(column::strain_rate)[p] : tangential_rate(points, p));
     }
-    return carries(eps) ? youngs_modulus * eps : 0.0;  // [York 5.5]
+    return carries(eps) ? modulus() * eps : 0.0;  // [York 5.5]
   };
   if (context.dim == 1) {
     for (int p = range.first; p < range.last; ++p) xx[p] = tension(p);
@@ -105,22 +108,13 @@ double UniaxialMembrane::stored_energy(const Columns& points, PointRange range) 
 }
 
 StepBounds UniaxialMembrane::step_bounds(const Columns& points, PointRange range, int dim) const {
-  const double *u = points(column::velocity), *v = points(column::velocity, dim - 1);
   StepBounds bounds;
-  const double c = std::sqrt(youngs_modulus / density);
-  for (int p = range.first; p < range.last; ++p) {
-    const double signal = c + (dim == 1 ? std::abs(u[p]) : std::sqrt(u[p] * u[p] + v[p] * v[p]));
-    if (!std::isnan(bounds.fastest) && !(signal <= bounds.fastest)) bounds.fastest = signal;
-  }
+  bounds.fastest = std::sqrt(modulus() / density) + fastest_point(points, range, dim);
   return bounds;
 }
 
 Material::Fault UniaxialMembrane::first_fault(const Columns& points, PointRange range) const {
-  const double* strain = points(column::strain);
-  for (int p = range.first; p < range.last; ++p) {
-    if (!std::isfinite(strain[p])) return {p, column::strain.name(), strain[p], "the strain must be finite"};
-  }
-  return {};
+  return first_not_finite(points, range, column::strain, "the strain must be finite");
 }
 
 }  // namespace plumbline

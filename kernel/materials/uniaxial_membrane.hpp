@@ -11,7 +11,7 @@ namespace plumbline {
 // one_way: no stress while eps < 0, but the negative strain still accumulates (wrinkles). [York 5.2, text]
 // Tangents in the plane come from connectivity, the mean of the two adjoining segment angles. [York 7.1]
 // Volumes stay constant.
-struct UniaxialMembrane final : Material {
+struct UniaxialMembrane : Material {
   double youngs_modulus = 0;  // E, Pa, > 0
   double density = 0;         // rho_0, kg/m^3, > 0: sets the wave speed of the step limit
   bool one_way = true;
@@ -30,10 +30,21 @@ struct UniaxialMembrane final : Material {
   Fault first_fault(const Columns& points, PointRange range) const override;
 
   // Strain energy density W(eps), J/m^3.
-  double energy_density(double strain) const { return carries(strain) ? 0.5 * youngs_modulus * strain * strain : 0.0; }
+  double energy_density(double strain) const { return carries(strain) ? 0.5 * modulus() * strain * strain : 0.0; }
+  // Tangential stress over tangential strain, Pa.
+  virtual double modulus() const { return youngs_modulus; }
 
  private:
   bool carries(double strain) const { return !one_way || strain > 0; }
+};
+
+// A membrane that neither strains nor is free to contract out of the plane:
+//   sigma_1 = E eps / (1 - nu^2), sigma_2 = nu sigma_1 out of the plane, eps_2 = 0, eps_3 = -nu eps / (1 - nu). [York 5.12-5.15]
+struct PlaneStressMembrane final : UniaxialMembrane {
+  double poissons_ratio = 0;  // nu, -1 < nu < 1
+
+  std::string name() const override { return "plane_stress_membrane"; }
+  double modulus() const override { return youngs_modulus / (1 - poissons_ratio * poissons_ratio); }
 };
 
 }  // namespace plumbline

@@ -1,14 +1,13 @@
 #include "kernel/points/body.hpp"
 
+#include <cmath>
 #include <numeric>
 #include <utility>
-
-#include "kernel/geometry.hpp"
 
 namespace plumbline {
 
 Body make_body(std::string name, std::shared_ptr<const Material> material, int points, int dim, bool axisymmetric) {
-  const int strains = material->isotropic() ? 1 : strain_components(dim, axisymmetric);
+  const int strains = stress_components(material->measure(), dim, axisymmetric);
   Body body;
   body.name = std::move(name);
   body.points = Columns(points);
@@ -24,6 +23,13 @@ Body make_body(std::string name, std::shared_ptr<const Material> material, int p
   material->add_columns(body.points, dim);
   body.material = std::move(material);
   return body;
+}
+
+double point_spacing(const Body& body, int p, int dim, bool axisymmetric) {
+  if (body.spacing > 0) return body.spacing;
+  double volume = body.points(column::volume)[p];
+  if (axisymmetric) volume /= body.points(column::position)[p];
+  return std::pow(volume, 1.0 / dim);
 }
 
 }  // namespace plumbline

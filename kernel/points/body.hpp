@@ -1,7 +1,9 @@
 // A body: points of one material that share a velocity field.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,9 @@ struct Body {
   Columns points;
   std::vector<int> id;          // a point's number as the scene made it, 0 ... points - 1; stays when points are sorted
   std::vector<int> split_from;  // of the points that came later, in the order of their numbers: whose half each is
+  // Body force per mass of the points at a time (s): sets the column body_force, m/s^2. Beside Scene::gravity. May be empty.
+  std::function<void(double time, Columns& points, std::span<const int> id)> load;
+  double spacing = 0;           // between neighbouring points, m; 0: the edge of a cube of the point's volume
   bool chain = false;           // points stand in the order of their connectivity and are never sorted
 };
 
@@ -24,5 +29,8 @@ struct Body {
 // dim: 1, 2 or 3; axisymmetric: with dim 2 only.
 Body make_body(std::string name, std::shared_ptr<const Material> material, int points, int dim,
                bool axisymmetric = false);
+
+// Distance of point p from its neighbours, m: Body::spacing, or the edge of a cube of its volume.
+double point_spacing(const Body& body, int p, int dim, bool axisymmetric);
 
 }  // namespace plumbline

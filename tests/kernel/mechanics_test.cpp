@@ -3,7 +3,7 @@
 #include "kernel/mechanics.hpp"
 
 #include "tests/kernel/naive_step.hpp"
-#include "tests/kernel/scenes.hpp"
+#include "tests/kernel/solids.hpp"
 
 namespace plumbline {
 namespace {
@@ -32,6 +32,12 @@ std::array<int, 2> tensor_entry(scenes::Space space, int k) {
   return space == scenes::Space::axisymmetric ? rings[k] : space == scenes::Space::solid ? solid[k] : plane[k];
 }
 
+// The same where all components are kept.
+std::array<int, 2> full_entry(int dim, int k) {
+  if (k == dim * dim) return {2, 2};
+  return {k / dim, k % dim};
+}
+
 // Three steps: sums of a few hundred terms of order one and their differences, so 1e-12 of each field's size.
 template <class Value>
 void expect_column(const Body& body, const NaiveStep& naive, const ColumnId& id, int component, Value&& value) {
@@ -54,11 +60,29 @@ void expect_points_like_naive(const Scene& scene, const Body& body, const NaiveS
       expect_column(body, naive, column::affine, d * dim + e, [d, e](const Point& p) { return p.c(d, e); });
     }
   }
+  const StressMeasure measure = body.material->measure();
   for (int k = 0; k < body.points.components(column::stress); ++k) {
-    const auto [i, j] = tensor_entry(space, k);
+    if (measure == StressMeasure::point_force) {
+      expect_column(body, naive, column::stress, k, [k](const Point& p) { return -p.pull[k] / p.volume; });
+      continue;
+    }
+    const bool full = measure == StressMeasure::full;
+    const auto [i, j] = full ? full_entry(dim, k) : tensor_entry(space, k);
     expect_column(body, naive, column::stress, k, [i = i, j = j](const Point& p) { return p.stress(i, j); });
+    if (full) {
+      expect_column(body, naive, column::deformation, k, [i = i, j = j](const Point& p) { return p.f(i, j); });
+    }
+    if (body.points.components(column::strain) == body.points.components(column::stress) && dim > 1) {
+      const double share = i == j ? 1 : 2;  // engineering shears
+      expect_column(body, naive, column::strain, k,
+                    [i = i, j = j, share](const Point& p) { return share * p.eps(i, j); });
+    }
   }
-  if (body.points.has(column::energy)) {
+  if (measure == StressMeasure::full) {
+    expect_column(body, naive, column::volume, 0, [](const Point& p) { return p.volume; });
+  } else if (dynamic_cast<const LinearElastic*>(body.material.get())) {
+    expect_column(body, naive, column::strain, 0, [](const Point& p) { return p.eps(0, 0); });
+  } else if (body.points.has(column::energy)) {
     expect_column(body, naive, column::energy, 0, [](const Point& p) { return p.energy; });
     expect_column(body, naive, column::volume, 0, [](const Point& p) { return p.volume; });
   } else {
@@ -138,6 +162,24 @@ TEST_P(EveryCombination, StepsAsThePrintedEquationsSay) {
   }
 }
 
+// The same for every elastic law: their forces, strains and energies, and boxes that follow the deformation.
+// [Hooke 1] [Neo-Hookean 1, 2] [Segments 1, 2] [GIMP 1, 2] [Midpoint 1-4] [XPIC 1] [FMPM 1]
+TEST_P(EveryCombination, SolidsStepAsThePrintedEquationsSay) {
+  for (const scenes::Combination& c : scenes::working_combinations()) {
+    if (c.integrator != GetParam()) continue;
+    for (scenes::Law law : scenes::laws) {
+      for (scenes::Space space : scenes::spaces) {
+        if (!scenes::lives_in(law, space)) continue;
+        SCOPED_TRACE(testing::Message() << c << ", " << law << ", " << space);
+        Scene scene = scenes::rough_solid(law,
+                                          scenes::rough_gas_in_space(space, c.shape, c.transfer, gravity_in(space)));
+        scene.transfer_order = 3;
+        expect_like_naive(scene, c.integrator, 0.01);
+      }
+    }
+  }
+}
+
 TEST_P(EveryCombination, ContinuityDensityStepsAsThePrintedEquationsSay) {
   for (const char* shape : {"quadratic", "cubic"}) {
     for (const char* transfer : {"pic", "apic"}) {
@@ -178,7 +220,8 @@ TEST_P(EveryCombination, TheAxisIsAMirror) {
     scene.grid.origin[1] = -0.25;
     scene.grid.cells = {8, 9, 1};
     scene.heat_exchange = 1;
-    if (c.shape != "linear") scene.sharpening = 1;  // which throws the light nodes of free edges about as it is
+    // The light nodes of free edges are thrown about by linear shapes and boxes as it is.
+    if (c.shape == "quadratic" || c.shape == "cubic") scene.sharpening = 1;
     Simulation run(scene, c.integrator, {0.3, 0.01});
     NaiveStep naive(with_images(scene));
     for (int k = 0; k < 3; ++k) {
@@ -195,7 +238,7 @@ TEST_P(EveryCombination, TheAxisIsAMirror) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Integrators, EveryCombination,
-                         testing::Values("usf", "usl", "musl", "usavg", "energy", "leapfrog"),
+                         testing::Values("usf", "usl", "musl", "usavg", "midpoint", "energy", "leapfrog"),
                          [](const auto& chosen) { return chosen.param; });
 
 // --- walls ----------------------------------------------------------------------------------------------------------
@@ -300,6 +343,7 @@ TEST_P(EverySpace, AWallPushesWithThePressure) {
   for (Wall kind : {Wall::symmetry, Wall::no_slip}) {
     for (const char* shape : {"linear", "quadratic"}) {
       for (const Choice& transfer : transfers()) {
+        if (transfer.name == "fmpm") continue;  // what it filters a wall has bent
         GridSpec grid = scenes::box(space, cells, h, scenes::walls_everywhere(Wall::symmetry));
         grid.walls[static_cast<std::size_t>(along)] = {kind, Wall::free};
         Scene scene = scenes::scene_of(grid,
@@ -409,7 +453,7 @@ TEST(Mechanics, RefusesWhatItDoesNotHave) {
   Scene scene = scenes::rough_gas(1, "quintic", "flip");
   EXPECT_THROW(make_engine(scene, ledger, {}), std::invalid_argument);
   scene.shape = "linear";
-  scene.transfer = "xpic";
+  scene.transfer = "tpic";
   EXPECT_THROW(make_engine(scene, ledger, {}), std::invalid_argument);
   scene.transfer = "pic";
   EXPECT_NO_THROW(make_engine(scene, ledger, {}));

@@ -11,6 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "kernel/materials/linear_elastic.hpp"
+#include "kernel/materials/neo_hookean.hpp"
+#include "kernel/materials/segment_membrane.hpp"
 #include "tests/kernel/scenes.hpp"
 
 namespace plumbline {
@@ -18,7 +21,10 @@ namespace plumbline {
 struct NaivePoint {
   Eigen::Vector3d x = Eigen::Vector3d::Zero(), v = Eigen::Vector3d::Zero();
   Eigen::Matrix3d c = Eigen::Matrix3d::Zero(), stress = Eigen::Matrix3d::Zero();
-  double m = 0, volume = 0, density = 0, energy = 0, pressure = 0, strain = 0, loss = 0, exchanged = 0;
+  Eigen::Matrix3d eps = Eigen::Matrix3d::Zero(), f = Eigen::Matrix3d::Identity();  // of solids
+  Eigen::Vector3d half = 0.5 * Eigen::Vector3d::Ones(), half_at_start = half;      // of the box, in cells
+  Eigen::Vector3d pull = Eigen::Vector3d::Zero();                                  // of the segments on the point
+  double m = 0, volume = 0, density = 0, energy = 0, pressure = 0, strain = 0, loss = 0, exchanged = 0, rest = 0;
 };
 
 struct NaiveNode {
@@ -41,7 +47,10 @@ class NaiveStep {
         dim_(scene.grid.dim),
         h_(scene.grid.h),
         gas_(dynamic_cast<const IdealGas*>(scene.bodies[0].material.get())),
-        membrane_(dynamic_cast<const UniaxialMembrane*>(scene.bodies[0].material.get())) {
+        membrane_(dynamic_cast<const UniaxialMembrane*>(scene.bodies[0].material.get())),
+        hooke_(dynamic_cast<const LinearElastic*>(scene.bodies[0].material.get())),
+        neo_(dynamic_cast<const NeoHookean*>(scene.bodies[0].material.get())),
+        segments_(dynamic_cast<const SegmentMembrane*>(scene.bodies[0].material.get())) {
     const Columns& from = scene.bodies[0].points;
     points.resize(static_cast<std::size_t>(from.points()));
     for (std::size_t p = 0; p < points.size(); ++p) {
@@ -56,16 +65,28 @@ class NaiveStep {
       if (gas_) point.density = from(column::density)[p];
       if (gas_) point.energy = from(column::energy)[p];
       if (membrane_) point.strain = from(column::strain)[p];
+      if (hooke_) point.eps = strain_tensor(from, p);
+      if (neo_) point.f = deformation(from, p);
+      if (segments_) point.rest = from(column::rest_length)[p];
+      // Boxes start as wide as the points stand apart; a ring's section has its volume over r.
+      const double section = rings() ? point.volume / std::abs(point.x[0]) : point.volume;
+      point.half_at_start.setConstant(std::pow(section, 1.0 / dim_) / h_ / 2);
+      point.half = point.half_at_start.cwiseMin(0.5);
+    }
+    if (segments_) {
+      for (std::size_t p = 0; p < points.size(); ++p) points[p].strain = stretch(p);
     }
     make_nodes();
     locate();
     densities();
-    for (std::size_t p = 0; p < points.size(); ++p) points[p].stress = stress_of(p, Mat::Zero());
+    if (segments_) set_pulls(Of::start, 0);
+    for (std::size_t p = 0; p < points.size() && !segments_; ++p) points[p].stress = stress_of(p, Mat::Zero());
   }
 
   void step(const std::string& integrator, double dt) {
     const double transfer_before = transfer;
-    const bool leapfrog = integrator == "leapfrog";
+    const bool leapfrog = integrator == "leapfrog", midpoint = integrator == "midpoint";
+    drifted_ = leapfrog;
     if (leapfrog) drift(dt / 2);
     locate();
     to_grid();
@@ -81,15 +102,27 @@ class NaiveStep {
       exchange(Of::middle, dt);
       advance(dt);
     }
+    if (midpoint) {
+      set_stress(Of::middle, dt / 2);  // [Midpoint 2]
+      forces();
+      advance(dt);  // [Midpoint 3]
+    }
     book_work(dt);
-    move(dt, !leapfrog);
+    move(dt, !leapfrog, midpoint);
     if (integrator == "usf") return;
+    if (midpoint) {
+      strain(dt, Of::middle);  // [Midpoint 4]
+      set_stress(Of::middle);
+      return;
+    }
     if (integrator == "musl" || integrator == "usavg") again();
     if (integrator == "usl") strain(dt, Of::end);
     if (integrator == "musl") strain(dt, Of::again);
     if (integrator == "usavg") strain(dt / 2, Of::again);
     if (integrator == "energy" || leapfrog) {
+      if (segments_ && leapfrog) drift(dt / 2);  // their strain is that of the end of the step
       strain(dt, Of::middle);
+      if (segments_) return;
       if (gas_) {
         for (NaivePoint& point : points)
           point.energy += point.exchanged + point.loss / point.m;  // [EC-APIC 6] [Exchange 1]
@@ -116,6 +149,24 @@ class NaiveStep {
 
   bool rings() const { return scene_.grid.axisymmetric; }
 
+  // Components of a column as the tensors they are: the plane's, the hoop's, those of space; shears are halved.
+  Mat strain_tensor(const Columns& from, std::size_t p) const {
+    static constexpr int plane[][2] = {{0, 0}, {1, 1}, {0, 1}}, hoop[][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}},
+                         space[][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {2, 0}, {0, 1}};
+    Mat eps = Mat::Zero();
+    for (int k = 0; k < from.components(column::strain); ++k) {
+      const auto& [i, j] = rings() ? hoop[k] : dim_ == 3 ? space[k] : plane[k];
+      eps(i, j) = eps(j, i) = from(column::strain, k)[p] * (i == j ? 1 : 0.5);
+    }
+    return eps;
+  }
+  Mat deformation(const Columns& from, std::size_t p) const {
+    Mat f = Mat::Identity();
+    for (int k = 0; k < dim_ * dim_; ++k) f(k / dim_, k % dim_) = from(column::deformation, k)[p];
+    if (rings()) f(2, 2) = from(column::deformation, 4)[p];
+    return f;
+  }
+
   void make_nodes() {
     int low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
     for (int d = 0; d < dim_; ++d) {
@@ -140,48 +191,72 @@ class NaiveStep {
   // is a node line.
   double radial_volume(double centre) const {
     double sum = 0;
-    for (int piece = -4; piece < 4; ++piece) {
+    for (int piece = -8; piece < 8; ++piece) {
       const double weights[5] = {7, 32, 12, 32, 7};
       for (int k = 0; k < 5; ++k) {
-        const double u = piece / 2.0 + k / 8.0;
-        sum += weights[k] / 90 * (h_ / 2) * spline(u) * std::abs(centre + u * h_);
+        const double u = piece / 4.0 + k / 16.0;
+        sum += weights[k] / 90 * (h_ / 4) * spline(u, 0.25) * std::abs(centre + u * h_);
       }
     }
     return sum;
   }
-  double spline(double u) const {
+  bool boxes() const { return scene_.shape == "gimp" || scene_.shape == "contiguous-gimp"; }
+  // half: of the boxes, in cells.
+  double spline(double u, double half) const {
     const double a = std::abs(u);
+    if (boxes()) {  // [GIMP 1]
+      const auto until = [](double s) {
+        s = std::clamp(s, -1.0, 1.0);
+        return s < 0 ? (1 + s) * (1 + s) / 2 : 1 - (1 - s) * (1 - s) / 2;
+      };
+      return (until(u + half) - until(u - half)) / (2 * half);
+    }
     if (scene_.shape == "linear") return std::max(0.0, 1 - a);
     if (scene_.shape == "quadratic") return a < 0.5 ? 0.75 - a * a : a < 1.5 ? 0.5 * (1.5 - a) * (1.5 - a) : 0;
     return a < 1 ? 2.0 / 3 - a * a + a * a * a / 2 : a < 2 ? std::pow(2 - a, 3) / 6 : 0;
   }
-  double slope(double u) const {
+  double slope(double u, double half) const {
     const double a = std::abs(u), sign = u < 0 ? -1 : 1;
+    if (boxes()) {  // [GIMP 1]
+      const auto tent = [](double s) { return std::max(0.0, 1 - std::abs(s)); };
+      return (tent(u + half) - tent(u - half)) / (2 * half);
+    }
     if (scene_.shape == "linear") return a < 1 ? -sign : 0;
     if (scene_.shape == "quadratic") return a < 0.5 ? -2 * u : a < 1.5 ? -sign * (1.5 - a) : 0;
     return a < 1 ? -2 * u + 1.5 * a * u : a < 2 ? -sign * 0.5 * (2 - a) * (2 - a) : 0;
   }
   bool apart(const Vec& x, const NaiveNode& node) const { return (x - node.x).cwiseAbs().maxCoeff() >= 2.001 * h_; }
-  double weight(const Vec& x, const NaiveNode& node) const {
+  double weight(const NaivePoint& p, const NaiveNode& node) const {
     double n = 1;
-    for (int d = 0; d < dim_; ++d) n *= spline((x[d] - node.x[d]) / h_);
+    for (int d = 0; d < dim_; ++d) n *= spline((p.x[d] - node.x[d]) / h_, p.half[d]);
     return n;
   }
-  Vec gradient(const Vec& x, const NaiveNode& node) const {
+  Vec gradient(const NaivePoint& p, const NaiveNode& node) const {
     Vec g = Vec::Zero();
     for (int d = 0; d < dim_; ++d) {
-      g[d] = slope((x[d] - node.x[d]) / h_) / h_;
-      for (int e = 0; e < dim_; ++e) g[d] *= e == d ? 1 : spline((x[e] - node.x[e]) / h_);
+      g[d] = slope((p.x[d] - node.x[d]) / h_, p.half[d]) / h_;
+      for (int e = 0; e < dim_; ++e) g[d] *= e == d ? 1 : spline((p.x[e] - node.x[e]) / h_, p.half[e]);
     }
     return g;
   }
-  // D = sum N r r^T of the place x.
-  Mat inertia(const Vec& x) const {
+  // D = sum N r r^T where the point stands.
+  Mat inertia(const NaivePoint& p) const {
     Mat d = Mat::Zero();
     for (const NaiveNode& node : nodes_) {
-      if (!apart(x, node)) d += weight(x, node) * (node.x - x) * (node.x - x).transpose();
+      if (!apart(p.x, node)) d += weight(p, node) * (node.x - p.x) * (node.x - p.x).transpose();
     }
     return d;
+  }
+  // Boxes that follow the deformation have the second moments of what the box at the start became; what their inertia
+  // gains of the points' affine energy is booked. [GIMP 2]
+  void deform_boxes() {
+    if (scene_.shape != "contiguous-gimp" || !neo_) return;
+    for (NaivePoint& p : points) {
+      const Mat moments = p.half_at_start.cwiseAbs2().asDiagonal();
+      const double before = (p.c * inertia(p) * p.c.transpose()).trace();
+      p.half = Mat(p.f * moments * p.f.transpose()).diagonal().cwiseSqrt().cwiseMin(0.5);
+      transfer += p.m * ((p.c * inertia(p) * p.c.transpose()).trace() - before) / 2;
+    }
   }
   template <class Visit>
   void for_pairs(Visit&& visit) {
@@ -195,6 +270,7 @@ class NaiveStep {
   }
 
   void locate() {
+    deform_boxes();
     pairs_.clear();
     first_pair_.assign(1, 0);
     at_.clear();
@@ -202,7 +278,7 @@ class NaiveStep {
       at_.push_back(points[p].x);
       for (std::size_t i = 0; i < nodes_.size(); ++i) {
         if (apart(points[p].x, nodes_[i])) continue;
-        const Pair pair{p, i, weight(points[p].x, nodes_[i]), gradient(points[p].x, nodes_[i])};
+        const Pair pair{p, i, weight(points[p], nodes_[i]), gradient(points[p], nodes_[i])};
         if (pair.n != 0 || !pair.g.isZero(0)) pairs_.push_back(pair);
       }
       first_pair_.push_back(pairs_.size());
@@ -231,6 +307,7 @@ class NaiveStep {
   void forces() {
     for (NaiveNode& node : nodes_) node.force = node.m * gravity_;  // [York 3.18]
     for_pairs([&](NaivePoint& p, NaiveNode& i, double n, const Vec& g) {
+      i.force += n * p.pull;                                                    // [Segments 2]
       i.force -= p.volume * p.stress * g;                                       // [York 3.17]
       if (rings()) i.force[0] -= p.volume * p.stress(2, 2) * n / frozen(p)[0];  // hoop stress pulls inwards
     });
@@ -251,7 +328,10 @@ class NaiveStep {
 
   // Each node against its neighbours along the axes, theta half the variance of the shape. [Sharpening 1]
   std::vector<Vec> sharpened(const std::vector<Vec>& u) const {
-    const double variance = scene_.shape == "linear" ? 1.0 / 6 : scene_.shape == "quadratic" ? 1.0 / 4 : 1.0 / 3;
+    const double variance = boxes()                       ? 1.0 / 6 + 0.25 * 0.25 / 3
+                            : scene_.shape == "linear"    ? 1.0 / 6
+                            : scene_.shape == "quadratic" ? 1.0 / 4
+                                                          : 1.0 / 3;
     std::vector<Vec> q = u;
     for (std::size_t i = 0; i < nodes_.size() && scene_.sharpening > 0; ++i) {
       int stride = 1;
@@ -289,15 +369,48 @@ class NaiveStep {
     for (NaivePoint& point : points) point.x += dt * point.v;  // [Leapfrog 1]
   }
 
-  void move(double dt, bool along) {
+  // What the nodes have of u after it went to the points and back.
+  std::vector<Vec> passed(const std::vector<Vec>& u) {
+    std::vector<Vec> at_points(points.size(), Vec::Zero()), back(nodes_.size(), Vec::Zero());
+    const auto index = [&](const NaiveNode& i) { return static_cast<std::size_t>(&i - nodes_.data()); };
+    const auto number = [&](const NaivePoint& p) { return static_cast<std::size_t>(&p - points.data()); };
+    for_pairs([&](NaivePoint& p, NaiveNode& i, double n, const Vec&) { at_points[number(p)] += n * u[index(i)]; });
+    for_pairs([&](NaivePoint& p, NaiveNode& i, double n, const Vec&) {
+      back[index(i)] += p.m * n / i.m * at_points[number(p)];
+    });
+    return back;
+  }
+  // The nodal velocities that points take with xpic and fmpm. [XPIC 1] [FMPM 1]
+  std::vector<Vec> filtered() {
+    const bool of_end = scene_.transfer == "fmpm";
+    std::vector<Vec> w, left;
+    for (const NaiveNode& node : nodes_) left.push_back(of_end ? node.end : node.start);
+    w = left;
+    for (int j = 1; j < scene_.transfer_order; ++j) {
+      const std::vector<Vec> lost = passed(left);
+      for (std::size_t i = 0; i < left.size(); ++i) {
+        if (nodes_[i].m == 0) continue;
+        left[i] -= lost[i];
+        w[i] += left[i];
+      }
+    }
+    for (std::size_t i = 0; i < w.size() && !of_end; ++i) w[i] += nodes_[i].end - nodes_[i].start;
+    return w;
+  }
+
+  void move(double dt, bool along, bool with_middle) {
+    const bool filters = scene_.transfer == "xpic" || scene_.transfer == "fmpm";
+    const std::vector<Vec> w = filters ? filtered() : std::vector<Vec>();
     for (std::size_t p = 0; p < points.size(); ++p) {
       NaivePoint& point = points[p];
-      Vec v = Vec::Zero(), change = Vec::Zero();
+      Vec v = Vec::Zero(), change = v, carried = v, of_filter = v;
       Mat moment = Mat::Zero(), b = Mat::Zero(), l = Mat::Zero();
       double square = 0, change_square = 0;
       for_nodes_of(p, [&](const NaiveNode& i, double n, const Vec& g) {
         const Vec r = i.x - at_[p], dv = i.end - i.start;
         v += n * i.end;
+        carried += n * (with_middle ? i.middle : i.end);
+        if (filters) of_filter += n * w[static_cast<std::size_t>(&i - nodes_.data())];
         change += n * dv;
         square += n * i.end.squaredNorm();
         change_square += n * dv.squaredNorm();
@@ -305,14 +418,15 @@ class NaiveStep {
         moment += n * r * r.transpose();
         l += i.end * g.transpose();
       });
-      if (along) point.x += dt * v;  // [York 3.21]
+      if (filters) v = of_filter;
+      if (along) point.x += dt * carried;  // [York 3.21] [Midpoint 4]
       const bool flip = scene_.transfer == "flip", affine = scene_.transfer == "apic";
       point.v = flip ? Vec(point.v + change) : v;  // [York 3.22] [EC-APIC 5]
       double kept = flip ? change.squaredNorm() : v.squaredNorm();
       if (affine) {
         for (int d = dim_; d < 3; ++d) moment(d, d) = 1;
         point.c = scene_.shape == "linear" ? l : Mat(b * moment.inverse());  // [EC-APIC 5]
-        kept += (point.c * inertia(point.x) * point.c.transpose()).trace();
+        kept += (point.c * inertia(point) * point.c.transpose()).trace();
       }
       point.loss += point.m * ((flip ? change_square : square) - kept) / 2;  // [EC-APIC 5] B_p
       transfer -= point.loss;
@@ -332,8 +446,8 @@ class NaiveStep {
       node.again = node.m > 0 ? Vec(node.momentum / node.m) : Vec(Vec::Zero());  // [York 3.24]
   }
 
-  Mat strain_rate(std::size_t p, Of which) const {
-    Mat l = Mat::Zero();
+  // The nodal velocities that strain.
+  const std::vector<Vec>& straining_velocity(Of which) const {
     std::vector<Vec>& straining = straining_[static_cast<std::size_t>(which)];
     if (straining.empty()) {
       for (const NaiveNode& i : nodes_) {
@@ -344,30 +458,100 @@ class NaiveStep {
       }
       straining = sharpened(straining);
     }
+    return straining;
+  }
+  Mat gradient_of_velocity(std::size_t p, Of which) const {
+    Mat l = Mat::Zero();
+    const std::vector<Vec>& straining = straining_velocity(which);
     for_nodes_of(p, [&](const NaiveNode& i, double n, const Vec& g) {
       const Vec& v = straining[static_cast<std::size_t>(&i - nodes_.data())];
       l += v * g.transpose();
       if (rings()) l(2, 2) += n * v[0] / at_[p][0];
     });
+    return l;
+  }
+  Mat strain_rate(std::size_t p, Of which) const {
+    const Mat l = gradient_of_velocity(p, which);
     return (l + l.transpose()) / 2;  // [York 3.23]
+  }
+  Vec velocity_at(std::size_t p, Of which) const {
+    Vec v = Vec::Zero();
+    const std::vector<Vec>& straining = straining_velocity(which);
+    for_nodes_of(p, [&](const NaiveNode& i, double n, const Vec&) {
+      v += n * straining[static_cast<std::size_t>(&i - nodes_.data())];
+    });
+    return v;
+  }
+  // What the stress of a point takes from the grid, W.
+  double power_of(std::size_t p, Of which) const {
+    if (segments_) return -points[p].pull.dot(velocity_at(p, which));
+    return points[p].volume * points[p].stress.cwiseProduct(gradient_of_velocity(p, which)).sum();
+  }
+
+  // Of the segment that starts at p; the last point of an open chain starts none. [Segments 1]
+  bool starts_segment(std::size_t p) const { return segments_->closed || p + 1 < points.size(); }
+  double stretch(std::size_t p) const {
+    if (!starts_segment(p)) return 0;
+    return (points[(p + 1) % points.size()].x - points[p].x).norm() / points[p].rest - 1;
+  }
+  // Energy of a point's strain, J. [Hooke 1] [Neo-Hookean 1] [Segments 1] [York 5.5]
+  double stored_energy(std::size_t p) const {
+    const NaivePoint& point = points[p];
+    if (membrane_)
+      return wrinkled(point.strain) ? 0 : point.volume * membrane_->modulus() * point.strain * point.strain / 2;
+    if (hooke_) return point.volume * hooke_stress(point.eps).cwiseProduct(point.eps).sum() / 2;
+    if (neo_) {
+      const LameConstants c = lame_constants(neo_->youngs_modulus, neo_->poissons_ratio);
+      const double log_j = std::log(point.f.determinant());
+      const double w = c.mu / 2 * (point.f.squaredNorm() - 3 - 2 * log_j) + c.lambda / 2 * log_j * log_j;
+      return point.m / neo_->density * w;
+    }
+    if (!starts_segment(p) || (segments_->one_way && point.strain <= 0)) return 0;
+    return segments_->section * segments_->youngs_modulus * point.rest * point.strain * point.strain / 2;
+  }
+  Mat hooke_stress(const Mat& eps) const {
+    LameConstants c = lame_constants(hooke_->youngs_modulus, hooke_->poissons_ratio);
+    if (dim_ == 2 && !rings() && hooke_->plane_stress) c.lambda = 2 * c.lambda * c.mu / (c.lambda + 2 * c.mu);
+    if (dim_ == 1) c = {0, hooke_->youngs_modulus / 2};
+    return c.lambda * eps.trace() * Mat::Identity() + 2 * c.mu * eps;
+  }
+  // The pull of the segments on their points as places will be. [Segments 2]
+  void set_pulls(Of which, double ahead) {
+    std::vector<Vec> x;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      points[p].pull.setZero();
+      x.push_back(points[p].x);
+      if (ahead != 0) x.back() += ahead * velocity_at(p, which);
+    }
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      if (!starts_segment(p)) continue;
+      const std::size_t q = (p + 1) % points.size();
+      const Vec edge = x[q] - x[p];
+      const double strain = edge.norm() / points[p].rest - 1;
+      if (segments_->one_way && strain <= 0) continue;
+      const Vec pull = segments_->section * segments_->youngs_modulus * strain * edge.normalized();
+      points[p].pull += pull;
+      points[q].pull -= pull;
+    }
   }
 
   // Strains and internal variables; what is stored beyond the stress power goes to the flows.
   void strain(double dt, Of which) {
     for (std::size_t p = 0; p < points.size(); ++p) {
       NaivePoint& point = points[p];
-      const Mat e = strain_rate(p, which);
-      const double power = dt * point.volume * point.stress.cwiseProduct(e).sum();
+      const Mat l = gradient_of_velocity(p, which), e = (l + l.transpose()) / 2;
+      const double power = dt * power_of(p, which);
       double stored = power;
       if (gas_) {
         point.energy += power / point.m;                                                       // [York 4.8]
         if (scene_.density == DensityMethod::continuity) point.density /= 1 + dt * e.trace();  // [York 4.7]
       } else {
-        const double before = wrinkled(point.strain) ? 0 : membrane_->youngs_modulus * point.strain * point.strain / 2;
-        const Vec t = tangent_of_[p];
-        point.strain += dt * t.dot(e * t);  // [York 5.2, 5.3]
-        const double after = wrinkled(point.strain) ? 0 : membrane_->youngs_modulus * point.strain * point.strain / 2;
-        stored = point.volume * (after - before);
+        const double before = stored_energy(p);
+        if (membrane_) point.strain += dt * tangent_of_[p].dot(e * tangent_of_[p]);  // [York 5.2, 5.3]
+        if (hooke_) point.eps += dt * e;                                             // [Hooke 1]
+        if (neo_) point.f += dt * l * point.f;                                       // [Neo-Hookean 2]
+        if (segments_) point.strain = stretch(p);                                    // [Segments 1]
+        stored = stored_energy(p) - before;
       }
       if (forces_known_) integration += power;
       if (forces_known_) constitutive += stored - power;
@@ -383,7 +567,7 @@ class NaiveStep {
     set_stress(Of::start);
     double power = 0;
     for (std::size_t p = 0; p < points.size(); ++p) {
-      power += dt * points[p].volume * points[p].stress.cwiseProduct(strain_rate(p, Of::start)).sum();
+      power += dt * power_of(p, Of::start);
     }
     integration += power;
     constitutive += stored_first_ - power;
@@ -391,7 +575,7 @@ class NaiveStep {
 
   void book_work(double dt) {
     for (std::size_t p = 0; p < points.size(); ++p) {
-      integration -= dt * points[p].volume * points[p].stress.cwiseProduct(strain_rate(p, Of::middle)).sum();
+      integration -= dt * power_of(p, Of::middle);
     }
   }
 
@@ -401,14 +585,14 @@ class NaiveStep {
       std::vector<double> mass(nodes_.size(), 0.0);
       for (const NaivePoint& point : points) {
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
-          if (!apart(point.x, nodes_[i])) mass[i] += point.m * weight(point.x, nodes_[i]);
+          if (!apart(point.x, nodes_[i])) mass[i] += point.m * weight(point, nodes_[i]);
         }
       }
       for (NaivePoint& point : points) {
         point.density = 0;
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
           if (apart(point.x, nodes_[i])) continue;
-          point.density += weight(point.x, nodes_[i]) * mass[i] / nodes_[i].volume;  // [EC-APIC 2]
+          point.density += weight(point, nodes_[i]) * mass[i] / nodes_[i].volume;  // [EC-APIC 2]
         }
       }
     }
@@ -417,7 +601,9 @@ class NaiveStep {
 
   void set_stress(Of which, double ahead = 0) {
     densities();
-    for (std::size_t p = 0; p < points.size(); ++p) points[p].stress = stress_of(p, strain_rate(p, which), ahead);
+    if (segments_) return set_pulls(which, drifted_ ? 0 : ahead);
+    for (std::size_t p = 0; p < points.size(); ++p)
+      points[p].stress = stress_of(p, gradient_of_velocity(p, which), ahead);
   }
 
   bool wrinkled(double strain) const { return membrane_->one_way && strain <= 0; }
@@ -439,8 +625,17 @@ class NaiveStep {
 
   // `ahead` seconds later, should the strain rates go on: an isentropic gas to first order, e' = -(gamma - 1) e div v, from the
   // side that stays positive; a membrane strained further. [Leapfrog 2]
-  Mat stress_of(std::size_t p, const Mat& e, double ahead = 0) {
+  Mat stress_of(std::size_t p, const Mat& l, double ahead = 0) {
     NaivePoint& point = points[p];
+    const Mat e = (l + l.transpose()) / 2;
+    if (hooke_) return hooke_stress(point.eps + ahead * e);  // [Hooke 1]
+    if (neo_) {
+      const LameConstants c = lame_constants(neo_->youngs_modulus, neo_->poissons_ratio);
+      const Mat then = point.f + ahead * l * point.f, inverse = then.inverse().transpose();
+      const Mat first = c.mu * (then - inverse) + c.lambda * std::log(then.determinant()) * inverse;  // [Neo-Hookean 1]
+      point.volume = point.f.determinant() * point.m / neo_->density;
+      return first * point.f.transpose() / point.f.determinant();
+    }
     if (membrane_) {
       if (p == 0) {
         tangent_of_.clear();
@@ -480,13 +675,16 @@ class NaiveStep {
   double h_;
   const IdealGas* gas_;
   const UniaxialMembrane* membrane_;
+  const LinearElastic* hooke_;
+  const NeoHookean* neo_;
+  const SegmentMembrane* segments_;
   std::vector<NaiveNode> nodes_;
   Vec gravity_ = Vec::Zero();
   std::vector<Pair> pairs_;  // points and the nodes they reach, point by point
   std::vector<std::size_t> first_pair_;
   std::vector<Vec> at_, tangent_of_;
   mutable std::array<std::vector<Vec>, 4> straining_;  // nodal velocities whose gradients strain, by Of
-  bool forces_known_ = false;
+  bool forces_known_ = false, drifted_ = false;
   double stored_first_ = 0;
 };
 

@@ -18,9 +18,10 @@ std::vector<std::string> names(const std::vector<Choice>& choices) {
 }
 
 TEST(Scene, NamesItsChoices) {
-  EXPECT_EQ(names(shapes()), (std::vector<std::string>{"linear", "quadratic", "cubic"}));
-  EXPECT_EQ(names(transfers()), (std::vector<std::string>{"pic", "flip", "apic"}));
+  EXPECT_EQ(names(shapes()), (std::vector<std::string>{"linear", "quadratic", "cubic", "gimp", "contiguous-gimp"}));
+  EXPECT_EQ(names(transfers()), (std::vector<std::string>{"pic", "flip", "apic", "xpic", "fmpm"}));
   EXPECT_EQ(names(densities()), (std::vector<std::string>{"cell", "quadratic", "continuity", "grid"}));
+  EXPECT_EQ(names(contacts()), (std::vector<std::string>{"none", "york-9.7", "york-9.8", "york-9.9", "touching"}));
 }
 
 TEST(Scene, FindsDensityMethodsByName) {

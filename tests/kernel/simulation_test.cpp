@@ -56,15 +56,23 @@ TEST(Simulation, RoundingIsNoStep) {
 TEST(Simulation, RefusesUnknownNamesAndImpossibleCombinations) {
   EXPECT_THROW(Simulation(scenes::rough_gas(1, "quadratic", "apic"), "mussel", {}), std::invalid_argument);
   EXPECT_THROW(Simulation(scenes::rough_gas(1, "quintic", "apic"), "musl", {}), std::invalid_argument);
-  EXPECT_THROW(Simulation(scenes::rough_gas(1, "quadratic", "xpic"), "musl", {}), std::invalid_argument);
-  for (const auto& [shape, transfer] : {std::pair{"linear", "apic"}, {"quadratic", "flip"}, {"linear", "flip"}}) {
-    try {
-      Simulation(scenes::rough_gas(1, shape, transfer), "energy", {});
-      ADD_FAILURE() << shape << ' ' << transfer;
-    } catch (const std::invalid_argument& error) {  // naming both choices
-      EXPECT_THAT(error.what(), HasSubstr("energy"));
-      EXPECT_THAT(error.what(), HasSubstr(shape));
-      EXPECT_THAT(error.what(), HasSubstr(transfer));
+  EXPECT_THROW(Simulation(scenes::rough_gas(1, "quadratic", "tpic"), "musl", {}), std::invalid_argument);
+  for (const char* integrator : {"energy", "leapfrog"}) {
+    for (const auto& [shape, transfer] : {std::pair{"linear", "apic"},
+                                          {"quadratic", "flip"},
+                                          {"linear", "flip"},
+                                          {"gimp", "apic"},
+                                          {"contiguous-gimp", "pic"},
+                                          {"cubic", "xpic"},
+                                          {"quadratic", "fmpm"}}) {
+      try {
+        Simulation(scenes::rough_gas(1, shape, transfer), integrator, {});
+        ADD_FAILURE() << shape << ' ' << transfer;
+      } catch (const std::invalid_argument& error) {  // naming both choices
+        EXPECT_THAT(error.what(), HasSubstr(integrator));
+        EXPECT_THAT(error.what(), HasSubstr(shape));
+        EXPECT_THAT(error.what(), HasSubstr(transfer));
+      }
     }
   }
 }

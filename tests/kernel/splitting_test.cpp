@@ -222,6 +222,9 @@ TEST(Splitting, WithoutAnAffineVelocityHalvesMoveAlike) {
   EXPECT_EQ(splitting_refusal("linear", "flip"), "");
   EXPECT_EQ(splitting_refusal("quadratic", "apic"), "");
   EXPECT_NE(splitting_refusal("linear", "apic"), "");
+  EXPECT_NE(splitting_refusal("gimp", "apic"), "");
+  EXPECT_NE(splitting_refusal("contiguous-gimp", "apic"), "");
+  EXPECT_EQ(splitting_refusal("gimp", "flip"), "");
   scene.shape = "linear";
   EXPECT_THROW(Simulation(scene, "musl", {}), std::invalid_argument);
 }

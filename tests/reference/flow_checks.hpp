@@ -1,8 +1,5 @@
 #pragma once
 // What the tests of the exact gas flows share.
-//
-// Identities are evaluated in bounded arithmetic: a residual must contain zero within its own bound, and that bound
-// must be small (`sharp`, four decades above rounding) or the check would say nothing.
 #include <gsl/gsl_integration.h>
 #include <gtest/gtest.h>
 
@@ -11,19 +8,9 @@
 #include <string>
 
 #include "reference/gas_flow.hpp"
+#include "tests/reference/checks.hpp"
 
 namespace plumbline::reference {
-
-inline constexpr double sharp = 1e-12;
-
-inline void expect_zero(Bounded residual, double scale, const char* what, double room = sharp) {
-  EXPECT_LE(std::abs(residual.value), residual.bound) << what;
-  EXPECT_LE(residual.bound, room * scale) << what;
-}
-
-inline void expect_same(Bounded a, Bounded b, double scale = 1) {
-  EXPECT_LE(std::abs(a.value - b.value * scale), a.bound + b.bound * scale);
-}
 
 inline void expect_same(const Sample& a, const Sample& b) {
   expect_same(a.density, b.density);
@@ -59,16 +46,6 @@ inline double over_body(int dimension, double low, double high, const std::funct
   gsl_integration_cquad(&function, low, high, 0, 1e-11, space, &result, &error, nullptr);
   gsl_integration_cquad_workspace_free(space);
   return sphere_measure(dimension).value * result;
-}
-
-/// The key of the ParameterError that `make` throws.
-inline std::string refused_key(const std::function<void()>& make) {
-  try {
-    make();
-  } catch (const ParameterError& error) {
-    return error.key;
-  }
-  return "accepted";
 }
 
 }  // namespace plumbline::reference

@@ -37,11 +37,11 @@ class Oscillator final : public Stages {
 
   void locate_points() override { located_ = x; }
   void map_mass_and_momentum() override { start_ = v; }
-  void predict_stress(double ahead) override { stress_ = pull(strain + ahead * start_); }
+  void predict_stress(double ahead, NodalVelocity) override { stress_ = pull(strain + ahead * start_); }
   void evaluate_stress(NodalVelocity) override { stress_ = pull(strain); }
   void map_forces() override {}
   void advance_momentum(double dt) override { end_ = start_ + dt * stress_; }
-  void move_points(double dt) override {
+  void move_points(double dt, NodalVelocity) override {
     v = end_;
     x += dt * v;
   }

@@ -20,13 +20,17 @@ class RecordingStages final : public Stages {
   void map_mass_and_momentum() override { calls.push_back("map_mass_and_momentum"); }
   void map_forces() override { calls.push_back("map_forces"); }
   void advance_momentum(double dt) override { calls.push_back("advance_momentum " + number(dt)); }
-  void move_points(double dt) override { calls.push_back("move_points " + number(dt)); }
+  void move_points(double dt, NodalVelocity carrying) override {
+    calls.push_back("move_points " + number(dt) + (carrying == NodalVelocity::end ? "" : name(carrying)));
+  }
   void drift_points(double dt) override { calls.push_back("drift_points " + number(dt)); }
   void kick_points(double dt) override { calls.push_back("kick_points " + number(dt)); }
   void map_momentum() override { calls.push_back("map_momentum"); }
   void strain_points(double dt, NodalVelocity v) override { calls.push_back("strain_points " + number(dt) + name(v)); }
   void evaluate_stress(NodalVelocity v) override { calls.push_back("evaluate_stress" + name(v)); }
-  void predict_stress(double ahead) override { calls.push_back("predict_stress " + number(ahead)); }
+  void predict_stress(double ahead, NodalVelocity v) override {
+    calls.push_back("predict_stress " + number(ahead) + (v == NodalVelocity::start ? "" : name(v)));
+  }
   bool reverse_cooling() override {
     calls.push_back("reverse_cooling");
     return cools;

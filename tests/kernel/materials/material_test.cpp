@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
-#include "tests/kernel/scenes.hpp"
+#include "tests/kernel/solids.hpp"
 
 namespace plumbline {
 namespace {
 
 TEST(Material, RegistersItselfByItsName) {
-  for (const std::string& name : {IdealGas().name(), UniaxialMembrane().name()}) {
+  for (const std::string& name : {IdealGas().name(), UniaxialMembrane().name(), PlaneStressMembrane().name(),
+                                  SegmentMembrane().name(), LinearElastic().name(), NeoHookean().name()}) {
     const auto& all = materials();
     const auto found = std::find_if(all.begin(), all.end(),
                                     [&](const MaterialEntry& entry) { return entry.name == name; });

@@ -198,6 +198,36 @@ TEST(UniaxialMembrane, NamesTheFirstFault) {
   EXPECT_EQ(membrane.first_fault(points, all_points(points)).field, "strain");
 }
 
+// Held out of the plane and free across: of sigma_1 = E/(1 - nu^2) (eps_1 + nu eps_2), sigma_2 = E/(1 - nu^2) (eps_2 + nu
+// eps_1), sigma_3 = 0 with eps_2 = 0, and back through the law with strains from stresses. [York 5.12-5.15]
+TEST(PlaneStressMembrane, HasTheModulusOfAStripThatIsHeld) {
+  PlaneStressMembrane membrane;
+  membrane.youngs_modulus = 100;
+  membrane.poissons_ratio = 0.3;
+  membrane.density = 4;
+  const double eps = 0.02, nu = 0.3, e = 100;
+  const double along = membrane.modulus() * eps, across = nu * along;
+  EXPECT_NEAR((along - nu * across) / e, eps, rounding);
+  EXPECT_NEAR((across - nu * along) / e, 0, rounding);
+  EXPECT_NEAR(-nu * (along + across) / e, -nu / (1 - nu) * eps, rounding);
+  Columns points = make_body("strip", std::make_shared<PlaneStressMembrane>(membrane), 2, 2).points;
+  for (int p = 0; p < 2; ++p) {
+    points(column::position)[p] = 0.6 * p;
+    points(column::position, 1)[p] = 0.8 * p;
+    points(column::volume)[p] = 0.5;
+    points(column::strain)[p] = eps;
+  }
+  membrane.evaluate_stress(points, all_points(points), in_plane);
+  EXPECT_NEAR(points(column::stress, 0)[0], along * 0.36, rounding);
+  EXPECT_NEAR(points(column::stress, 1)[0], along * 0.64, rounding);
+  EXPECT_NEAR(points(column::stress, 2)[0], along * 0.48, rounding);
+  EXPECT_NEAR(membrane.stored_energy(points, all_points(points)), 2 * 0.5 * along * eps / 2, rounding);
+  EXPECT_NEAR(membrane.step_bounds(points, all_points(points), 2).fastest, std::sqrt(100 / 0.91 / 4), rounding);
+  EXPECT_EQ(membrane.name(), "plane_stress_membrane");
+  membrane.poissons_ratio = 0;
+  EXPECT_EQ(membrane.modulus(), 100);
+}
+
 // A loop over some of the points does nothing to the others; its sums are theirs alone.
 TEST(UniaxialMembrane, RangesLeaveOthersAlone) {
   const UniaxialMembrane membrane = law();

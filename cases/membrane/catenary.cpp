@@ -1,0 +1,250 @@
+// A heavy chain between two walls starts in its catenary, and must stay.
+#include <cmath>
+
+#include "cases/harness/gates.hpp"
+#include "cases/membrane/mode_watch.hpp"
+#include "cases/membrane/string.hpp"
+#include "reference/catenary.hpp"
+
+namespace plumbline {
+namespace {
+
+constexpr double below = 0.6, above = 0.4;  // m, of the grid under and over the supports
+
+constexpr const char* sketch =
+    R"svg(<svg viewBox="0 0 360 120" role="img" aria-label="A chain sagging between two walls at the same height">
+<g fill="none" stroke="currentColor" stroke-width="1.5"><path d="M80 8v104M280 8v104"/><path d="M80 24h200" stroke-dasharray="4 4" stroke-width="1"/><path d="M80 24c32 56 66 66 100 66s68-10 100-66"/></g>
+<g fill="currentColor"><circle cx="80" cy="24" r="2.5"/><circle cx="104" cy="59" r="2.5"/><circle cx="140" cy="83" r="2.5"/><circle cx="180" cy="90" r="2.5"/><circle cx="220" cy="83" r="2.5"/><circle cx="256" cy="59" r="2.5"/><circle cx="280" cy="24" r="2.5"/><g font-size="12"><text x="160" y="20">d = 1</text><text x="190" y="62">sag 0.292</text><text x="20" y="62">g ↓</text></g></g></svg>)svg";
+
+reference::CatenaryProblem chain_from(const Settings& s) {
+  reference::CatenaryProblem p;
+  p.length = s.number("length");
+  p.weight = s.number("line_density") * s.number("gravity");
+  p.compliance = s.number("stretch") / (p.weight * p.length);
+  return p;
+}
+
+class CatenaryProblemRun final : public Problem {
+ public:
+  explicit CatenaryProblemRun(const Settings& settings)
+      : settings_(settings), exact_(chain_from(settings)), state_(at_rest()), mean_strain_(state_.place.size(), 0.0) {}
+
+  double end_time() const override { return settings_.number("falls") * fall_time(); }
+
+  Scene scene() const override {
+    const reference::CatenaryProblem& p = exact_.problem();
+    Scene scene;
+    scene.grid.dim = 2;
+    const double h = scene.grid.h = p.span / settings_.number("cells");
+    const int under = static_cast<int>(std::ceil(below / h)) + 1, over = static_cast<int>(std::ceil(above / h));
+    scene.grid.cells = {settings_.integer("cells"), under + over, 1};
+    scene.grid.origin = {0, -under * h, 0};
+    scene.grid.walls[0] = {Wall::no_slip, Wall::no_slip};
+    scene.grid.walls[1] = {Wall::symmetry, Wall::symmetry};
+    scene.gravity[1] = -settings_.number("gravity");
+    scene.bodies.push_back(string_body("chain", settings_.text("strain"),
+                                       {1 / p.compliance, 1, settings_.number("line_density"), true}, state_, 2));
+    apply_choices(settings_, scene);
+    return scene;
+  }
+
+  void observe(const Simulation& simulation) override {
+    const Columns& points = simulation.scene().bodies.front().points;
+    const double *x = points(column::position), *y = points(column::position, 1), *strain = points(column::strain);
+    const double dt = simulation.time() - (times_.empty() ? 0 : times_.back());
+    double departure = 0;
+    for (int p = 0; p < points.points(); ++p) {
+      const auto at = static_cast<std::size_t>(p);
+      departure = larger(departure, std::hypot(x[p] - state_.place[at][0], y[p] - state_.place[at][1]));
+      mean_strain_[at] += dt * strain[p];
+    }
+    times_.push_back(simulation.time());
+    departure_.push_back(departure);
+    sag_.push_back(-y[points.points() / 2]);
+    largest_ = larger(largest_, departure);
+  }
+
+  std::vector<Measure> measures(const Simulation& simulation) const override {
+    const auto ratio = [](const char* name, double value) {
+      Measure m = scalar_measure(name, value, 0, 0, "1");
+      m.scale = 1;
+      return m;
+    };
+    const double span = exact_.problem().span, impulse = simulation.ledger().momentum[1].flow(Flow::walls);
+    const double weight = exact_.problem().weight * exact_.problem().length;
+    std::vector<Measure> all{ratio("departure", largest_ / span), ratio("departure_at_end", departure_.back() / span),
+                             scalar_measure("reaction", impulse / simulation.time(), weight, 1e-14 * weight, "N"),
+                             support_tension(simulation.time())};
+    for (Measure& m : tension_norms(simulation.time())) all.push_back(std::move(m));
+    all.push_back(ratio("energy_drift", energy_drift(simulation.ledger().energy)));
+    return all;
+  }
+
+  Profile profile(const Simulation& simulation) const override {
+    const Columns& points = simulation.scene().bodies.front().points;
+    Profile profile;
+    profile.abscissa = "x";
+    profile.columns = {{"x", "m", "x", {}},
+                       {"y", "m", "height of the points at the end", {}},
+                       {"y_reference", "m", "exact height of the points", {}},
+                       {"tension", "N", "tension, mean over time", {}},
+                       {"tension_reference", "N", "exact tension", {}}};
+    for (int p = 0; p < judged(); ++p) {
+      const double row[] = {points(column::position)[p], points(column::position, 1)[p],
+                            state_.place[static_cast<std::size_t>(p)][1], tension(p, simulation.time()),
+                            exact_tension(p).value};
+      for (std::size_t c = 0; c < profile.columns.size(); ++c) profile.columns[c].values.push_back(row[c]);
+    }
+    return profile;
+  }
+
+ private:
+  // In which the chain would fall by its own sag.
+  double fall_time() const { return std::sqrt(2 * exact_.sag().value / settings_.number("gravity")); }
+  bool by_segments() const { return settings_.text("strain") == "segments"; }
+  int segments() const { return static_cast<int>(state_.place.size()) - 1; }
+  int judged() const { return by_segments() ? segments() : segments() + 1; }  // tensions: of segments or of points
+  double along(double p) const { return exact_.problem().length * p / segments(); }
+
+  // Points evenly along the unstretched chain, as they hang. Each stands for an unstretched length, so that a stress of
+  // E λ (λ − 1) on its volume is the tension E A (λ − 1) on the stretched length.
+  StringState at_rest() const {
+    const double length = exact_.problem().length, compliance = exact_.problem().compliance;
+    const int count = std::max(
+        4, static_cast<int>(std::lround(settings_.number("cells") * settings_.number("ppc") * length / exact_.problem().span)));
+    StringState state;
+    for (int p = 0; p <= count; ++p) {
+      const double at = length * p / count, strain = compliance * exact_.tension(at).value;
+      state.place.push_back({exact_.x(at).value, exact_.y(at).value});
+      state.strain.push_back(strain * (1 + strain));
+      if (p < count) state.segment_strain.push_back(compliance * exact_.tension(length * (p + 0.5) / count).value);
+    }
+    state.place.front() = {0, 0};
+    state.place.back() = {exact_.problem().span, 0};
+    state.segment_length.assign(static_cast<std::size_t>(count), length / count);
+    return state;
+  }
+
+  reference::Bounded exact_tension(int p) const { return exact_.tension(along(by_segments() ? p + 0.5 : p)); }
+
+  // Mean over time.
+  double tension(int p, double time) const {
+    const double strain = mean_strain_[static_cast<std::size_t>(p)] / time;
+    const double stretched = by_segments() ? 1 : 1 + state_.strain[static_cast<std::size_t>(p)];
+    return strain / stretched / exact_.problem().compliance;
+  }
+
+  // Of segments the first is half a spacing from the support.
+  Measure support_tension(double time) const {
+    const reference::Bounded exact = exact_tension(0);
+    return scalar_measure("support_tension", 0.5 * (tension(0, time) + tension(judged() - 1, time)), exact.value,
+                          exact.bound, "N");
+  }
+
+  std::vector<Measure> tension_norms(double time) const {
+    std::vector<FieldSample> samples;
+    for (int p = 0; p < judged(); ++p) {
+      const reference::Bounded exact = exact_tension(p);
+      samples.push_back({along(1), along(p), tension(p, time), exact.value, exact.bound});
+    }
+    return field_norms("tension", "N", samples);
+  }
+
+  Settings settings_;
+  reference::Catenary exact_;
+  StringState state_;
+  std::vector<double> mean_strain_;
+  std::vector<double> times_, departure_, sag_;
+  double largest_ = 0;
+};
+
+class CatenaryCase final : public Case {
+ public:
+  Statement statement() const override {
+    Statement s;
+    s.name = "catenary";
+    s.title = "A chain that hangs in its catenary stays there";
+    s.source = "H. M. Irvine, Cable Structures, 1981, chapter 1";
+    s.claim = "The exact elastic catenary is at rest on the grid up to an error that falls with the cell, and so is its tension.";
+    s.physics =
+        "A heavy chain hangs between two walls at the same height, 1 m apart, its unstretched length 1.2. It starts at rest "
+        "in its exact elastic catenary, each point with the strain of the exact tension. In the continuum nothing "
+        "moves.\n\n"
+        "On the grid, nodal forces are sums over points instead of integrals along the chain: the chain finds its own "
+        "rest nearby, and swings about it. The largest departure of any point in the time in which the chain would fall "
+        "by its sag measures the imbalance; the mean tension over that time is compared with the exact one.";
+    s.equations = {"2a asinh(L/2a) + H L/EA = d,  H = w a", "T = w √(a² + q²),  q from the lowest point",
+                   "x = a asinh(q/a) + H q/EA,  y = √(a² + q²) − a + w q²/2EA"};
+    s.sketch = sketch;
+    s.cells_along = "the span of 1 m";
+    s.reference_name = "catenary";
+    s.reference_text = "The elastic catenary, its parameter by bracketing.";
+    s.reference_bound = "Computed: residual of the root over the slope, and rounding.";
+    s.theory_orders = {
+        {"departure", 1,
+         "with the same points per cell the sums over points miss the integrals by the same share at each node: forces off "
+         "by a share of the tension, balanced by a bend over one cell"}};
+    s.known_limits = {"The chain is not damped: it swings about the rest of the grid."};
+    return s;
+  }
+
+  Kind kind() const override { return Kind::membrane; }
+
+  std::vector<Key> keys() const override {
+    const auto positive = [](std::string name, double value, std::string unit, std::string description) {
+      return Key{.name = std::move(name),
+                 .value = value,
+                 .unit = std::move(unit),
+                 .low = 0,
+                 .low_open = true,
+                 .description = std::move(description)};
+    };
+    return {strain_key(),
+            {.name = "length",
+             .value = 1.2,
+             .unit = "m",
+             .low = 1.02,
+             .high = 1.5,
+             .description = "of the unstretched chain; the supports are 1 m apart"},
+            positive("gravity", 9.81, "m/s^2", "gravity"),
+            positive("line_density", 1, "kg/m", "mass per unstretched length"),
+            {.name = "stretch",
+             .value = 1e-3,
+             .low = 0,
+             .high = 0.1,
+             .low_open = true,
+             .description = "strain by the chain's whole weight: its stiffness"},
+            positive("falls", 1, "1", "end time, in times in which the chain would fall by its sag")};
+  }
+
+  std::vector<Override> points_and_end(const std::string&) const override { return {{"cells", 20.0}}; }
+
+  // York has no such case; the Courant number is that of his pendulum.
+  void derive(Settings& settings, const std::string& scheme) const override {
+    if (scheme != "york1997" || settings.is_set("dt") || settings.is_set("cfl")) return;
+    const double speed =
+        std::sqrt(settings.number("gravity") * settings.number("length") / settings.number("stretch"));
+    settings.set("dt", 0.63 / speed / settings.number("cells"), "catenary");  // [York A.4.5]
+  }
+
+  std::unique_ptr<Problem> problem(const Settings& settings) const override {
+    return std::make_unique<CatenaryProblemRun>(settings);
+  }
+
+  std::vector<double> default_levels() const override { return {10, 14, 20, 28, 40}; }
+
+  std::vector<StudyPlan> studies() const override {
+    return {{.id = "default", .title = "default", .why = "Order 1.", .values = {10, 14, 20, 28, 40},
+             .full_values = {10, 20, 40, 80, 160}},
+            {.id = "segments", .title = "strain of segments", .why = "Order 1.", .overrides = {{"strain", "segments"}},
+             .values = {10, 14, 20, 28, 40}, .full_values = {10, 20, 40, 80, 160}}};
+  }
+
+  std::vector<CaseGate> gates() const override { return {}; }
+  GateCount gate_count() const override { return {10, 10}; }
+};
+
+PLUMBLINE_CASE(CatenaryCase);
+
+}  // namespace
+}  // namespace plumbline

@@ -1,0 +1,44 @@
+// One mode of a string, watched while it swings.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "kernel/simulation.hpp"
+
+namespace plumbline {
+
+// The coordinate q of a mode of shape phi: displacements u_p = q phi_p, weighted by mass,
+//   q = sum_p m_p u_p phi_p / sum_p m_p phi_p^2,
+// so that what other modes add counts as little as orthogonality allows.
+class ModeWatch {
+ public:
+  // The displacement is the component `direction` of the position from `rest` (m). shape: phi_p, one a point.
+  // start: q at t = 0, not 0, released from rest.
+  ModeWatch(std::vector<double> shape, double rest, int direction, double start)
+      : shape_(std::move(shape)), rest_(rest), direction_(direction), times_{0}, coordinate_{start} {}
+
+  void observe(const Simulation& simulation);  // the first body's points, in the order of `shape`
+
+  const std::vector<double>& times() const { return times_; }
+  const std::vector<double>& coordinate() const { return coordinate_; }
+
+  // From the first zero of q to the third. Empty if there are fewer.
+  std::optional<double> period() const;
+  // 1 - q/q(0) at the end of the first period. Empty before it.
+  std::optional<double> amplitude_loss() const;
+  // What is not the mode at the last look: sqrt(sum m (u - q phi)^2 / sum m phi^2) over |q(0)|.
+  double impurity() const { return impurity_; }
+
+ private:
+  std::vector<double> shape_;
+  double rest_;
+  int direction_;
+  std::vector<double> times_, coordinate_;
+  double impurity_ = 0;
+};
+
+// Rows for a profile, at most `most` and a few, evenly over `count` samples.
+std::vector<std::size_t> thinned_rows(std::size_t count, std::size_t most);
+
+}  // namespace plumbline

@@ -1,0 +1,288 @@
+// A mass on a string that starts slack: free fall, a bounce, free flight. [York section 5.6]
+#include <cmath>
+
+#include "cases/harness/extremes.hpp"
+#include "cases/harness/gates.hpp"
+#include "cases/membrane/string.hpp"
+#include "reference/slack_string.hpp"
+
+namespace plumbline {
+namespace {
+
+constexpr double support = 2.0;  // height of the fixed top of the grid, m [York 5.6]
+
+constexpr const char* sketch =
+    R"svg(<svg viewBox="0 0 360 160" role="img" aria-label="A mass on a string: slack and falling, taut, and flying up again">
+<g stroke="currentColor" stroke-width="1.5" fill="none"><path d="M50 16h60M150 16h60M250 16h60"/><path d="M80 16c-14 12 14 20 0 30s14 20 0 30s10 12 0 18"/><path d="M180 16v104"/><path d="M280 16c-14 12 14 20 0 30s14 20 0 30s10 12 0 18"/><path d="M105 88v24m-4-7l4 7l4-7M305 112v-24m-4 7l4-7l4 7" stroke-width="1"/></g>
+<g fill="currentColor"><circle cx="80" cy="100" r="8"/><circle cx="180" cy="124" r="8"/><circle cx="280" cy="100" r="8"/>
+<g font-size="12"><text x="52" y="150">free fall</text><text x="166" y="150">taut</text><text x="248" y="150">free flight</text></g></g></svg>)svg";
+
+// One struct for points and reference.
+struct Slack {
+  reference::SlackStringProblem string;
+  double density, h, end_time;
+  bool york_points;
+  int segments;
+  std::string strain;
+};
+
+Slack slack_from(const Settings& s) {
+  const double length = s.number("length"), cells = s.number("cells");
+  return {{s.number("youngs_modulus"), s.number("area"), length, s.number("mass"), s.number("gravity"), s.number("slack")},
+          s.number("string_density"),
+          1 / cells,
+          s.number("t_end"),
+          s.text("layout") == "york",
+          std::max(2, static_cast<int>(std::lround(length * cells * s.number("ppc")))),
+          s.text("strain")};
+}
+
+// Ten points from 1.99 to 1.69; the fourth to the ninth, those of two whole cells, share the slack: a strain of -0.1 for his
+// 0.02, six segments of ten 30ths of a metre. [York A.4.4]
+StringState york_points(const Slack& at) {
+  const double spacing = at.string.length / 9;
+  StringState state = straight_string({support - 0.01, 0}, {support - 0.01 - at.string.length, 0}, 10);
+  for (std::size_t p = 3; p < 9; ++p) {
+    state.strain[p] = state.segment_strain[p - 1] = -at.string.slack / (6 * spacing);
+  }
+  return state;
+}
+
+// The string is pushed together evenly by its slack. Strain summed from rates is logarithmic: it is zero where the string is
+// straight if it starts from ln(1 - slack/L), and that of segments from -slack/L.
+StringState even_points(const Slack& at) {
+  const double length = at.string.length, share = at.string.slack / length;
+  StringState state = straight_string({support, 0}, {support - length + at.string.slack, 0}, at.segments + 1);
+  state.strain.assign(state.strain.size(), std::log1p(-share));
+  state.segment_strain.assign(state.segment_strain.size(), -share);
+  state.segment_length.assign(state.segment_length.size(), length / at.segments);
+  return state;
+}
+
+class StringSlackProblem final : public Problem {
+ public:
+  explicit StringSlackProblem(const Settings& settings)
+      : settings_(settings), at_(slack_from(settings)), exact_(at_.string) {}
+
+  double end_time() const override { return at_.end_time; }
+
+  Scene scene() const override {
+    Scene scene;
+    scene.grid.dim = 1;
+    scene.grid.h = at_.h;
+    scene.grid.cells[0] = static_cast<int>(std::lround(support / at_.h));
+    scene.grid.walls[0] = {Wall::free, Wall::symmetry};
+    scene.gravity[0] = -at_.string.gravity;
+    Body body = string_body("string", at_.strain, {at_.string.youngs_modulus, at_.string.area, at_.density, true},
+                            at_.york_points ? york_points(at_) : even_points(at_), 1,
+                            at_.york_points ? StringEnds::whole : StringEnds::half);
+    double& mass = body.points(column::mass)[body.points.points() - 1];
+    mass = at_.york_points ? at_.string.mass : mass + at_.string.mass;
+    scene.bodies.push_back(std::move(body));
+    apply_choices(settings_, scene);
+    return scene;
+  }
+
+  void observe(const Simulation& simulation) override {
+    const Columns& points = simulation.scene().bodies.front().points;
+    const double height = points(column::position)[points.points() - 1];
+    const double impulse = simulation.ledger().momentum[0].flow(Flow::walls);
+    if (times_.empty()) start_ = at_.york_points ? support - 0.01 - at_.string.length : even_points(at_).place.back()[0];
+    const double dt = simulation.time() - (times_.empty() ? 0 : times_.back());
+    times_.push_back(simulation.time());
+    displacement_.push_back(start_ - height);
+    reaction_.push_back(dt > 0 ? (impulse - impulse_) / dt : 0);
+    impulse_ = impulse;
+    kinetic_.push_back(simulation.ledger().stores.kinetic);
+    elastic_.push_back(simulation.ledger().stores.elastic);
+  }
+
+  std::vector<Measure> measures(const Simulation& simulation) const override {
+    const auto turns = find_extremes(times_, displacement_, displacement_noise());
+    double lowest = std::nan(""), apex = std::nan("");
+    for (const Extreme& turn : turns) {
+      if (turn.maximum && !(turn.value <= lowest)) lowest = turn.value;
+      if (!turn.maximum && !(apex <= turn.time)) apex = turn.time;
+    }
+    const auto [taut, release] = taut_and_release();
+    const auto measure = [](const char* name, double value, reference::Bounded exact, const char* unit) {
+      return scalar_measure(name, value, exact.value, exact.bound, unit);
+    };
+    Measure drift = scalar_measure("energy_drift", energy_drift(simulation.ledger().energy), 0, 0, "1");
+    drift.scale = 1;
+    return {measure("taut_time", taut, exact_.taut_time(), "s"),
+            measure("release_time", release, exact_.release_time(), "s"),
+            measure("apex_time", apex, exact_.apex_time(), "s"),
+            measure("max_displacement", lowest, exact_.max_displacement(), "m"), drift};
+  }
+
+  Profile profile(const Simulation&) const override {
+    Profile profile;
+    profile.kind = "history";
+    profile.abscissa = "time";
+    profile.columns = {{"time", "s", "time", {}},
+                       {"displacement", "m", "displacement of the mass, positive downwards", {}},
+                       {"displacement_reference", "m", "exact displacement", {}},
+                       {"reaction", "N", "force of the support, mean over a time of the string's waves", {}},
+                       {"reference_tension", "N", "exact tension", {}},
+                       {"kinetic_energy", "J", "kinetic energy", {}},
+                       {"elastic_energy", "J", "energy of the string", {}}};
+    const std::vector<double> smooth = smooth_reaction();
+    for (std::size_t k = 0; k < times_.size(); k += times_.size() / 1500 + 1) {
+      const double t = times_[k];
+      const double row[] = {t,         displacement_[k], exact_.displacement(t).value, smooth[k], exact_.tension(t).value,
+                            kinetic_[k], elastic_[k]};
+      for (std::size_t c = 0; c < profile.columns.size(); ++c) profile.columns[c].values.push_back(row[c]);
+    }
+    return profile;
+  }
+
+ private:
+  // The string's own waves shake the mass by less than this share of its way.
+  double displacement_noise() const { return 1e-5 * exact_.max_displacement().value; }
+
+  // Light points that snap taut ring at the support as long as a wave takes up and down the string, a sixtieth of the
+  // bounce: the reaction is the mean over that time.
+  std::vector<double> smooth_reaction() const {
+    const double span = 2 * at_.string.length * std::sqrt(at_.density / at_.string.youngs_modulus);
+    std::vector<double> smooth(times_.size());
+    double impulse = 0;
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < times_.size(); ++k) {
+      const auto step = [&](std::size_t j) { return times_[j] - (j > 0 ? times_[j - 1] : 0); };
+      impulse += reaction_[k] * step(k);
+      while (times_[k] - times_[first] > span) {
+        impulse -= reaction_[first] * step(first);
+        ++first;
+      }
+      smooth[k] = impulse / span;
+    }
+    return smooth;
+  }
+
+  // The first time the support bears 1 % of its peak, and the next time it bears less.
+  std::pair<double, double> taut_and_release() const {
+    const std::vector<double> force = smooth_reaction();
+    double peak = 0;
+    for (const double f : force) peak = larger(peak, f);
+    const double level = 0.01 * peak;
+    const auto crossing = [&](std::size_t k) {
+      return times_[k - 1] + (times_[k] - times_[k - 1]) * (level - force[k - 1]) / (force[k] - force[k - 1]);
+    };
+    std::pair<double, double> found{std::nan(""), std::nan("")};
+    for (std::size_t k = 1; k < force.size(); ++k) {
+      if (std::isnan(found.first) && force[k - 1] < level && force[k] >= level) found.first = crossing(k);
+      if (!std::isnan(found.first) && force[k - 1] >= level && force[k] < level) {
+        found.second = crossing(k);
+        break;
+      }
+    }
+    return found;
+  }
+
+  Settings settings_;
+  Slack at_;
+  reference::SlackString exact_;
+  double start_ = 0, impulse_ = 0;
+  std::vector<double> times_, displacement_, reaction_, kinetic_, elastic_;
+};
+
+class StringSlack final : public Case {
+ public:
+  Statement statement() const override {
+    Statement s;
+    s.name = "string-slack";
+    s.title = "Mass on a string with initial slack";
+    s.source = "York 1997, SAND97-1893, section 5.6, Figs. 27-29";
+    s.claim = "A slack string bears nothing, takes up its slack, bounces the mass and lets it go, each at the exact time.";
+    s.physics =
+        "The mass and string of section 5.5, the string 0.02 longer than it stands. The mass falls freely until the string "
+        "is straight, is caught, thrown back and flies up to where it started. The one-way law lets negative strain "
+        "accumulate without stress; it must come back to zero exactly when the string is straight.\n\n"
+        "York puts all slack into six of his ten points, which fill two whole cells: with linear shapes the slack of a "
+        "cell is taken up by that cell alone. A wider kernel cannot part slack from taut neighbours within its reach: "
+        "it strains both. So the same slack is spread evenly, the string pushed together by 0.02; the "
+        "study `cells` shows York's arrangement under the default scheme.";
+    s.equations = {"free fall: t₁ = √(2 s/g),  v = g t₁", "taut: T = (2/ω)(π − atan(v ω/g)),  ω² = EA/(m L)",
+                   "apex at 2 t₁ + T;  largest displacement s + r + √(r² + v²/ω²),  r = m g/k"};
+    s.sketch = sketch;
+    s.cells_along = "a length of 1 m";
+    s.reference_name = "slack-string";
+    s.reference_text = "Closed form: free fall and a half oscillation and a bit, in turn.";
+    s.reference_bound = "Rounding, carried through.";
+    s.theory_orders = {
+        {"apex_time", 1, "the kernel of the mass reaches over a share of a cell: when the last of the string is taut"}};
+    s.known_limits = {"Points of the string that are slack fall too and snap taut one by one from the support: the "
+                      "reaction is read as a mean over the time of the string's waves."};
+    return s;
+  }
+
+  Kind kind() const override { return Kind::membrane; }
+
+  std::vector<Key> keys() const override {
+    const reference::SlackStringProblem p;
+    const auto positive = [](std::string name, double value, std::string unit, std::string description) {
+      return Key{.name = std::move(name),
+                 .value = value,
+                 .unit = std::move(unit),
+                 .low = 0,
+                 .low_open = true,
+                 .description = std::move(description)};
+    };
+    return {strain_key(),
+            {.name = "layout",
+             .value = "even",
+             .choices = {"even", "york"},
+             .description = "slack spread evenly over points at both ends and between, or York's ten points, six slack"},
+            positive("youngs_modulus", p.youngs_modulus, "Pa", "E of the string"),
+            positive("area", p.area, "m^2", "section of the string"),
+            {.name = "length",
+             .value = p.length,
+             .unit = "m",
+             .low = 0,
+             .high = 1.5,
+             .low_open = true,
+             .description = "unstretched length of the string"},
+            positive("string_density", 0.1, "kg/m^3", "density of the string"),
+            positive("mass", p.mass, "kg", "the hanging mass"),
+            positive("gravity", p.gravity, "m/s^2", "gravity"),
+            {.name = "slack",
+             .value = p.slack,
+             .unit = "m",
+             .low = 0,
+             .high = 0.1,
+             .description = "by which the mass falls before the string is straight"},
+            positive("t_end", 0.04, "s", "end time")};
+  }
+
+  std::vector<Override> points_and_end(const std::string& scheme) const override {
+    if (scheme == "york1997") return {{"cells", 10.0}, {"ppc", 3.0}, {"layout", "york"}};
+    return {{"cells", 20.0}};
+  }
+
+  void derive(Settings& settings, const std::string& scheme) const override {
+    if (scheme == "york1997" && !settings.is_set("dt") && !settings.is_set("cfl")) {
+      settings.set("dt", 1.8e-5 / settings.number("cells"), "string-slack");  // 1.8e-6 s at h = 0.1 [York A.4.4]
+    }
+  }
+
+  std::unique_ptr<Problem> problem(const Settings& settings) const override {
+    return std::make_unique<StringSlackProblem>(settings);
+  }
+
+  std::vector<double> default_levels() const override { return {10, 20, 40, 80}; }
+
+  std::vector<StudyPlan> studies() const override {
+    return {{.id = "york1997", .title = "York's ten points", .why = "One mesh, as in Fig. 29.", .scheme = "york1997",
+             .values = {10}},
+            {.id = "default", .title = "default, the slack spread evenly", .why = "Order 1.", .values = {10, 20, 40, 80}}};
+  }
+
+  std::vector<CaseGate> gates() const override { return {}; }
+  GateCount gate_count() const override { return {8, 8}; }
+};
+
+PLUMBLINE_CASE(StringSlack);
+
+}  // namespace
+}  // namespace plumbline

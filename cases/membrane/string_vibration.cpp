@@ -1,0 +1,192 @@
+// A taut string swings across between two walls.
+#include <cmath>
+
+#include "cases/harness/gates.hpp"
+#include "cases/membrane/mode_watch.hpp"
+#include "cases/membrane/string.hpp"
+#include "reference/string_vibration.hpp"
+
+namespace plumbline {
+namespace {
+
+constexpr double room = 0.4;  // m, to the walls beside the string: two cells and more
+
+constexpr const char* sketch =
+    R"svg(<svg viewBox="0 0 360 100" role="img" aria-label="A string between two walls in its first mode">
+<g fill="none" stroke="currentColor" stroke-width="1.5"><path d="M60 10v80M300 10v80"/><path d="M60 50h240" stroke-dasharray="4 4" stroke-width="1"/><path d="M60 50q120-56 240 0"/><path d="M60 50q120 56 240 0" stroke-dasharray="2 4" stroke-width="1"/></g>
+<g fill="currentColor"><circle cx="60" cy="50" r="2.5"/><circle cx="100" cy="34" r="2.5"/><circle cx="140" cy="25" r="2.5"/><circle cx="180" cy="22" r="2.5"/><circle cx="220" cy="25" r="2.5"/><circle cx="260" cy="34" r="2.5"/><circle cx="300" cy="50" r="2.5"/><g font-size="12"><text x="170" y="14">A</text><text x="172" y="96">L = 1</text></g></g></svg>)svg";
+
+reference::StringVibrationProblem string_from(const Settings& s) {
+  reference::StringVibrationProblem p;
+  p.youngs_modulus = s.number("youngs_modulus");
+  p.area = s.number("area");
+  p.density = s.number("string_density");
+  p.strain = s.number("pretension");
+  p.mode = s.integer("mode");
+  p.amplitude = s.number("amplitude");
+  return p;
+}
+
+class StringVibrationCase final : public Problem {
+ public:
+  explicit StringVibrationCase(const Settings& settings)
+      : settings_(settings),
+        exact_(string_from(settings)),
+        state_(displaced()),
+        watch_(mode_shape(), 0.0, 1, exact_.problem().amplitude) {}
+
+  double end_time() const override { return 1.3 * exact_.period().value; }  // past the third zero and a whole period
+
+  Scene scene() const override {
+    const reference::StringVibrationProblem& p = exact_.problem();
+    Scene scene;
+    scene.grid.dim = 2;
+    scene.grid.h = p.length / settings_.number("cells");
+    const int beside = std::max(2, static_cast<int>(std::lround(room / scene.grid.h)));
+    scene.grid.cells = {settings_.integer("cells"), 2 * beside, 1};
+    scene.grid.origin = {0, -beside * scene.grid.h, 0};
+    scene.grid.walls[0] = {Wall::no_slip, Wall::no_slip};
+    scene.grid.walls[1] = {Wall::symmetry, Wall::symmetry};
+    scene.bodies.push_back(string_body("string", settings_.text("strain"),
+                                       {p.youngs_modulus, p.area, p.density, true}, state_, 2));
+    apply_choices(settings_, scene);
+    return scene;
+  }
+
+  void observe(const Simulation& simulation) override { watch_.observe(simulation); }
+
+  std::vector<Measure> measures(const Simulation& simulation) const override {
+    const reference::Bounded period = exact_.kirchhoff_period();
+    const auto ratio = [](const char* name, double value) {
+      Measure m = scalar_measure(name, value, 0, 0, "1");
+      m.scale = 1;
+      return m;
+    };
+    const double none = std::nan("");
+    return {scalar_measure("period", watch_.period().value_or(none), period.value, period.bound, "s"),
+            ratio("amplitude_loss", watch_.amplitude_loss().value_or(none)), ratio("impurity", watch_.impurity()),
+            ratio("energy_drift", energy_drift(simulation.ledger().energy))};
+  }
+
+  Profile profile(const Simulation&) const override {
+    Profile profile;
+    profile.kind = "history";
+    profile.abscissa = "time";
+    profile.columns = {{"time", "s", "time", {}},
+                       {"coordinate", "m", "displacement of the mode", {}},
+                       {"coordinate_reference", "m", "exact displacement of the mode", {}}};
+    const double w = exact_.omega().value;
+    for (const std::size_t k : thinned_rows(watch_.times().size(), 800)) {
+      const double t = watch_.times()[k];
+      profile.columns[0].values.push_back(t);
+      profile.columns[1].values.push_back(watch_.coordinate()[k]);
+      profile.columns[2].values.push_back(exact_.problem().amplitude * std::cos(w * t));
+    }
+    return profile;
+  }
+
+ private:
+  StringState displaced() const {
+    const reference::StringVibrationProblem& p = exact_.problem();
+    const int segments = std::max(4, static_cast<int>(std::lround(settings_.number("cells") * settings_.number("ppc"))));
+    StringState state = straight_string({0, 0}, {p.length, 0}, segments + 1, p.strain);
+    for (auto& place : state.place) place[1] = exact_.displacement(place[0], 0).value;
+    return state;
+  }
+
+  std::vector<double> mode_shape() const {
+    std::vector<double> shape;
+    for (const auto& place : state_.place) shape.push_back(place[1] / exact_.problem().amplitude);
+    return shape;
+  }
+
+  Settings settings_;
+  reference::StringVibration exact_;
+  StringState state_;
+  ModeWatch watch_;
+};
+
+class StringVibrationEntry final : public Case {
+ public:
+  Statement statement() const override {
+    Statement s;
+    s.name = "string-vibration";
+    s.title = "Transverse vibration of a taut string";
+    s.source = "d'Alembert 1747; G. Kirchhoff, Vorlesungen ueber Mechanik, 1876, lecture 29";
+    s.claim =
+        "The period of a taut string's mode converges at second order, with the constant that the maps' smoothing gives.";
+    s.physics =
+        "A string of membrane points is stretched between two walls that hold its ends and swings in its first mode, with "
+        "an amplitude so small that the tension stays what it was.\n\n"
+        "Force and motion both pass the shape functions, which damp a wave of number k by 1 − k²h²/8 each; the tangent from "
+        "neighbours damps its slope by 1 − k²s²/6 (s the spacing of points), the chord of segments by 1 − k²s²/12 in all. "
+        "So the period is too long by k²h²/8 + k²s²/12, of segments by k²h²/8 + k²s²/24: 1.2 h² of a period for the first "
+        "mode at four points a cell.";
+    s.equations = {"ρA y_tt = T y_xx,  y = A sin(nπx/L) cos ωt,  ω = nπc/L,  c = √(T/ρA)",
+                   "δT/T = k²h²/8 + k²s²/12,  k = nπ/L,  s = h/ppc"};
+    s.sketch = sketch;
+    s.cells_along = "the string's length of 1 m";
+    s.reference_name = "string-vibration";
+    s.reference_text = "Closed form; the period is Kirchhoff's, at the finite amplitude.";
+    s.reference_bound = "Rounding, carried through.";
+    s.theory_orders = {{"period", 2, "k²h²/8 from the maps and k²s²/12 from the tangents"}};
+    s.known_limits = {"The affine transfer loses energy at the order h^3 a period where the step follows h."};
+    return s;
+  }
+
+  Kind kind() const override { return Kind::membrane; }
+
+  std::vector<Key> keys() const override {
+    const reference::StringVibrationProblem p;
+    const auto positive = [](std::string name, double value, std::string unit, std::string description) {
+      return Key{.name = std::move(name),
+                 .value = value,
+                 .unit = std::move(unit),
+                 .low = 0,
+                 .low_open = true,
+                 .description = std::move(description)};
+    };
+    return {strain_key(),
+            positive("youngs_modulus", p.youngs_modulus, "Pa", "E of the string"),
+            positive("area", p.area, "m^2", "section of the taut string"),
+            positive("string_density", p.density, "kg/m^3", "density of the taut string"),
+            {.name = "pretension",
+             .value = p.strain,
+             .low = 0,
+             .high = 0.1,
+             .low_open = true,
+             .description = "strain of the taut string"},
+            {.name = "mode", .value = 1.0, .low = 1, .high = 100, .integer = true, .description = "number of half waves"},
+            positive("amplitude", 1e-4, "m", "largest displacement")};
+  }
+
+  std::vector<Override> points_and_end(const std::string&) const override { return {{"cells", 20.0}}; }
+
+  // York has no such case; the Courant number is that of his pendulum.
+  void derive(Settings& settings, const std::string& scheme) const override {
+    if (scheme != "york1997" || settings.is_set("dt") || settings.is_set("cfl")) return;
+    const double speed = std::sqrt(settings.number("youngs_modulus") / settings.number("string_density"));
+    settings.set("dt", 0.63 / speed / settings.number("cells"), "string-vibration");  // [York A.4.5]
+  }
+
+  std::unique_ptr<Problem> problem(const Settings& settings) const override {
+    return std::make_unique<StringVibrationCase>(settings);
+  }
+
+  std::vector<double> default_levels() const override { return {10, 14, 20, 28, 40}; }
+
+  std::vector<StudyPlan> studies() const override {
+    return {{.id = "default", .title = "default", .why = "Order 2.", .values = {10, 14, 20, 28, 40},
+             .full_values = {10, 20, 40, 80, 160}},
+            {.id = "segments", .title = "strain of segments", .why = "Order 2.", .overrides = {{"strain", "segments"}},
+             .values = {10, 14, 20, 28, 40}, .full_values = {10, 20, 40, 80, 160}}};
+  }
+
+  std::vector<CaseGate> gates() const override { return {}; }
+  GateCount gate_count() const override { return {10, 10}; }
+};
+
+PLUMBLINE_CASE(StringVibrationEntry);
+
+}  // namespace
+}  // namespace plumbline

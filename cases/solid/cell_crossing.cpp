@@ -1,0 +1,420 @@
+// What a point does to the forces when it crosses a cell side. [York section A.2]
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "cases/harness/gates.hpp"
+#include "cases/solid/collision.hpp"
+#include "cases/solid/manufactured_case.hpp"
+#include "kernel/materials/linear_elastic.hpp"
+#include "kernel/shapes/linear.hpp"
+
+namespace plumbline {
+namespace {
+
+constexpr const char* sketch =
+    R"svg(<svg viewBox="0 0 360 150" role="img" aria-label="Left: ten points on a line, the sixth just above a cell side, and forces on three nodes. Right: a long body of unevenly spaced points drifts over a grid">
+<g stroke="currentColor" stroke-width="1.5" fill="none"><path d="M40 12h60M40 42h60M40 72h60M40 102h60M40 132h60"/><path d="M190 60h150M190 60v20M205 60v20M220 60v20M235 60v20M250 60v20M265 60v20M280 60v20M295 60v20M310 60v20M325 60v20M340 60v20M190 80h150"/><path d="M245 105h50m-8-5l8 5l-8 5"/></g>
+<g fill="currentColor"><circle cx="70" cy="15" r="2"/><circle cx="70" cy="26" r="2"/><circle cx="70" cy="37" r="2"/><circle cx="70" cy="48" r="2"/><circle cx="70" cy="59" r="2"/><circle cx="70" cy="70" r="2.6"/><circle cx="70" cy="83" r="2"/><circle cx="70" cy="95" r="2"/><circle cx="70" cy="107" r="2"/><circle cx="70" cy="120" r="5"/><circle cx="196" cy="70" r="2"/><circle cx="205" cy="70" r="2"/><circle cx="214" cy="70" r="2"/><circle cx="223" cy="70" r="2"/><circle cx="232" cy="70" r="2"/><circle cx="241" cy="70" r="2"/><circle cx="250" cy="70" r="2"/><circle cx="259" cy="70" r="2"/><circle cx="268" cy="70" r="2"/><circle cx="277" cy="70" r="2"/><circle cx="286" cy="70" r="2"/><circle cx="295" cy="70" r="2"/><circle cx="304" cy="70" r="2"/><circle cx="313" cy="70" r="2"/><circle cx="322" cy="70" r="2"/><circle cx="331" cy="70" r="2"/>
+<g font-size="12"><text x="106" y="46">66 → 2183</text><text x="106" y="76">111 → −3940</text><text x="106" y="106">3114 → 5123</text><text x="50" y="74">6</text><text x="225" y="50">uniform stress</text><text x="262" y="122">v</text></g></g></svg>)svg";
+
+// --- York's ten points --------------------------------------------------------------------------------------------------
+
+// Layout and modulus of his section 5.5 with which the printed stresses put point 6 at the side; the section follows from
+// the printed forces. What he does not print is the load: here the spring starts with a velocity.
+constexpr int ten = 10;
+constexpr double modulus = 1e6, section = 0.05, light = 0.1, top = 2.0, spring_h = 0.1;
+constexpr double first = 0.01, apart = 0.1 / 3;  // of point 1 from the top, between points, unstretched
+constexpr double point_volume = section * apart;
+
+// Stresses before point 6 crosses and after: those of the second and third cell as printed, those of the first and
+// fourth from the force on the upper node, and from the force on the lower node before.
+struct Snapshot {
+  std::array<double, ten> stress, below;  // Pa; distance below the top, m
+};
+Snapshot snapshot(bool crossed) {
+  const double first_cell = crossed ? 125839 : 124352, upper = crossed ? 123274 : 123034;
+  const double lower = crossed ? 179802 : 181170, fourth = 87750;
+  Snapshot s;
+  s.stress = {first_cell, first_cell, first_cell, upper, upper, upper, lower, lower, fourth, fourth};
+  for (int k = 0; k < ten; ++k) {
+    const double strain = k < 6 ? 0.124 : 0.18, from = first + std::min(k, 5) * apart;
+    s.below[static_cast<std::size_t>(k)] = from * 1.124 + (k > 5 ? (k - 5) * apart * (1 + strain) : 0);
+  }
+  s.below[5] = crossed ? 2 * spring_h + 1e-4 : 2 * spring_h - 1e-4;
+  return s;
+}
+
+std::shared_ptr<LinearElastic> spring_material() {
+  auto material = std::make_shared<LinearElastic>();
+  material->youngs_modulus = modulus;
+  material->density = light;
+  return material;
+}
+
+Body spring_body(std::string name) {
+  Body body = make_body(std::move(name), spring_material(), ten, 1);
+  body.spacing = apart;
+  for (int p = 0; p < ten; ++p) {
+    body.points(column::volume)[p] = point_volume;
+    body.points(column::mass)[p] = light * point_volume * (p == ten - 1 ? 100 : 1);  // [York A.2]: 100 x the others
+  }
+  return body;
+}
+
+// Forces on the nodes one, two and three cells below the top from the accelerations that the step gave the points: those of
+// two points in a cell give those of its two nodes, and masses make forces of them. True of linear shapes with FLIP.
+std::array<double, 3> nodal_forces(const Body& body, double dt) {
+  std::array<double, ten> acceleration{}, cell{};
+  std::array<double, 6> mass{};
+  for (int p = 0; p < ten; ++p) {
+    const auto k = static_cast<std::size_t>(body.id[static_cast<std::size_t>(p)]);
+    acceleration[k] = body.points(column::velocity)[p] / dt;
+    cell[k] = (top - body.points(column::position)[p]) / spring_h;
+    const auto node = static_cast<std::size_t>(cell[k]);
+    const double share = cell[k] - std::floor(cell[k]);
+    mass[node] += body.points(column::mass)[p] * (1 - share);
+    mass[node + 1] += body.points(column::mass)[p] * share;
+  }
+  // Of the line through the accelerations of points a and b, the value at a node.
+  const auto at_node = [&](std::size_t a, std::size_t b, int node) {
+    return acceleration[a] + (acceleration[b] - acceleration[a]) * (node - cell[a]) / (cell[b] - cell[a]);
+  };
+  return {mass[1] * at_node(3, 4, 1), mass[2] * at_node(3, 4, 2), mass[3] * at_node(6, 7, 3)};
+}
+
+GridSpec spring_grid(int cells, double h) {
+  GridSpec grid;
+  grid.h = h;
+  grid.cells[0] = cells;
+  grid.origin[0] = top - cells * h;
+  grid.walls[0] = {Wall::free, Wall::symmetry};
+  return grid;
+}
+
+class ForcesProblem final : public Problem {
+ public:
+  explicit ForcesProblem(const Settings& settings) : settings_(settings) {}
+  double end_time() const override { return dt; }
+  // Both instants in one scene, ten cells apart: the later one hangs from nothing, which nodes below the first do not see.
+  Scene scene() const override {
+    Scene scene;
+    scene.grid = spring_grid(30, spring_h);
+    for (const bool crossed : {false, true}) {
+      const Snapshot s = snapshot(crossed);
+      Body body = spring_body(crossed ? "after" : "before");
+      for (int p = 0; p < ten; ++p) {
+        const auto k = static_cast<std::size_t>(p);
+        body.points(column::position)[p] = top - s.below[k] - (crossed ? shift : 0);
+        body.points(column::strain)[p] = s.stress[k] / modulus;
+      }
+      scene.bodies.push_back(std::move(body));
+    }
+    apply_choices(settings_, scene);
+    return scene;
+  }
+  std::vector<Measure> measures(const Simulation& simulation) const override {
+    const std::array<double, 6> printed{66, 111, 3114, 2183, -3940, 5123};
+    std::vector<Measure> all;
+    for (std::size_t b = 0; b < 2; ++b) {
+      Body body = simulation.scene().bodies[b];
+      if (b == 1) {
+        for (int p = 0; p < ten; ++p) body.points(column::position)[p] += shift;
+      }
+      const std::array<double, 3> forces = nodal_forces(body, dt);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::string name = std::string("force_") + std::array{"upper", "middle", "lower"}[k] +
+                                 (b == 0 ? "_before" : "_after");
+        all.push_back(scalar_measure(name, forces[k], printed[3 * b + k], 0.5, "N"));
+      }
+    }
+    return all;
+  }
+  Profile profile(const Simulation&) const override { return {}; }
+
+ private:
+  static constexpr double dt = 1e-12, shift = 1.0;
+  Settings settings_;
+};
+
+// The spring set swinging with the strain that his printed stresses show, and its energy.
+class SpringProblem final : public Problem {
+ public:
+  explicit SpringProblem(const Settings& settings) : settings_(settings) {}
+  double end_time() const override { return settings_.number("periods") * period(); }
+  Scene scene() const override {
+    Scene scene;
+    const double h = 1 / settings_.number("cells");
+    scene.grid = spring_grid(static_cast<int>(std::lround(1 / h)), h);
+    Body body = spring_body("spring");
+    for (int p = 0; p < ten; ++p) {
+      const double below = first + p * apart;
+      body.points(column::position)[p] = top - below;
+      body.points(column::velocity)[p] = -largest_strain * omega() * below;
+    }
+    if (settings_.text("transfer") == "apic") {
+      body.points.add(column::affine);
+      for (int p = 0; p < ten; ++p) body.points(column::affine)[p] = largest_strain * omega();
+    }
+    scene.bodies.push_back(std::move(body));
+    apply_choices(settings_, scene);
+    return scene;
+  }
+  void observe(const Simulation& simulation) override {
+    energy_.observe(simulation);
+    const Body& body = simulation.scene().bodies.front();
+    for (int p = 0; p < ten; ++p) {
+      if (body.id[static_cast<std::size_t>(p)] != 5) continue;
+      const double cell = (top - body.points(column::position)[p]) * settings_.number("cells");
+      if (cell_ >= 0 && std::floor(cell) != cell_) ++crossings_;
+      cell_ = std::floor(cell);
+    }
+    times_.push_back(simulation.time());
+    energies_.push_back(simulation.ledger().stores.total());
+  }
+  std::vector<Measure> measures(const Simulation& simulation) const override {
+    const double start = simulation.ledger().initial_stores.total();
+    double highest = energies_.empty() ? std::nan("") : energies_.front();
+    for (const double e : energies_) highest = larger(highest, e);
+    return {scalar_measure("energy_gain", highest / start - 1, 0, 0, "1"),
+            scalar_measure("energy_end", energies_.back() / start - 1, 0, 0, "1"),
+            scalar_measure("energy_rise", energy_.largest_rise(), 0, 0, "1"),
+            scalar_measure("crossings", static_cast<double>(crossings_), 0, 0, "1")};
+  }
+  Profile profile(const Simulation&) const override {
+    Profile profile;
+    profile.kind = "history";
+    profile.abscissa = "time";
+    profile.columns = {{"time", "s", "time", {}}, {"energy", "J", "energy of all points", {}}};
+    const std::size_t every = times_.size() / 1500 + 1;
+    for (std::size_t k = 0; k < times_.size(); k += every) {
+      profile.columns[0].values.push_back(times_[k]);
+      profile.columns[1].values.push_back(energies_[k]);
+    }
+    return profile;
+  }
+
+ private:
+  static constexpr double largest_strain = 0.14;
+  // The heavy point and a third of the others on the spring's stiffness.
+  static double omega() {
+    const double length = first + (ten - 1) * apart, mass = light * point_volume * (100 + 3);
+    return std::sqrt(modulus * section / length / mass);
+  }
+  static double period() { return 2 * std::acos(-1.0) / omega(); }
+
+  Settings settings_;
+  EnergyWatch energy_;
+  double cell_ = -1;
+  long crossings_ = 0;
+  std::vector<double> times_, energies_;
+};
+
+// --- a stressed body that drifts ----------------------------------------------------------------------------------------
+
+// A long bar, stretched evenly, moves over `drift` cells at the speed of sound. Nothing holds its ends, so waves run in from
+// them, in the body no faster than sound: what lies further from both ends than they can run, and `guard` cells, does not
+// know of them and must drift on unaccelerated.
+class DriftProblem final : public Problem {
+ public:
+  explicit DriftProblem(const Settings& settings)
+      : settings_(settings),
+        h_(1 / settings.number("cells")) {
+    material_ = std::make_shared<NeoHookean>();
+    material_->youngs_modulus = modulus;
+    material_->density = light;
+  }
+  double end_time() const override { return drift * h_ / speed(); }
+  Scene scene() const override {
+    Scene scene;
+    const double stretch = settings_.number("stretch"), apart_now = h_ / settings_.number("ppc") * stretch;
+    const int points = static_cast<int>(std::lround(length() / apart_now));
+    scene.grid.h = h_;
+    scene.grid.cells[0] = static_cast<int>(std::ceil((length() + drift * h_) / h_)) + 40;
+    scene.grid.origin[0] = -20 * h_;
+    Body body = make_body("bar", material_, points, 1);
+    body.spacing = apart_now / stretch;
+    for (int p = 0; p < points; ++p) {
+      body.points(column::position)[p] = (p + 0.5) * apart_now;
+      body.points(column::velocity)[p] = speed();
+      body.points(column::deformation)[p] = stretch;
+      body.points(column::mass)[p] = light * apart_now / stretch;
+      body.points(column::volume)[p] = apart_now;
+    }
+    scene.bodies.push_back(std::move(body));
+    apply_choices(settings_, scene);
+    return scene;
+  }
+  void observe(const Simulation& simulation) override {
+    const Body& body = simulation.scene().bodies.front();
+    const auto count = static_cast<std::size_t>(body.points.points());
+    if (before_.empty()) before_.assign(count, speed());
+    const double middle = 0.5 * length() + speed() * simulation.time();
+    for (std::size_t p = 0; p < count; ++p) {
+      const auto k = static_cast<std::size_t>(body.id[p]);
+      const double v = body.points(column::velocity)[p];
+      if (std::abs(body.points(column::position)[p] - middle) < judged / 2 * h_) {
+        const double a = (v - before_[k]) / simulation.last_dt();
+        square_ += a * a;
+        peak_ = larger(peak_, std::abs(a));
+        ++samples_;
+      }
+      before_[k] = v;
+    }
+  }
+  std::vector<Measure> measures(const Simulation&) const override {
+    const double scale = stress() / (light * h_);
+    return {scalar_measure("noise_rms", std::sqrt(square_ / static_cast<double>(samples_)) / scale, 0, 0, "1"),
+            scalar_measure("noise_peak", peak_ / scale, 0, 0, "1")};
+  }
+  Profile profile(const Simulation& simulation) const override {
+    Profile profile;
+    profile.columns = {{"x", "m", "x", {}}, {"velocity", "m/s", "velocity less that of the drift", {}}};
+    const Body& body = simulation.scene().bodies.front();
+    for (int p = 0; p < body.points.points(); ++p) {
+      profile.columns[0].values.push_back(body.points(column::position)[p]);
+      profile.columns[1].values.push_back(body.points(column::velocity)[p] - speed());
+    }
+    return profile;
+  }
+
+ private:
+  static constexpr double drift = 100, judged = 20, guard = 30;  // cells
+  static double speed() { return std::sqrt(modulus / light); }
+  // Waves in the stretched body run no faster than `fastest` of the speed of sound at rest.
+  double length() const {
+    const double stretch = settings_.number("stretch");
+    const double fastest = std::sqrt((stretch * stretch + 1) / 2) + 0.1;
+    return (2 * drift * fastest + judged + 2 * guard) * h_;
+  }
+  double stress() const {
+    const LameConstants c = material_->constants();
+    const double stretch = settings_.number("stretch");
+    return std::abs(c.mu * (stretch - 1 / stretch) + c.lambda * std::log(stretch) / stretch);
+  }
+
+  Settings settings_;
+  double h_;
+  std::shared_ptr<NeoHookean> material_;
+  std::vector<double> before_;
+  double square_ = 0, peak_ = 0;
+  long samples_ = 0;
+};
+
+class CellCrossing final : public Case {
+ public:
+  Statement statement() const override {
+    Statement s;
+    s.name = "cell-crossing";
+    s.title = "Points that cross cell sides";
+    s.source = "York 1997, SAND97-1893, sections 5.4.3 and A.2, Figs. 102 to 104";
+    s.claim =
+        "Linear shapes turn the sign of a point's force when it crosses a cell side; boxes that tile the body give no "
+        "such force at all.";
+    s.physics =
+        "`problem=forces`: York's ten points hang in a row, the last 100 times as heavy, three to a cell. His printed "
+        "stresses and forces at the instant before point 6 crosses a cell side and after it: 66, 111, 3114 N become "
+        "2183, −3940, 5123 N. E and layout are those of his section 5.5: with the strains of the printed stresses point "
+        "6 stands at the side. The section, 0.05, follows from the force on the middle node; the stresses in the first "
+        "and the last cell, not printed, from the forces on the upper node and on the lower node before. The middle "
+        "forces and the lower one after are then his stresses' own, but for the weight of some points, about 1 N.\n\n"
+        "`problem=spring`: the same spring set swinging to the strain that those stresses show, and its energy. He "
+        "does not print the load; here it starts with a velocity.\n\n"
+        "`problem=drift`: a bar stretched evenly by a tenth, its points so at no fixed places in the cells, drifts over "
+        "100 cells at the speed of sound. Its middle, further from the ends than sound runs meanwhile, must not "
+        "accelerate: noise is the rms of the points' accelerations there over σ/(ρh).";
+    s.equations = {"f_i = −Σ_p V_p σ_p ∇N_ip", "noise = rms(a_p) / (σ/(ρh))"};
+    s.sketch = sketch;
+    s.cells_along = "a length of 1 m";
+    s.reference_name = "none";
+    s.reference_text = "York's printed forces; of the drift, that nothing accelerates.";
+    s.reference_bound = "Half a unit of the last printed place; zero.";
+    s.theory_orders = {{"noise_rms", 0, "sums over unevenly standing points miss the integral by a share that does not "
+                                        "fall with h; where boxes tile, nothing is left but rounding"}};
+    s.known_limits = {"The load and the positions of York's figure are not printed."};
+    return s;
+  }
+
+  Kind kind() const override { return Kind::solid; }
+
+  std::vector<Key> keys() const override {
+    return {{.name = "problem",
+             .value = "drift",
+             .choices = {"forces", "spring", "drift"},
+             .description = "York's forces, his spring, or a stressed body that drifts"},
+            {.name = "stretch",
+             .value = 1.1,
+             .low = 0.7,
+             .high = 1.4,
+             .description = "of the body that drifts"},
+            positive_key("periods", 50, "1", "of the spring")};
+  }
+
+  std::vector<Override> points_and_end(const std::string&) const override { return {{"cells", 10.0}}; }
+  void derive(Settings& settings, const std::string& scheme) const override {
+    // The Courant number of York's spring, section 5.5: 1.8e-6 s at h = 0.1 with c = 3162.
+    if (scheme == "york1997" && !settings.is_set("dt") && !settings.is_set("cfl")) {
+      settings.set("cfl", 0.057, "cell-crossing");
+    }
+  }
+
+  std::unique_ptr<Problem> problem(const Settings& settings) const override {
+    const std::string& problem = settings.text("problem");
+    if (problem == "forces") return std::make_unique<ForcesProblem>(settings);
+    if (problem == "spring") return std::make_unique<SpringProblem>(settings);
+    return std::make_unique<DriftProblem>(settings);
+  }
+
+  std::vector<double> default_levels() const override { return {10}; }
+
+  std::vector<StudyPlan> studies() const override {
+    std::vector<StudyPlan> all{{.id = "york1997",
+                                .title = "York's forces",
+                                .why = "One instant.",
+                                .scheme = "york1997",
+                                .overrides = {{"problem", "forces"}},
+                                .values = {10}},
+                               {.id = "spring-york1997",
+                                .title = "York's spring, york1997",
+                                .why = "One mesh.",
+                                .scheme = "york1997",
+                                .overrides = {{"problem", "spring"}},
+                                .values = {10}},
+                               {.id = "spring",
+                                .title = "York's spring, default",
+                                .why = "One mesh.",
+                                .overrides = {{"problem", "spring"}},
+                                .values = {10}}};
+    for (const char* shape : {"contiguous-gimp", "gimp", "linear", "quadratic", "cubic"}) {
+      const bool usual = std::string(shape) == "contiguous-gimp";
+      all.push_back({.id = usual ? "default" : shape,
+                     .title = std::string("drift, ") + shape,
+                     .why = "One mesh: the noise does not depend on h.",
+                     .overrides = usual ? std::vector<Override>{} : std::vector<Override>{{"shape", shape}},
+                     .values = {10}});
+    }
+    return all;
+  }
+
+  std::vector<CaseGate> gates() const override {
+    std::vector<CaseGate> all;
+    const auto force = [&](const char* measure, double printed) {
+      all.push_back(value_gate("york1997", measure, 10,
+                               declare(std::string("york1997/") + measure, {printed - 3, printed + 3},
+                                       Origin::literature,
+                                       "as printed; 3 N for the weight of the points, about 1 N, and stresses printed to "
+                                       "a unit, six of which count a sixtieth each")));
+    };
+    force("force_middle_before", 111);
+    force("force_middle_after", -3940);
+    force("force_lower_after", 5123);
+    return all;
+  }
+
+  GateCount gate_count() const override { return {35, 35}; }
+};
+
+PLUMBLINE_CASE(CellCrossing);
+
+}  // namespace
+}  // namespace plumbline

@@ -1,0 +1,69 @@
+// What is watched of bodies that meet.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "kernel/simulation.hpp"
+
+namespace plumbline {
+
+// Mass (kg), place (m) and velocity (m/s) of a body's centre of mass; components beyond dim are 0.
+struct BodyMotion {
+  double mass = 0;
+  std::array<double, 3> position{}, velocity{};
+};
+BodyMotion motion_of(const Body& body, int dim);
+
+// Largest and smallest coordinate of a body's points along d, m.
+double highest_point(const Body& body, int d);
+double lowest_point(const Body& body, int d);
+
+// The largest rise of the energy of all points (kinetic with its affine part, elastic, internal) in one step, and how high
+// it ever stood, both over the energy at the start.
+class EnergyWatch {
+ public:
+  void observe(const Simulation& simulation);
+  double largest_rise() const { return rise_; }  // 0 if it never rose
+  double highest() const { return highest_; }
+  double kept() const { return last_ / start_; }
+
+ private:
+  bool started_ = false;
+  double start_ = 0, last_ = 0, rise_ = 0, highest_ = 1;
+};
+
+// Largest deviation of the total momentum along d from that of the start, over sum m |v| of the start.
+class MomentumWatch {
+ public:
+  explicit MomentumWatch(int d) : d_(static_cast<std::size_t>(d)) {}
+  void observe(const Simulation& simulation);
+  double largest_error() const { return error_; }
+
+ private:
+  std::size_t d_;
+  double error_ = 0;
+};
+
+// When a body got its momentum along d from another: the interval of a steady push with the same times at which a tenth,
+// half and nine tenths of the impulse have been given. Interpolated, so that it knows no steps.
+class PushWatch {
+ public:
+  PushWatch(int d, double start_momentum) : d_(d), times_{0}, momenta_{start_momentum} {}
+  void observe(const Body& body, int dim, double time);
+  // The same from a history of a momentum.
+  void observe(double time, double momentum);
+
+  double start() const { return 1.25 * time_of(0.1) - 0.25 * time_of(0.5); }  // NaN if nothing was given
+  double end() const { return 1.25 * time_of(0.9) - 0.25 * time_of(0.5); }
+  double duration() const { return end() - start(); }
+  // When this share of the impulse until the end had been given for the first time.
+  double time_of(double share) const;
+
+ private:
+  int d_;
+  std::vector<double> times_, momenta_;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,88 @@
+#include "cases/solid/manufactured_case.hpp"
+
+#include <utility>
+
+#include "cases/solid/fill_solid.hpp"
+
+namespace plumbline {
+
+std::vector<Override> ManufacturedCase::points_and_end(const std::string&) const { return {{"cells", 32.0}}; }
+
+void ManufacturedCase::derive(Settings& settings, const std::string& scheme) const {
+  if (scheme == "york1997" && !settings.is_set("dt") && !settings.is_set("cfl")) settings.set("cfl", 0.2, "solid");
+}
+
+std::unique_ptr<Problem> ManufacturedCase::problem(const Settings& settings) const {
+  return manufactured_problem(setup(settings), settings);
+}
+
+Statement ManufacturedCase::begin_statement() {
+  Statement s;
+  s.equations = {"x = X + u(X, t),  F = 1 + ∂u/∂X", "ρ₀ ü = Div P + ρ₀ b", "P = λ ln J F⁻ᵀ + μ (F − F⁻ᵀ)",
+                 "error = max_t √(Σ V_p |u_p − u(X_p, t)|²)"};
+  s.reference_name = "manufactured-solution";
+  s.reference_text =
+      "The motion is chosen; the body force per mass that makes a neo-Hookean solid move so follows in closed form, "
+      "b = ü − Div P/ρ₀, and acts on the points by their initial positions.";
+  s.reference_bound = "Rounding, carried through the formulas.";
+  s.theory_orders = {
+      {"displacement.worst", 2,
+       "boxes that follow the deformation tile the body: forces are integrated over it to second order, as are the "
+       "maps with the true inertia of the kernel and the midpoint step"},
+      {"displacement.L2", 2, "the same at the end of the run"},
+      {"velocity.L2", 2, "the same"},
+      {"stress.L2", 2, "F is advanced with gradients that are of second order at the centre of a box, of first at nodes"}};
+  return s;
+}
+
+Key positive_key(std::string name, double value, std::string unit, std::string description) {
+  return {.name = std::move(name),
+          .value = value,
+          .unit = std::move(unit),
+          .low = 0,
+          .low_open = true,
+          .description = std::move(description)};
+}
+
+Key poisson_key(double value) {
+  return {.name = "poissons_ratio",
+          .value = value,
+          .low = -1,
+          .high = 0.5,
+          .low_open = true,
+          .high_open = true,
+          .description = "Poisson's ratio"};
+}
+
+std::function<Body(std::shared_ptr<const Material>)> lattice_body(const SolidShape& shape, const ExactMotion& exact,
+                                                                  int ppc, const GridSpec& grid) {
+  return [shape, density = exact->density(), ppc, grid](std::shared_ptr<const Material> material) {
+    return fill_solid("body", std::move(material), shape, density, ppc, grid);
+  };
+}
+
+namespace {
+constexpr const char* worst = "displacement.worst";
+}
+
+std::vector<CaseGate> displacement_order(const std::string& study, double order, const std::string& reason, Tier tier) {
+  return {fitted_order_gate(study, worst, declare(study + "/order", {order, {}}, Origin::target, reason), tier),
+          order_gate(study, worst,
+                     declare(study + "/order-interval", {order - 0.1, {}}, Origin::target,
+                             "the interval's low end, 0.1 below the target for the estimate"),
+                     tier)};
+}
+
+CaseGate displacement_gate(const std::string& study, double level, double most, Origin origin,
+                           const std::string& reason, Tier tier) {
+  return error_gate(study, worst, level, declare(study + "/error-" + to_text(level), {{}, most}, origin, reason), tier);
+}
+
+CaseGate missed_order(const std::string& study, double order, const std::string& cause, Range band) {
+  return fitted_order_gate(study, worst,
+                           expected_failure(declare(study + "/order", {order, {}}, Origin::target,
+                                                    "the order that the plan asks of a scheme for solids"),
+                                            cause, band, "2026-11-21 a96ec71"));
+}
+
+}  // namespace plumbline

@@ -1,0 +1,111 @@
+// A ring that breathes across an unaligned grid.
+#include <cmath>
+
+#include "cases/solid/annulus_points.hpp"
+#include "cases/solid/manufactured_case.hpp"
+
+namespace plumbline {
+namespace {
+
+constexpr const char* sketch =
+    R"svg(<svg viewBox="0 0 360 170" role="img" aria-label="A quarter of a ring; its edges are free, it grows and shrinks along its radii">
+<g stroke="currentColor" stroke-width="1.5" fill="none"><path d="M110 150h190M110 150v-140" stroke-dasharray="4 3"/><path d="M110 90a60 60 0 0 1 60 60h60a120 120 0 0 0-120-120z" fill="currentColor" fill-opacity=".15"/><path d="M174 86l26-26m-8 1l8-1l-1 8m-14 15l-26 26m8-1l-8 1l1-8"/></g>
+<g fill="currentColor" font-size="12"><text x="165" y="166">0.5</text><text x="222" y="166">1</text><text x="240" y="60">u_R = A cos πct (c₃R³ + c₂R² + c₁R)</text><text x="240" y="80">edges free of traction</text></g></svg>)svg";
+
+class MmsRing final : public ManufacturedCase {
+ public:
+  Statement statement() const override {
+    Statement s = begin_statement();
+    s.name = "mms-ring";
+    s.title = "Manufactured solution: breathing ring";
+    s.source =
+        "P. C. Wallstedt, J. E. Guilkey, J. Comput. Phys. 227 (2008) 9628, doi 10.1016/j.jcp.2008.07.019, section 5.2";
+    s.claim = "A body with curved free edges on a grid that knows nothing of them.";
+    s.physics =
+        "A ring, 0.5 <= R <= 1, E = 1e4, ν = 0, ρ₀ = 1, moves along its radii by u = A cos πct (c₃R³ + c₂R² + c₁R), "
+        "with u = A = 0.1 at the outer edge at the start, for one period, 0.02 s. ∂u/∂R vanishes at both edges and ν "
+        "is zero: they are free of traction. A quarter is computed, between two planes of symmetry.\n\n"
+        "`layout=circles` (default) places points on circles, so that edges and volume are exact; their boxes, squares "
+        "along the axes, tile the ring only on average. `layout=lattice` takes those points of the grid's lattice that "
+        "lie inside: boxes tile, edges are stairs.";
+    s.sketch = sketch;
+    s.cells_along = "the outer radius of 1 m";
+    s.known_limits = {
+        "Boxes along the axes neither turn nor shear: on circles they overlap and gape by a share that does not fall "
+        "with h, on the lattice edges are stairs, a share of h."};
+    return s;
+  }
+
+  std::vector<Key> keys() const override {
+    const reference::RingProblem ring;
+    return {{.name = "amplitude",
+             .value = ring.amplitude,
+             .unit = "m",
+             .low = 0,
+             .high = 0.2,
+             .low_open = true,
+             .description = "A, displacement of the outer edge at the start"},
+            positive_key("youngs_modulus", ring.youngs_modulus, "Pa", "E"),
+            positive_key("initial_density", ring.density, "kg/m^3", "initial density"),
+            positive_key("t_end", 0.02, "s", "end time"),
+            {.name = "layout",
+             .value = "circles",
+             .choices = {"cut", "circles", "lattice"},
+             .description = "points on circles, or on the grid's lattice"}};
+  }
+
+  std::vector<double> default_levels() const override { return {16, 22, 32, 44, 64}; }
+
+  std::vector<StudyPlan> studies() const override {
+    const std::vector<double> coarse{16, 22, 32, 44, 64}, fine{16, 32, 64, 128, 256};
+    return {{.id = "circles",
+             .title = "default, points on circles",
+             .why = "Second order in the maps and the step; edges exact.",
+             .values = coarse,
+             .full_values = fine},
+            {.id = "lattice",
+             .title = "default, points on the lattice",
+             .why = "Edges are stairs of half a spacing; the traction there is of first order in it and of mean zero.",
+             .overrides = {{"layout", "lattice"}},
+             .values = coarse,
+             .full_values = fine}};
+  }
+
+  std::vector<CaseGate> gates() const override {
+    std::vector<CaseGate> all;
+    for (const char* study : {"circles", "lattice"}) {
+      for (CaseGate& gate : displacement_order(study, 1.8, "second order; 0.2 for curved edges")) {
+        all.push_back(std::move(gate));
+      }
+    }
+    return all;
+  }
+
+  GateCount gate_count() const override { return {14, 14}; }
+
+ protected:
+  ManufacturedSetup setup(const Settings& settings) const override {
+    reference::RingProblem problem;
+    problem.amplitude = settings.number("amplitude");
+    problem.youngs_modulus = settings.number("youngs_modulus");
+    problem.density = settings.number("initial_density");
+    ManufacturedSetup setup;
+    setup.exact = reference::mms_ring(problem);
+    setup.grid.dim = 2;
+    setup.grid.h = problem.outer / settings.number("cells");
+    const int cells = static_cast<int>(std::ceil((problem.outer + problem.amplitude) / setup.grid.h)) + 2;
+    setup.grid.cells = {cells, cells, 1};
+    for (std::size_t d = 0; d < 2; ++d) setup.grid.walls[d] = {Wall::symmetry, Wall::free};
+    const Annulus quarter{problem.inner, problem.outer, {0, 0}, true};
+    const auto fill = annulus_layout(settings.text("layout"));
+    setup.body = [=, grid = setup.grid, ppc = settings.integer("ppc")](std::shared_ptr<const Material> material) {
+      return fill("ring", std::move(material), quarter, problem.density, ppc, grid);
+    };
+    return setup;
+  }
+};
+
+PLUMBLINE_CASE(MmsRing);
+
+}  // namespace
+}  // namespace plumbline

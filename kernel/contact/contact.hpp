@@ -1,0 +1,56 @@
+// Contact between velocity fields, node by node, pair by pair of the fields that meet there.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kernel/scene.hpp"
+#include "kernel/velocity_field.hpp"
+
+namespace plumbline {
+
+// What contact made of one field's velocities at one node.
+template <int dim>
+struct ContactChange {
+  using Vec = Eigen::Matrix<double, dim, 1>;
+  int node;
+  double mass;
+  Vec own_start, own_end;  // without contact
+  Vec start, end;          // with it
+};
+
+template <int dim>
+class Contact {
+ public:
+  using Vec = Eigen::Matrix<double, dim, 1>;
+  using Fields = std::vector<VelocityField<dim>>;
+  using Visit = std::function<void(const ContactChange<dim>&)>;
+  virtual ~Contact() = default;
+
+  // Where bodies could meet, with the points where they stand and masses and `start` of the fields mapped.
+  // field_of_body: index into fields.
+  virtual void find(const Scene& scene, const std::vector<std::size_t>& field_of_body, const Fields& fields) = 0;
+
+  // Changes start, end and midpoint of the fields where bodies touch, after their momentum was advanced over dt. decide:
+  // choose the nodes that are in contact; otherwise the same nodes are again. visit: each field at each of these nodes.
+  virtual void apply(Fields& fields, double dt, bool decide, const Visit& visit) = 0;
+
+  // The same nodes of velocities mapped anew. [York 3.24]
+  virtual void apply_to_remapped(Fields& fields) = 0;
+
+  // Whether apply() changes `start`.
+  virtual bool changes_start() const = 0;
+};
+
+// Null for "none". support: nodes per direction that a point reaches.
+// Throws std::invalid_argument for an unknown name.
+template <int dim>
+std::unique_ptr<Contact<dim>> make_contact(const std::string& name, const Grid<dim>& grid, int support);
+
+extern template std::unique_ptr<Contact<1>> make_contact(const std::string&, const Grid<1>&, int);
+extern template std::unique_ptr<Contact<2>> make_contact(const std::string&, const Grid<2>&, int);
+extern template std::unique_ptr<Contact<3>> make_contact(const std::string&, const Grid<3>&, int);
+
+}  // namespace plumbline

@@ -1,0 +1,257 @@
+#include "kernel/contact/touching.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "kernel/contact/shared_nodes.hpp"
+
+namespace plumbline {
+namespace {
+
+// Ridge of the discriminant in units of h^2: points in one line have no spread across it.
+constexpr double ridge = 1e-3;
+
+// Count, sum and second moments of the points of one body around a node, relative to the node.
+template <int dim>
+struct Cloud {
+  using Vec = Eigen::Matrix<double, dim, 1>;
+  int count = 0;
+  Vec sum = Vec::Zero();
+  Eigen::Matrix<double, dim, dim> squares = Eigen::Matrix<double, dim, dim>::Zero();
+  bool touches = false;
+
+  void add(const Vec& x) {
+    ++count;
+    sum += x;
+    squares += x * x.transpose();
+  }
+  Vec mean() const { return sum / count; }
+  Eigen::Matrix<double, dim, dim> covariance() const { return squares / count - mean() * mean().transpose(); }
+};
+
+}  // namespace
+
+// Lowest node of the support; shapes of an even number of nodes are anchored at the cell, others at the nearest node.
+template <int dim>
+int TouchingContact<dim>::lowest_node(const Vec& x) const {
+  int node = 0;
+  for (int d = 0; d < dim; ++d) {
+    const double cells = std::clamp(grid_.logical(x[d], d), 0.0, 1.0 * grid_.cells(d));
+    const int anchor = support_ % 2 == 0 ? std::min(static_cast<int>(cells), grid_.cells(d) - 1)
+                                         : static_cast<int>(cells + 0.5);
+    node += (anchor - (support_ - 1) / 2 + Grid<dim>::ghosts) * grid_.stride(d);
+  }
+  return node;
+}
+
+template <int dim>
+template <class Visit>
+void TouchingContact<dim>::for_support(int lowest, Visit&& visit) const {
+  for (int z = 0; z < (dim > 2 ? support_ : 1); ++z) {
+    for (int y = 0; y < (dim > 1 ? support_ : 1); ++y) {
+      for (int x = 0; x < support_; ++x) {
+        visit(lowest + x + (dim > 1 ? y * grid_.stride(1) : 0) + (dim > 2 ? z * grid_.stride(2) : 0));
+      }
+    }
+  }
+}
+
+template <int dim>
+auto TouchingContact<dim>::points_near(const Scene& scene, const std::vector<std::size_t>& field_of_body,
+                                       std::size_t field, const std::vector<char>& shared) const -> std::vector<Near> {
+  std::vector<Near> near;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    if (field_of_body[b] != field) continue;
+    const Body& body = scene.bodies[b];
+    for (int p = 0; p < body.points.points(); ++p) {
+      Near point{Vec(), 0, 0, false};
+      for (int d = 0; d < dim; ++d) point.x[d] = body.points(column::position, d)[p];
+      point.lowest = lowest_node(point.x);
+      bool any = false;
+      for_support(point.lowest, [&](int node) { any = any || shared[static_cast<std::size_t>(node)]; });
+      if (!any) continue;
+      point.spacing = point_spacing(body, p, dim, scene.grid.axisymmetric);
+      near.push_back(point);
+    }
+  }
+  return near;
+}
+
+// By cells as wide as the widest spacing: who touches whom stands in the same cell or beside it. [Touching 1]
+template <int dim>
+void TouchingContact<dim>::find_touching(std::vector<Near>& first, std::vector<Near>& second) const {
+  double widest = 0;
+  for (const Near& p : first) widest = std::max(widest, p.spacing);
+  for (const Near& q : second) widest = std::max(widest, q.spacing);
+  using Cell = std::array<int, 3>;
+  const auto cell_of = [&](const Vec& x) {
+    Cell cell{};
+    for (int d = 0; d < dim; ++d) cell[static_cast<std::size_t>(d)] = static_cast<int>(std::floor(x[d] / widest));
+    return cell;
+  };
+  std::map<Cell, std::vector<std::size_t>> cells;
+  for (std::size_t k = 0; k < second.size(); ++k) cells[cell_of(second[k].x)].push_back(k);
+  for (Near& p : first) {
+    const Cell home = cell_of(p.x);
+    for (int k = 0; k < (dim == 1 ? 3 : dim == 2 ? 9 : 27); ++k) {
+      Cell there = home;
+      there[0] += k % 3 - 1;
+      if (dim > 1) there[1] += k / 3 % 3 - 1;
+      if (dim > 2) there[2] += k / 9 - 1;
+      const auto found = cells.find(there);
+      if (found == cells.end()) continue;
+      for (std::size_t other : found->second) {
+        Near& q = second[other];
+        if ((p.x - q.x).norm() < 0.5 * (p.spacing + q.spacing)) p.touches = q.touches = true;
+      }
+    }
+  }
+}
+
+template <int dim>
+void TouchingContact<dim>::find_candidates(std::size_t a, std::size_t b, const std::vector<Near>& first,
+                                           const std::vector<Near>& second) {
+  std::map<int, std::array<Cloud<dim>, 2>> clouds;  // of nodes that carry a touching point
+  const std::vector<Near>* const both[2] = {&first, &second};
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (const Near& p : *both[side]) {
+      if (p.touches) for_support(p.lowest, [&](int node) { clouds[node][side].touches = true; });
+    }
+  }
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (const Near& p : *both[side]) {
+      for_support(p.lowest, [&](int node) {
+        const auto found = clouds.find(node);
+        if (found != clouds.end()) found->second[side].add(p.x - grid_.position(node));
+      });
+    }
+  }
+  for (const auto& [node, cloud] : clouds) {
+    if (!cloud[0].touches || !cloud[1].touches) continue;
+    Eigen::Matrix<double, dim, dim> spread = cloud[0].covariance() + cloud[1].covariance();
+    spread.diagonal().array() += ridge * grid_.h() * grid_.h();
+    const Vec across = along_walls<dim>(grid_, node, spread.ldlt().solve(cloud[1].mean() - cloud[0].mean()));
+    if (across.norm() > 0) candidates_.push_back({node, a, b, across.normalized(), false});  // [Touching 2]
+  }
+}
+
+template <int dim>
+void TouchingContact<dim>::find(const Scene& scene, const std::vector<std::size_t>& field_of_body,
+                                const Fields& fields) {
+  candidates_.clear();
+  for (std::size_t a = 0; a < fields.size(); ++a) {
+    for (std::size_t b = a + 1; b < fields.size(); ++b) {
+      std::vector<char> shared;
+      for_shared_nodes(grid_, fields[a], fields[b], [&](int node) {
+        if (shared.empty()) shared.resize(static_cast<std::size_t>(grid_.node_count()));
+        shared[static_cast<std::size_t>(node)] = 1;
+      });
+      if (shared.empty()) continue;
+      std::vector<Near> first = points_near(scene, field_of_body, a, shared);
+      std::vector<Near> second = points_near(scene, field_of_body, b, shared);
+      if (first.empty() || second.empty()) continue;
+      find_touching(first, second);
+      find_candidates(a, b, first, second);
+    }
+  }
+  std::erase_if(candidates_, [&](const Candidate& c) {
+    const auto i = static_cast<std::size_t>(c.node);
+    return beyond_wall(grid_, c.node) || !(fields[c.a].mass[i] > least_mass) || !(fields[c.b].mass[i] > least_mass);
+  });
+  std::stable_sort(candidates_.begin(), candidates_.end(),
+                   [](const Candidate& left, const Candidate& right) { return left.node < right.node; });
+}
+
+// How strongly to push each pair apart so that no pair closes along its normal: of one pair s M_a M_b / (M_a + M_b), of
+// several that meet at a node the solution of G M^-1 G^T lambda = G v, an M-orthogonal projection too. [Touching 3]
+template <int dim>
+Eigen::VectorXd TouchingContact<dim>::pushes(const Fields& fields, const std::vector<Candidate*>& pairs,
+                                             const Velocities& of) const {
+  const auto count = static_cast<Eigen::Index>(pairs.size());
+  Eigen::MatrixXd compliance(count, count);
+  Eigen::VectorXd closing(count);
+  for (Eigen::Index r = 0; r < count; ++r) {
+    const Candidate& c = *pairs[static_cast<std::size_t>(r)];
+    const auto i = static_cast<std::size_t>(c.node);
+    closing[r] = ((fields[c.a].*of)[i] - (fields[c.b].*of)[i]).dot(c.normal);
+    const auto sign = [](const Candidate& at, std::size_t field) { return (at.a == field) - (at.b == field); };
+    for (Eigen::Index s = 0; s < count; ++s) {
+      const Candidate& other = *pairs[static_cast<std::size_t>(s)];
+      const double mobility = sign(other, c.a) / fields[c.a].mass[i] - sign(other, c.b) / fields[c.b].mass[i];
+      compliance(r, s) = mobility * c.normal.dot(other.normal);
+    }
+  }
+  if (count == 1) return closing / compliance(0, 0);
+  return compliance.completeOrthogonalDecomposition().solve(closing);
+}
+
+template <int dim>
+void TouchingContact<dim>::push_apart(Fields& fields, const std::vector<Candidate*>& pairs,
+                                      const Velocities& of) const {
+  const Eigen::VectorXd push = pushes(fields, pairs, of);
+  for (std::size_t r = 0; r < pairs.size(); ++r) {
+    const Candidate& c = *pairs[r];
+    const auto i = static_cast<std::size_t>(c.node);
+    const Vec impulse = push[static_cast<Eigen::Index>(r)] * c.normal;
+    (fields[c.a].*of)[i] -= impulse / fields[c.a].mass[i];
+    (fields[c.b].*of)[i] += impulse / fields[c.b].mass[i];
+  }
+}
+
+// Calls work(pairs) for the pairs of each node that `keep` keeps, node by node.
+template <int dim>
+template <class Keep, class Work>
+void TouchingContact<dim>::for_nodes(Keep&& keep, Work&& work) {
+  std::vector<Candidate*> pairs;
+  for (std::size_t k = 0; k < candidates_.size(); ++k) {
+    if (keep(candidates_[k])) pairs.push_back(&candidates_[k]);
+    if (k + 1 < candidates_.size() && candidates_[k + 1].node == candidates_[k].node) continue;
+    if (!pairs.empty()) work(pairs);
+    pairs.clear();
+  }
+}
+
+template <int dim>
+void TouchingContact<dim>::apply(Fields& fields, double, bool decide, const typename Contact<dim>::Visit& visit) {
+  const auto closes = [&](Candidate& c) {
+    const auto i = static_cast<std::size_t>(c.node);
+    if (decide) c.active = (fields[c.a].midpoint[i] - fields[c.b].midpoint[i]).dot(c.normal) > 0;
+    return c.active;
+  };
+  for_nodes(closes, [&](const std::vector<Candidate*>& pairs) {
+    std::vector<std::size_t> involved;
+    for (const Candidate* c : pairs) involved.insert(involved.end(), {c->a, c->b});
+    std::sort(involved.begin(), involved.end());
+    involved.erase(std::unique(involved.begin(), involved.end()), involved.end());
+    push_apart(fields, pairs, &VelocityField<dim>::midpoint);  // [Touching 3]
+    const auto i = static_cast<std::size_t>(pairs.front()->node);
+    for (const std::size_t f : involved) {
+      VelocityField<dim>& field = fields[f];
+      const Vec own = field.end[i];
+      field.end[i] = 2 * field.midpoint[i] - field.start[i];
+      visit({pairs.front()->node, field.mass[i], field.start[i], own, field.start[i], field.end[i]});
+    }
+  });
+}
+
+// Velocities mapped anew become common along the normal where they approach.
+template <int dim>
+void TouchingContact<dim>::apply_to_remapped(Fields& fields) {
+  const auto closes = [&](Candidate& c) {
+    const auto i = static_cast<std::size_t>(c.node);
+    return c.active && (fields[c.a].remapped[i] - fields[c.b].remapped[i]).dot(c.normal) > 0;
+  };
+  for_nodes(closes, [&](const std::vector<Candidate*>& pairs) {
+    push_apart(fields, pairs, &VelocityField<dim>::remapped);
+  });
+}
+
+template class TouchingContact<1>;
+template class TouchingContact<2>;
+template class TouchingContact<3>;
+
+}  // namespace plumbline

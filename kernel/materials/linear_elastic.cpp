@@ -1,0 +1,130 @@
+#include "kernel/materials/linear_elastic.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/pack.hpp"
+
+namespace plumbline {
+namespace {
+
+const RegisterMaterial entry{{"linear_elastic", "small strains, Hooke's law: line, plane strain or stress, rings, space",
+                              "L. D. Landau, E. M. Lifshitz, Theory of Elasticity, 3rd ed., section 4"}};
+
+// Normal components come first: 1 of 1, 2 of 3, 3 of 4 and of 6.
+int normals_of(int components) { return components == 1 ? 1 : components == 3 ? 2 : 3; }
+
+struct Law {
+  double lambda, mu;
+  int components, normals;
+
+  Law(const LinearElastic& material, const Columns& points)
+      : components(points.components(column::stress)),
+        normals(normals_of(components)) {
+    const LameConstants constants = material.constants(components == 1 ? 1 : components == 6 || components == 4 ? 3 : 2);
+    lambda = constants.lambda;
+    mu = constants.mu;
+  }
+  Pack trace(const Pack* strain) const {
+    Pack sum = strain[0];
+    for (int k = 1; k < normals; ++k) sum += strain[k];
+    return sum;
+  }
+  // Component k of the stress; shear strains are engineering strains. [Hooke 1]
+  Pack stress(const Pack* strain, const Pack& trace, int k) const {
+    return k < normals ? lambda * trace + 2 * mu * strain[k] : mu * strain[k];
+  }
+  // W = sigma : eps / 2, J/m^3.
+  Pack energy(const Pack* strain) const {
+    const Pack tr = trace(strain);
+    Pack sum = 0.0;
+    for (int k = 0; k < components; ++k) sum += 0.5 * stress(strain, tr, k) * strain[k];
+    return sum;
+  }
+};
+constexpr int most = 6;
+
+}  // namespace
+
+LameConstants LinearElastic::constants(int dim) const {
+  if (dim == 1) return {0, youngs_modulus / 2};
+  LameConstants constants = lame_constants(youngs_modulus, poissons_ratio);
+  if (dim == 2 && plane_stress) {
+    constants.lambda *= 2 * constants.mu / (constants.lambda + 2 * constants.mu);
+  }
+  return constants;
+}
+
+double LinearElastic::wave_speed(int dim) const {
+  const LameConstants c = constants(dim);
+  return std::sqrt((c.lambda + 2 * c.mu) / density);
+}
+
+void LinearElastic::add_columns(Columns& points, int) const {
+  points.add(column::strain, points.components(column::stress));
+}
+
+std::vector<const ColumnId*> LinearElastic::internal_variables(const MaterialContext&) const {
+  return {&column::strain};
+}
+
+std::vector<double> LinearElastic::rates(const Columns& points, const MaterialContext&) const {
+  const auto rate = points.values(column::strain_rate);
+  return {rate.begin(), rate.end()};
+}
+
+double LinearElastic::advance(Columns& points, PointRange range, const MaterialContext&, double dt) const {
+  const Law law(*this, points);
+  const double* volume = points(column::volume);
+  Pack stored = 0.0;
+  for_packs(range.first, range.last, [&](int p, int count) {
+    Pack strain[most];
+    for (int k = 0; k < law.components; ++k) strain[k] = load(points(column::strain, k) + p);
+    const Pack before = law.energy(strain);
+    for (int k = 0; k < law.components; ++k) {
+      strain[k] += dt * load(points(column::strain_rate, k) + p);  // [Hooke 1]
+      plumbline::store(points(column::strain, k) + p, strain[k], count);
+    }
+    stored += kept(load(volume + p) * (law.energy(strain) - before), count);
+  });
+  return sum(stored);
+}
+
+void LinearElastic::evaluate_stress(Columns& points, PointRange range, const MaterialContext& context) const {
+  const Law law(*this, points);
+  for_packs(range.first, range.last, [&](int p, int count) {
+    Pack strain[most];
+    for (int k = 0; k < law.components; ++k) {
+      strain[k] = load(points(column::strain, k) + p);
+      if (context.ahead != 0) strain[k] += context.ahead * load(points(column::strain_rate, k) + p);
+    }
+    const Pack trace = law.trace(strain);
+    for (int k = 0; k < law.components; ++k) {
+      plumbline::store(points(column::stress, k) + p, law.stress(strain, trace, k), count);
+    }
+  });
+}
+
+double LinearElastic::stored_energy(const Columns& points, PointRange range) const {
+  const Law law(*this, points);
+  Pack stored = 0.0;
+  for_packs(range.first, range.last, [&](int p, int count) {
+    Pack strain[most];
+    for (int k = 0; k < law.components; ++k) strain[k] = load(points(column::strain, k) + p);
+    stored += kept(load(points(column::volume) + p) * law.energy(strain), count);
+  });
+  return sum(stored);
+}
+
+StepBounds LinearElastic::step_bounds(const Columns& points, PointRange range, int dim) const {
+  const Law law(*this, points);
+  StepBounds bounds;
+  bounds.fastest = std::sqrt((law.lambda + 2 * law.mu) / density) + fastest_point(points, range, dim);
+  return bounds;
+}
+
+Material::Fault LinearElastic::first_fault(const Columns& points, PointRange range) const {
+  return first_not_finite(points, range, column::strain, "the strain must be finite");
+}
+
+}  // namespace plumbline

@@ -1,0 +1,157 @@
+// Bodies that meet, step by step: ledger, energy, and what contact must not touch.
+#include <cmath>
+
+#include "tests/kernel/contact/two_clouds.hpp"
+
+namespace plumbline {
+namespace {
+
+using meetings::block;
+using meetings::elastic_body;
+using scenes::Combination;
+using scenes::Place;
+
+// Two blocks a little more than a point apart, off centre, that meet; h = 0.1, two points a cell.
+Scene blocks(int dim, const std::string& shape, const std::string& transfer, const std::string& contact,
+             double apart = 0.02, double speed = 1) {
+  const double s = 0.05;
+  const std::array<int, 3> count{8, dim > 1 ? 10 : 1, dim > 2 ? 6 : 1};
+  const double y = dim > 1 ? 0.5 : 0, z = dim > 2 ? 0.4 : 0;
+  Scene scene;
+  scene.grid = scenes::box(scenes::space_of(dim), {20, 16, 12}, 0.1);
+  scene.bodies = {elastic_body("a", dim, block({0.4, y, z}, count, s), s, {speed, 0.1, 0}),
+                  elastic_body("b", dim, block({0.8 + apart, y + (dim > 1 ? 0.1 : 0), z}, count, s), s)};
+  scene.shape = shape;
+  scene.transfer = transfer;
+  scene.contact = contact;
+  return scene;
+}
+
+// Every transfer under the steps with one, two and no further maps, each contact: all of it is booked. Linear shapes have
+// light nodes that fly fast, whose sums round more coarsely; XPIC and FMPM, which take differences of them, go without.
+TEST(Collision, LedgerClosesWithContact) {
+  for (const char* contact : {"york-9.7", "york-9.9", "touching"}) {
+    for (const Choice& transfer : transfers()) {
+      for (const char* integrator : {"musl", "usl", "usf", "midpoint"}) {
+        for (const char* shape : {"linear", "quadratic", "contiguous-gimp"}) {
+          const std::string light = "linear";
+          if (shape == light && (transfer.name == "xpic" || transfer.name == "fmpm")) continue;
+          Simulation simulation(blocks(2, shape, transfer.name, contact), integrator, {.dt = 1e-3});
+          for (int step = 0; step < 60; ++step) simulation.step(1e-3);
+          const Combination combination{integrator, shape, transfer.name};
+          SCOPED_TRACE(testing::Message() << contact << ' ' << combination);
+          scenes::expect_ledger_closes(simulation.ledger(), 1e-13);
+          EXPECT_GT(scenes::by_id(simulation.scene().bodies[1], column::velocity)[0], 1e-3) << "they met";
+          EXPECT_LE(std::abs(simulation.ledger().momentum[0].flow(Flow::contact)), 1e-13);
+          EXPECT_LE(std::abs(simulation.ledger().angular_momentum[2].flow(Flow::contact)), 1e-13);
+        }
+      }
+    }
+  }
+}
+
+// A wall takes its part of a contact beside it, also where it mirrors kernels.
+TEST(Collision, LedgerClosesBesideWalls) {
+  for (Wall wall : {Wall::symmetry, Wall::no_slip}) {
+    for (const char* contact : {"york-9.7", "touching"}) {
+      for (const char* transfer : {"apic", "flip"}) {
+        Scene scene = blocks(2, "quadratic", transfer, contact);
+        scene.grid.origin[1] = 0.5;
+        scene.grid.walls[1] = {wall, Wall::free};
+        Simulation simulation(scene, "midpoint", {.dt = 1e-3});
+        for (int step = 0; step < 60; ++step) simulation.step(1e-3);
+        SCOPED_TRACE(testing::Message() << contact << ' ' << transfer << ' ' << static_cast<int>(wall));
+        scenes::expect_ledger_closes(simulation.ledger(), 1e-12);
+      }
+    }
+  }
+}
+
+TEST(Collision, BodiesThatNeverMeetAreLeftBitForBit) {
+  for (const char* transfer : {"apic", "flip"}) {
+    const auto run = [&](const char* contact) {
+      Simulation simulation(blocks(2, "quadratic", transfer, contact, 0.4, 0.5), "midpoint", {.dt = 2e-3});
+      for (int step = 0; step < 50; ++step) simulation.step(2e-3);
+      return simulation.save();
+    };
+    const Checkpoint alone = run("none");
+    for (const char* contact : {"york-9.7", "york-9.8", "york-9.9", "touching"}) {
+      const Checkpoint with = run(contact);
+      for (std::size_t b = 0; b < 2; ++b) {
+        for (const ColumnId* id : {&column::position, &column::velocity, &column::stress}) {
+          const auto left = alone.points[b].values(*id), right = with.points[b].values(*id);
+          EXPECT_TRUE(std::equal(left.begin(), left.end(), right.begin(), right.end())) << contact << ' ' << id->name();
+        }
+      }
+    }
+  }
+}
+
+TEST(Collision, NoResultDependsOnThreads) {
+  const auto run = [](int threads) {
+    const double s = 0.02;
+    Scene scene = blocks(2, "quadratic", "apic", "touching");
+    scene.grid.h = 0.04;
+    scene.grid.cells = {40, 40, 1};
+    scene.bodies = {elastic_body("a", 2, block({0.2, 0.2, 0}, {30, 50, 1}, s), s, {1, 0, 0}),
+                    elastic_body("b", 2, block({0.81, 0.25, 0}, {30, 50, 1}, s), s)};
+    Simulation simulation(scene, "midpoint", {.dt = 1e-3, .threads = threads});
+    for (int step = 0; step < 40; ++step) simulation.step(1e-3);
+    return simulation.save();
+  };
+  const Checkpoint one = run(1), four = run(4);
+  scenes::expect_same_ledger(one.ledger, four.ledger);
+  for (std::size_t b = 0; b < 2; ++b) {
+    const auto left = one.points[b].values(column::velocity), right = four.points[b].values(column::velocity);
+    EXPECT_TRUE(std::equal(left.begin(), left.end(), right.begin(), right.end()));
+  }
+}
+
+// No step of linear elasticity raises the energy, contact included; the bodies part. The step is below the bound of the
+// quadratic shapes, C <= 2/sqrt(6 (1 + nu)). [Midpoint 4] [Touching 3]
+TEST(Collision, MidpointNeverRaisesTheEnergy) {
+  for (int dim : {1, 2, 3}) {
+    for (const char* transfer : {"apic", "pic"}) {
+      Simulation simulation(blocks(dim, "quadratic", transfer, "touching"), "midpoint", {0.5});
+      const double start = simulation.ledger().initial_stores.total();
+      double last = start, rise = 0;
+      const double end = dim == 3 ? 0.12 : 0.2;
+      simulation.run_until(end, [&](const Simulation& now) {
+        const double energy = now.ledger().stores.total();
+        rise = std::max(rise, energy - last);
+        last = energy;
+      });
+      EXPECT_LE(rise, 1e-13 * start) << dim << ' ' << transfer;
+      EXPECT_LT(last, start);
+      const auto& bodies = simulation.scene().bodies;
+      if (dim == 3) continue;
+      EXPECT_GT(scenes::by_id(bodies[1], column::position)[0] - scenes::by_id(bodies[0], column::position)[7], 0.06);
+    }
+  }
+}
+
+// Two rods of one length: the face presses with rho c v/2 for 2L/c, and then all motion has gone over.
+TEST(Collision, RodsExchangeTheirVelocities) {
+  const double h = 0.01, s = h / 2, c = 10, v = 0.1;  // E = 100, rho = 1
+  Scene scene;
+  scene.grid = scenes::line(200, h);
+  scene.bodies = {elastic_body("a", 1, block({0.5, 0, 0}, {80, 1, 1}, s), s, {v, 0, 0}),
+                  elastic_body("b", 1, block({0.9001, 0, 0}, {80, 1, 1}, s), s)};
+  scene.contact = "touching";
+  Simulation simulation(scene, "midpoint", {0.5});
+  const auto momentum = [&](std::size_t b) {
+    double sum = 0;
+    for (double u : scenes::by_id(simulation.scene().bodies[b], column::velocity)) sum += s * u;
+    return sum;
+  };
+  const double meet = 1e-4 / v;
+  simulation.run_until(meet + 0.4 / c);
+  EXPECT_NEAR(momentum(1), 0.5 * c * v * 0.4 / c, 0.5 * c * v * 2 * 0.5 * h / c);  // begun within two steps
+  simulation.run_until(meet + 3 * 0.8 / c);
+  EXPECT_NEAR(momentum(0) + momentum(1), 0.4 * v, 1e-14);
+  EXPECT_GT(momentum(1) - momentum(0), 0.9 * 0.4 * v);
+  EXPECT_LE(momentum(1) - momentum(0), 0.4 * v);
+}
+
+}  // namespace
+}  // namespace plumbline
