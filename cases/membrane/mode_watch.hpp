@@ -16,7 +16,11 @@ class ModeWatch {
   // The displacement is the component `direction` of the position from `rest` (m). shape: phi_p, one a point.
   // start: q at t = 0, not 0, released from rest.
   ModeWatch(std::vector<double> shape, double rest, int direction, double start)
-      : shape_(std::move(shape)), rest_(rest), direction_(direction), times_{0}, coordinate_{start} {}
+      : shape_(std::move(shape)),
+        rest_(rest),
+        direction_(direction),
+        times_{0},
+        coordinate_{start} {}
 
   void observe(const Simulation& simulation);  // the first body's points, in the order of `shape`
 

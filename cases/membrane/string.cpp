@@ -59,10 +59,11 @@ Chord chord(const Columns& points) {
 }  // namespace
 
 Key strain_key() {
-  return {.name = "strain",
-          .value = "accumulated",
-          .choices = {"accumulated", "segments"},
-          .description = "of the string: summed from rates at the points, or the stretch of the segments between them"};
+  return {
+      .name = "strain",
+      .value = "segments",
+      .choices = {"accumulated", "segments"},
+      .description = "of the string: the stretch of the segments between points, or summed from rates at the points"};
 }
 
 StringState straight_string(std::array<double, 2> from, std::array<double, 2> to, int points, double strain) {

@@ -12,9 +12,11 @@
 namespace plumbline {
 
 // How the points of a string know their strain; the key `strain` of every membrane case.
-//   accumulated  t . e . t summed over time at each point [York 5.2, 5.3], UniaxialMembrane
-//   segments     stretch of the segments between points, SegmentMembrane
+//   segments     stretch of the segments between points, SegmentMembrane: what `default` takes
+//   accumulated  t . e . t summed over time at each point [York 5.2, 5.3], UniaxialMembrane: York's
 Key strain_key();
+// What york1997 sets of it.
+inline Override york_strain() { return {"strain", "accumulated"}; }
 
 struct StringMaterial {
   double youngs_modulus = 0;  // E, Pa, > 0

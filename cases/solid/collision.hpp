@@ -46,8 +46,8 @@ class MomentumWatch {
   double error_ = 0;
 };
 
-// When a body got its momentum along d from another: the interval of a steady push with the same times at which a tenth,
-// half and nine tenths of the impulse have been given. Interpolated, so that it knows no steps.
+// When a body got its momentum along d from another: the interval of a steady push with the same times at which 0.5 %,
+// half and 99.5 % of the impulse have been given. Interpolated, so that it knows no steps.
 class PushWatch {
  public:
   PushWatch(int d, double start_momentum) : d_(d), times_{0}, momenta_{start_momentum} {}
@@ -55,13 +55,15 @@ class PushWatch {
   // The same from a history of a momentum.
   void observe(double time, double momentum);
 
-  double start() const { return 1.25 * time_of(0.1) - 0.25 * time_of(0.5); }  // NaN if nothing was given
-  double end() const { return 1.25 * time_of(0.9) - 0.25 * time_of(0.5); }
+  double start() const { return beyond(time_of(edge)); }  // NaN if nothing was given
+  double end() const { return beyond(time_of(1 - edge)); }
   double duration() const { return end() - start(); }
   // When this share of the impulse until the end had been given for the first time.
   double time_of(double share) const;
 
  private:
+  static constexpr double edge = 0.005;
+  double beyond(double time) const { return time + (time - time_of(0.5)) * edge / (0.5 - edge); }
   int d_;
   std::vector<double> times_, momenta_;
 };

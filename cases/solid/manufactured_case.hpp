@@ -38,6 +38,9 @@ std::vector<CaseGate> displacement_order(const std::string& study, double order,
 // The error at one level at most `most`.
 CaseGate displacement_gate(const std::string& study, double level, double most, Origin origin,
                            const std::string& reason, Tier tier = Tier::quick);
+// That no step raises the energy of the points: largest measure energy_rise of all runs of a study. Linear elasticity,
+// midpoint step, no load.
+CaseGate energy_monotone_gate(const std::string& study);
 // The order that the target asks for and a scheme misses: as an expected failure with the band of its estimate.
 CaseGate missed_order(const std::string& study, double order, const std::string& cause, Range band);
 

@@ -47,15 +47,15 @@ class MmsAxisAligned final : public ManufacturedCase {
             positive_key("t_end", 0.02, "s", "end time")};
   }
 
-  std::vector<double> default_levels() const override { return {8, 11, 16, 22, 32}; }
+  std::vector<double> default_levels() const override { return {6, 8, 11, 16, 22}; }
 
   std::vector<StudyPlan> studies() const override {
     const std::string why = "Boxes tile the body throughout: order 2.";
     return {{.id = "plane",
              .title = "default, square",
              .why = why,
-             .values = {8, 11, 16, 22, 32},
-             .full_values = {8, 16, 32, 64, 128}},
+             .values = {6, 8, 11, 16, 22},
+             .full_values = {8, 12, 16, 24, 32, 48, 64}},
             {.id = "space",
              .title = "default, cube",
              .why = why,

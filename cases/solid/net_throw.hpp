@@ -6,9 +6,9 @@ namespace plumbline {
 // The net is a straight line between two supports, unstretched; the ball, a disk, meets it in the middle at right
 // angles. Lengths in m; mass in kg and stiffness E A in N, both per depth.
 struct NetBall {
-  double radius = 0, mass = 0, speed = 0;    // > 0
-  double length = 0;                         // between the supports, > 2 radius
-  double stiffness = 0;                      // tension over strain, > 0
+  double radius = 0, mass = 0, speed = 0;  // > 0
+  double length = 0;                       // between the supports, > 2 radius
+  double stiffness = 0;                    // tension over strain, > 0
 };
 
 struct NetThrow {

@@ -74,8 +74,8 @@ class TwoBarMeeting final : public Problem {
     push_.observe(bodies[1], 2, simulation.time());
     const BodyMotion first = motion_of(bodies[0], 2), second = motion_of(bodies[1], 2);
     const EnergyStores& stores = simulation.ledger().stores;
-    history_.push_back({simulation.time(), first.velocity[0], second.velocity[0], first.position[0],
-                        second.position[0], stores.kinetic, stores.elastic});
+    history_.push_back({simulation.time(), first.velocity[0], second.velocity[0], first.position[0], second.position[0],
+                        stores.kinetic, stores.elastic});
   }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {
@@ -226,52 +226,64 @@ class TwoBarCase final : public Case {
         "No order is derived: the front of the pressure wave is a jump, and each map takes of it what the grid cannot "
         "hold. Finite elements show 0.6.";
     const std::string york = "York's mesh, as in Figs. 94-96.";
-    return {{.id = "default", .title = "default at York's speed", .why = front, .values = {20, 40},
-             .full_values = {20, 40, 80}},
-            {.id = "fast",
-             .title = "default at ten times the speed",
-             .why = front,
-             .overrides = {{"speed", 20.0}},
-             .values = {20, 40, 80},
-             .full_values = {20, 40, 80, 160}},
-            {.id = "quadratic",
-             .title = "quadratic B-splines instead of boxes",
-             .why = front,
-             .overrides = {{"speed", 20.0}, {"shape", "quadratic"}},
-             .values = {20, 40, 80},
-             .full_values = {20, 40, 80, 160}},
-            {.id = "none",
-             .title = "one velocity for all",
-             .why = "One mesh: nothing lets the bars part.",
-             .overrides = {{"contact", "none"}},
-             .values = {20}},
-            {.id = "york1997", .title = "York's run, criterion 9.7", .why = york, .scheme = "york1997", .values = {20}},
-            {.id = "york-9.8",
-             .title = "York's criterion 9.8",
-             .why = york,
-             .scheme = "york1997",
-             .overrides = {{"contact", "york-9.8"}},
-             .values = {20}},
-            {.id = "york-9.9",
-             .title = "York's criterion 9.9",
-             .why = york,
-             .scheme = "york1997",
-             .overrides = {{"contact", "york-9.9"}},
-             .values = {20}},
-            {.id = "york-step",
-             .title = "York's run, step refined alone",
-             .why = "His force and his strain see the same field, so that the switch to release does no work but for the "
-                    "step's own error.",
-             .scheme = "york1997",
-             .vary = Vary::dt,
-             .values = {1, 0.25, 0.125},
-             .full_values = {1, 0.5, 0.25, 0.125, 0.0625}},
-            {.id = "york-offset",
-             .title = "York's run on shifted grids",
-             .why = "Where the grid stands changes when nodes are shared, and with it which of his runs one sees.",
-             .scheme = "york1997",
-             .vary = Vary::offset,
-             .values = {0, 0.25, 0.5, 0.75}}};
+    return {
+        {.id = "default",
+         .title = "default at York's speed",
+         .why = front,
+         .values = {20, 40},
+         .full_values = {20, 40, 80}},
+        {.id = "fast",
+         .title = "default at ten times the speed",
+         .why = front,
+         .overrides = {{"speed", 20.0}},
+         .values = {20, 40, 80},
+         .full_values = {20, 40, 80, 160}},
+        {.id = "quadratic",
+         .title = "quadratic B-splines instead of boxes",
+         .why = front,
+         .overrides = {{"speed", 20.0}, {"shape", "quadratic"}},
+         .values = {20, 40},
+         .full_values = {20, 40, 80, 160}},
+        {.id = "none",
+         .title = "one velocity for all",
+         .why = "One mesh: nothing lets the bars part.",
+         .overrides = {{"contact", "none"}},
+         .values = {20}},
+        {.id = "york-none",
+         .title = "York's run without release",
+         .why = york,
+         .scheme = "york1997",
+         .overrides = {{"contact", "none"}},
+         .values = {20}},
+        {.id = "york1997", .title = "York's run, criterion 9.7", .why = york, .scheme = "york1997", .values = {20}},
+        {.id = "york-9.8",
+         .title = "York's criterion 9.8",
+         .why = york,
+         .scheme = "york1997",
+         .overrides = {{"contact", "york-9.8"}},
+         .values = {20}},
+        {.id = "york-9.9",
+         .title = "York's criterion 9.9",
+         .why = york,
+         .scheme = "york1997",
+         .overrides = {{"contact", "york-9.9"}},
+         .values = {20}},
+        {.id = "york-step",
+         .title = "York's run, step refined alone",
+         .why = "His force and his strain see the same field, so that the switch to release does no work but for the "
+                "step's own error.",
+         .scheme = "york1997",
+         .vary = Vary::dt,
+         .values = {1, 0.25, 0.125},
+         .full_values = {1, 0.5, 0.25, 0.125, 0.0625}},
+        {.id = "york-offset",
+         .title = "York's run on shifted grids",
+         .why = "Where the grid stands changes when nodes are shared, and with it which of his runs one sees. Left "
+                "out are shifts that put points on nodes: there the mass of some nodes is rounding, and the run "
+                "blows up.",
+         .scheme = "york1997",
+         .vary = Vary::offset,
+         .values = {0, 0.1, 0.3, 0.5, 0.7, 0.9}}};
   }
 
   std::vector<CaseGate> gates() const override {
@@ -285,11 +297,16 @@ class TwoBarCase final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {0, 0}; }
+  GateCount gate_count() const override { return {24 + 10 * 5, 28 + 10 * 5}; }
 
  private:
   static Gate target(const std::string& id, Range range, const std::string& why) {
     return declare(id, range, Origin::target, why);
+  }
+
+  static Gate named(Gate gate, const std::string& quantity) {
+    gate.quantity = quantity;
+    return gate;
   }
 
   // What the midpoint step promises.
@@ -315,11 +332,15 @@ class TwoBarCase final : public Case {
   static std::vector<CaseGate> contact_gates() {
     const double lasts = reference_bars().contact_duration().value;
     std::vector<CaseGate> all;
-    all.push_back(error_gate("fast", "contact_duration", 80,
-                             target("fast/contact-duration-80", {{}, 0.02 * lasts}, "within 2 % of 2L/c, as planned")));
-    all.push_back(error_gate("default", "contact_duration", 80,
-                             target("default/contact-duration-80", {{}, 0.02 * lasts}, "within 2 % of 2L/c, as planned"),
-                             Tier::full));
+    all.push_back(error_gate(
+        "fast", "contact_duration", 80,
+        expected_failure(target("fast/contact-duration-80", {{}, 0.02 * lasts}, "within 2 % of 2L/c, as planned"),
+                         "the front that ends the contact is smeared over a cell or two, which it crosses in 2.5 % of "
+                         "2L/c; and a step is 1.2 % of it",
+                         {0.02 * lasts, 0.04 * lasts}, "2026-11-21 a3c4d4e")));
+    all.push_back(error_gate(
+        "default", "contact_duration", 80,
+        target("default/contact-duration-80", {{}, 0.02 * lasts}, "within 2 % of 2L/c, as planned"), Tier::full));
     for (const char* study : {"default", "fast", "quadratic"}) all.push_back(rising_gate(study));
     all.push_back(value_gate("fast", "restitution", 80,
                              target("fast/restitution-80", {0.88, {}}, "at least 0.88 at h = 0.0625, as planned")));
@@ -330,16 +351,18 @@ class TwoBarCase final : public Case {
                              target("default/parted", {0.25, {}}, "the bars end more than a cell apart")));
     all.push_back(value_gate("none", "separation", 20,
                              declare("none/sticks", {{}, 0.5}, Origin::literature,
-                                     "York: without release the bars stick; nodes within a cell of either hold both")));
-    all.push_back(value_gate("none", "restitution", 20,
-                             declare("none/restitution", {-0.1, 0.1}, Origin::literature,
+                                     "York: without release the bars stick; here: they end no further apart than they "
+                                     "began")));
+    all.push_back(value_gate("york-none", "restitution", 20,
+                             declare("york-none/restitution", {-0.1, 0.1}, Origin::literature,
                                      "York: without release the restitution is 0, but for the vibration of the pair")));
     return all;
   }
 
   // Every refinement brings the bars to part faster, and none faster than the reference.
   static CaseGate rising_gate(const std::string& study) {
-    Gate gate = target(study + "/restitution-rises", {0, {}}, "restitution rises with refinement, towards the reference");
+    Gate gate = target(study + "/restitution-rises", {0, {}},
+                       "restitution rises with refinement, towards the reference");
     gate.quantity = "least rise of the restitution from level to level, and what is left to the reference";
     return study_gate(study, gate, [](const StudyResult& s) {
       Measured measured;
@@ -367,11 +390,11 @@ class TwoBarCase final : public Case {
     all.push_back(value_gate("york1997", "restitution", 20,
                              expected_failure(declare("york1997/restitution", {0.66, 0.76}, Origin::literature,
                                                       "York: 0.71; half a digit of what he reads off"),
-                                              chaotic, {-0.2, 0.6}, "2026-11-21 a96ec71")));
+                                              chaotic, {-0.2, 0.6}, "2026-11-21 a3c4d4e")));
     all.push_back(value_gate("york1997", "highest_energy", 20,
                              expected_failure(declare("york1997/energy", {{}, 1.001}, Origin::target,
                                                       "no energy is created, but for 0.1 % of first-order stepping"),
-                                              creates, {1.02, 2}, "2026-11-21 a96ec71")));
+                                              creates, {1.02, 2}, "2026-11-21 a3c4d4e")));
     all.push_back(value_gate("york-step", "highest_energy", 0.125,
                              declare("york-step/energy-eighth", {{}, 1.01}, Origin::theory,
                                      "force and strain see the same field: what is created goes with the step")));
@@ -379,6 +402,22 @@ class TwoBarCase final : public Case {
                              declare("york-step/restitution-eighth", {0.81, 0.89}, Origin::literature,
                                      "York: 0.82 and 0.81 at v = 20; the answer is linear in the speed but for when "
                                      "points cross cells")));
+    all.push_back(study_gate(
+        "york-offset",
+        expected_failure(named(declare("york-offset/energy", {{}, 1.001}, Origin::target, "no energy is created"),
+                               "least of the highest energies over the offsets"),
+                         creates, {1.02, 3}, "2026-11-21 a3c4d4e"),
+        [](const StudyResult& s) {
+          Measured measured;
+          double least = HUGE_VAL;
+          for (const StudyLevel& level : s.levels) {
+            const Measure* found = level.run.find("highest_energy");
+            least = smaller(least, found ? *found->value : std::nan(""));
+          }
+          measured.value = least;
+          measured.scale = 1;
+          return measured;
+        }));
     Gate same = declare("york-9.8/as-9.7", {{}, 1e-12}, Origin::literature,
                         "York: both criteria give the same; v1 - v_cm points where v1 - v2 does");
     same.quantity = "difference of the restitutions with criteria 9.8 and 9.7";

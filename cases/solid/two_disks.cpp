@@ -51,7 +51,8 @@ class TwoDisks final : public Problem {
   std::vector<Measure> measures(const Simulation& simulation) const override {
     const Ledger& ledger = simulation.ledger();
     const double start = ledger.initial_stores.kinetic;
-    const BodyMotion lower = motion_of(simulation.scene().bodies[0], 2), upper = motion_of(simulation.scene().bodies[1], 2);
+    const BodyMotion lower = motion_of(simulation.scene().bodies[0], 2),
+                     upper = motion_of(simulation.scene().bodies[1], 2);
     const double along = (upper.velocity[0] - lower.velocity[0] + upper.velocity[1] - lower.velocity[1]) / (4 * speed);
     const auto share = [](std::string name, double value, double reference) {
       Measure measure = scalar_measure(std::move(name), value, reference, 0, "1");
@@ -90,9 +91,10 @@ class TwoDisks final : public Problem {
     elastic->youngs_modulus = youngs_modulus;
     elastic->poissons_ratio = poisson;
     elastic->density = density;
-    const SolidShape shape{{centre - radius, centre - radius, 0},
-                           {centre + radius, centre + radius, 0},
-                           [=](const std::array<double, 3>& x) { return std::hypot(x[0] - centre, x[1] - centre) < radius; }};
+    const SolidShape shape{
+        {centre - radius, centre - radius, 0},
+        {centre + radius, centre + radius, 0},
+        [=](const std::array<double, 3>& x) { return std::hypot(x[0] - centre, x[1] - centre) < radius; }};
     Body body = fill_solid(name, elastic, shape, density, settings_.integer("ppc"), grid);
     for (int d = 0; d < 2; ++d) std::fill_n(body.points(column::velocity, d), body.points.points(), velocity);
     return body;
@@ -125,7 +127,8 @@ class TwoDisksCase final : public Case {
     s.sketch = sketch;
     s.cells_along = "the unit square";
     s.reference_name = "none";
-    s.reference_text = "Conservation of energy and momentum, and published figures of the same points on the same grid.";
+    s.reference_text =
+        "Conservation of energy and momentum, and published figures of the same points on the same grid.";
     s.reference_bound = "None.";
     s.known_limits = {
         "Strains reach 20 %, beyond what linear strains describe; the published runs use them all the same.",
@@ -136,12 +139,7 @@ class TwoDisksCase final : public Case {
   Kind kind() const override { return Kind::solid; }
 
   std::vector<Key> keys() const override {
-    return {{.name = "t_end",
-             .value = 4.0,
-             .unit = "s",
-             .low = 0,
-             .low_open = true,
-             .description = "end time"}};
+    return {{.name = "t_end", .value = 4.0, .unit = "s", .low = 0, .low_open = true, .description = "end time"}};
   }
 
   std::vector<Override> points_and_end(const std::string&) const override { return {{"cells", 20.0}}; }

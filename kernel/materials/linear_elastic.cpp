@@ -8,7 +8,8 @@
 namespace plumbline {
 namespace {
 
-const RegisterMaterial entry{{"linear_elastic", "small strains, Hooke's law: line, plane strain or stress, rings, space",
+const RegisterMaterial entry{{"linear_elastic",
+                              "small strains, Hooke's law: line, plane strain or stress, rings, space",
                               "L. D. Landau, E. M. Lifshitz, Theory of Elasticity, 3rd ed., section 4"}};
 
 // Normal components come first: 1 of 1, 2 of 3, 3 of 4 and of 6.
@@ -21,7 +22,9 @@ struct Law {
   Law(const LinearElastic& material, const Columns& points)
       : components(points.components(column::stress)),
         normals(normals_of(components)) {
-    const LameConstants constants = material.constants(components == 1 ? 1 : components == 6 || components == 4 ? 3 : 2);
+    const LameConstants constants = material.constants(components == 1                      ? 1
+                                                       : components == 6 || components == 4 ? 3
+                                                                                            : 2);
     lambda = constants.lambda;
     mu = constants.mu;
   }

@@ -21,9 +21,8 @@ struct Loops {
     Components<Matrix, Number> in_plane;
     Number* hoop;
     template <class C>
-    Reading(C& points, const ColumnId& id)
-        : in_plane(points, id),
-          hoop(rings ? points(id, dim * dim) : nullptr) {}
+    Reading(C& points, const ColumnId& id) : in_plane(points, id),
+                                             hoop(rings ? points(id, dim * dim) : nullptr) {}
     double hoop_at(int p, double none) const { return rings ? hoop[p] : none; }
   };
   struct Stretch {
@@ -108,8 +107,8 @@ struct Loops {
       const Stretch here{deformation.in_plane[p], deformation.hoop_at(p, 1)};
       const Matrix left = here.f * here.f.transpose();
       const double square = std::max(left.cwiseAbs().rowwise().sum().maxCoeff(), rings ? here.hoop * here.hoop : 0.0);
-      const double speed =
-          std::sqrt((c.mu * (square + 1) + c.lambda * std::max(0.0, 1 - std::log(here.volume_ratio()))) / m.density);
+      const double speed = std::sqrt(
+          (c.mu * (square + 1) + c.lambda * std::max(0.0, 1 - std::log(here.volume_ratio()))) / m.density);
       if (!std::isnan(largest) && !(speed <= largest)) largest = speed;
     }
     return largest;

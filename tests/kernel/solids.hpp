@@ -100,9 +100,9 @@ inline Scene rough_solid(Law law, const Scene& gas, double strain = 0.1) {
   if (is_chain(law)) {
     places.clear();
     for (int k = 0; k < 12; ++k) {
-      places.push_back({0.13 + 0.022 * k, 0.21 + 0.07 * std::sin(0.9 * k), 0.19 + 0.05 * std::cos(1.1 * k)});
+      places.push_back({0.13 + 0.0223 * k, 0.21 + 0.07 * std::sin(0.9 * k), 0.19 + 0.05 * std::cos(1.1 * k)});
     }
-    volume = 0.02 * 0.022;
+    volume = 0.02 * 0.0223;
   }
   scene.bodies = {solid_body(law, space, places, volume)};
   Columns& points = scene.bodies[0].points;

@@ -134,7 +134,8 @@ TEST(String, EnergyDriftIsIntegrationAndTransferOverTheScale) {
 TEST(String, TheKeyNamesBothMeasures) {
   const Key key = strain_key();
   EXPECT_EQ(key.name, "strain");
-  EXPECT_EQ(std::get<std::string>(key.value), "accumulated");
+  EXPECT_EQ(std::get<std::string>(key.value), "segments");
+  EXPECT_EQ(std::get<std::string>(york_strain().second), "accumulated");
   EXPECT_EQ(key.choices, (std::vector<std::string>{"accumulated", "segments"}));
 }
 

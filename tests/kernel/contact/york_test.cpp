@@ -59,10 +59,11 @@ TEST(York, CriteriaWithNaiveNormals) {
         const auto i = static_cast<std::size_t>(node);
         const Vec n1 = normals[0][i], n2 = normals[1][i];
         const double m1 = meeting.fields[0].mass[i], m2 = meeting.fields[1].mass[i];
-        const Vec v1 = meeting.fields[0].start[i], v2 = meeting.fields[1].start[i], cm = (m1 * v1 + m2 * v2) / (m1 + m2);
-        const bool contact = which == 0   ? (v1 - v2).dot(n1) > 0                                // [York 9.7]
-                             : which == 1 ? (v1 - cm).dot(n1) > 0                                // [York 9.8]
-                                          : (v1 - cm).dot(n1) > 0 || (v2 - cm).dot(n2) > 0;      // [York 9.9]
+        const Vec v1 = meeting.fields[0].start[i], v2 = meeting.fields[1].start[i],
+                  cm = (m1 * v1 + m2 * v2) / (m1 + m2);
+        const bool contact = which == 0   ? (v1 - v2).dot(n1) > 0                            // [York 9.7]
+                             : which == 1 ? (v1 - cm).dot(n1) > 0                            // [York 9.8]
+                                          : (v1 - cm).dot(n1) > 0 || (v2 - cm).dot(n2) > 0;  // [York 9.9]
         if (contact) expected.insert(node);
       }
       const char* names[] = {"york-9.7", "york-9.8", "york-9.9"};
