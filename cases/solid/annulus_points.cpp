@@ -80,7 +80,8 @@ Piece piece_of(const Annulus& a, double x, double y, double edge) {
 
 // All pieces of at least half a square.
 std::vector<Piece> pieces_of(const Annulus& a, double spacing) {
-  const int reach = static_cast<int>(std::ceil(a.outer / spacing)) + 1, low = a.quarter ? 0 : -reach, count = reach - low;
+  const int reach = static_cast<int>(std::ceil(a.outer / spacing)) + 1, low = a.quarter ? 0 : -reach,
+            count = reach - low;
   std::vector<Piece> grid(static_cast<std::size_t>(count * count));
   const auto at = [&](int i, int j) -> Piece& { return grid[static_cast<std::size_t>((i - low) * count + (j - low))]; };
   for (int i = low; i < reach; ++i) {

@@ -1,4 +1,4 @@
-// A ball flies into a net and is thrown back. [York section 5.9, appendix A.1.6]
+// A ball flies into a net and is thrown back. York, section 5.9 and appendix A.1.6.
 #include <algorithm>
 #include <array>
 #include <cmath>

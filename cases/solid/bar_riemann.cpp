@@ -21,13 +21,16 @@ class BarRiemannCase final : public Case {
     Statement s;
     s.name = "bar-riemann";
     s.title = "Jumps in a bar";
-    s.source = "J. le R. d'Alembert 1747; R. J. LeVeque, Finite Volume Methods for Hyperbolic Problems, 2002, section 2.9";
+    s.source =
+        "J. le R. d'Alembert 1747; R. J. LeVeque, Finite Volume Methods for Hyperbolic Problems, 2002, section 2.9";
     s.claim = "Jumps run at the speed of sound, reflect at free ends, and are spread without being raised.";
     s.physics =
         "The left half of a free bar (E = 1e5, ρ = 1, L = 1) moves at 0.01 m/s, the right half rests. A compression of "
-        "ρcv/2 runs out from the middle to both sides and comes back from the free ends as tension; at t = 1.25 L/c the "
+        "ρcv/2 runs out from the middle to both sides and comes back from the free ends as tension; at t = 1.25 L/c "
+        "the "
         "two have passed each other.\n\n"
-        "Strains are 1.6e-5, and the linear reference is right to that share. Nothing but the affine transfer damps the "
+        "Strains are 1.6e-5, and the linear reference is right to that share. Nothing but the affine transfer damps "
+        "the "
         "short waves that trail each jump.";
     s.equations = {"ρ ∂v/∂t = ∂σ/∂x,  ∂σ/∂t = E ∂v/∂x", "v ∓ σ/(ρc) constant along x ∓ ct = const", "free end: σ = 0"};
     s.sketch = sketch;
@@ -101,9 +104,9 @@ class BarRiemannCase final : public Case {
                                       declare(std::string("default/") + measure + "-order", {0.45, {}}, Origin::theory,
                                               "1/2, and 0.05 for coarse meshes")));
     }
-    all.push_back(fitted_order_gate("default", "displacement.L1",
-                                    declare("default/displacement-order", {1.2, {}}, Origin::theory,
-                                            "4/3 less 0.13 for coarse meshes")));
+    all.push_back(fitted_order_gate(
+        "default", "displacement.L1",
+        declare("default/displacement-order", {1.2, {}}, Origin::theory, "4/3 less 0.13 for coarse meshes")));
     all.push_back(energy_monotone_gate("default"));
     return all;
   }

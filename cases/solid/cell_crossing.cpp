@@ -1,13 +1,11 @@
 // What a point does to the forces when it crosses a cell side. [York section A.2]
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "cases/harness/gates.hpp"
 #include "cases/solid/collision.hpp"
 #include "cases/solid/manufactured_case.hpp"
 #include "kernel/materials/linear_elastic.hpp"
-#include "kernel/shapes/linear.hpp"
 
 namespace plumbline {
 namespace {
@@ -217,9 +215,7 @@ class SpringProblem final : public Problem {
 // know of them and must drift on unaccelerated.
 class DriftProblem final : public Problem {
  public:
-  explicit DriftProblem(const Settings& settings)
-      : settings_(settings),
-        h_(1 / settings.number("cells")) {
+  explicit DriftProblem(const Settings& settings) : settings_(settings), h_(1 / settings.number("cells")) {
     material_ = std::make_shared<NeoHookean>();
     material_->youngs_modulus = modulus;
     material_->density = light;
@@ -314,13 +310,15 @@ class CellCrossing final : public Case {
     s.physics =
         "`problem=forces`: York's ten points hang in a row, the last 100 times as heavy, three to a cell. His printed "
         "stresses and forces at the instant before point 6 crosses a cell side and after it: 66, 111, 3114 N become "
-        "2183, −3940, 5123 N. E and layout are those of his section 5.5: with the strains of the printed stresses point "
+        "2183, −3940, 5123 N. E and layout are those of his section 5.5: with the strains of the printed stresses "
+        "point "
         "6 stands at the side. The section, 0.05, follows from the force on the middle node; the stresses in the first "
         "and the last cell, not printed, from the forces on the upper node and on the lower node before. The middle "
         "forces and the lower one after are then his stresses' own, but for the weight of some points, about 1 N.\n\n"
         "`problem=spring`: the same spring set swinging to the strain that those stresses show, and its energy. He "
         "does not print the load; here it starts with a velocity.\n\n"
-        "`problem=drift`: a bar stretched evenly by a tenth, its points so at no fixed places in the cells, drifts over "
+        "`problem=drift`: a bar stretched evenly by a tenth, its points so at no fixed places in the cells, drifts "
+        "over "
         "100 cells at the speed of sound. Its middle, further from the ends than sound runs meanwhile, must not "
         "accelerate: noise is the rms of the points' accelerations there over σ/(ρh).";
     s.equations = {"f_i = −Σ_p V_p σ_p ∇N_ip", "noise = rms(a_p) / (σ/(ρh))"};
@@ -329,8 +327,9 @@ class CellCrossing final : public Case {
     s.reference_name = "none";
     s.reference_text = "York's printed forces; of the drift, that nothing accelerates.";
     s.reference_bound = "Half a unit of the last printed place; zero.";
-    s.theory_orders = {{"noise_rms", 0, "sums over unevenly standing points miss the integral by a share that does not "
-                                        "fall with h; where boxes tile, nothing is left but rounding"}};
+    s.theory_orders = {{"noise_rms", 0,
+                        "sums over unevenly standing points miss the integral by a share that does not "
+                        "fall with h; where boxes tile, nothing is left but rounding"}};
     s.known_limits = {"The load and the positions of York's figure are not printed."};
     return s;
   }
@@ -342,11 +341,7 @@ class CellCrossing final : public Case {
              .value = "drift",
              .choices = {"forces", "spring", "drift"},
              .description = "York's forces, his spring, or a stressed body that drifts"},
-            {.name = "stretch",
-             .value = 1.1,
-             .low = 0.7,
-             .high = 1.4,
-             .description = "of the body that drifts"},
+            {.name = "stretch", .value = 1.1, .low = 0.7, .high = 1.4, .description = "of the body that drifts"},
             positive_key("periods", 50, "1", "of the spring")};
   }
 
@@ -404,11 +399,11 @@ class CellCrossing final : public Case {
   std::vector<CaseGate> gates() const override {
     std::vector<CaseGate> all;
     const auto force = [&](const char* measure, double printed) {
-      all.push_back(value_gate("york1997", measure, 10,
-                               declare(std::string("york1997/") + measure, {printed - 3, printed + 3},
-                                       Origin::literature,
-                                       "as printed; 3 N for the weight of the points, about 1 N, and stresses printed to "
-                                       "a unit, six of which count a sixtieth each")));
+      all.push_back(
+          value_gate("york1997", measure, 10,
+                     declare(std::string("york1997/") + measure, {printed - 3, printed + 3}, Origin::literature,
+                             "as printed; 3 N for the weight of the points, about 1 N, and stresses printed to "
+                             "a unit, six of which count a sixtieth each")));
     };
     force("force_middle_before", 111);
     force("force_middle_after", -3940);

@@ -20,8 +20,8 @@ BodyMotion motion_of(const Body& body, int dim);
 double highest_point(const Body& body, int d);
 double lowest_point(const Body& body, int d);
 
-// The largest rise of the energy of all points (kinetic with its affine part, elastic, internal) in one step, and how high
-// it ever stood, both over the energy at the start.
+// The largest rise of the energy of all points (kinetic with its affine part, elastic, internal) in one step, and how
+// high it ever stood, both over the energy at the start.
 class EnergyWatch {
  public:
   void observe(const Simulation& simulation);

@@ -13,9 +13,7 @@ namespace {
 
 class ElasticBarProblem final : public Problem {
  public:
-  ElasticBarProblem(ElasticBar bar, const Settings& settings)
-      : settings_(settings),
-        bar_(std::move(bar)) {
+  ElasticBarProblem(ElasticBar bar, const Settings& settings) : settings_(settings), bar_(std::move(bar)) {
     h_ = bar_.length / settings.number("cells");
     const Body body = points();
     for (int p = 0; p < body.points.points(); ++p) start_.push_back(body.points(column::position)[p]);
@@ -109,7 +107,8 @@ class ElasticBarProblem final : public Problem {
                        {"stress_reference", "Pa", "exact stress", {}}};
     const Body& body = simulation.scene().bodies.front();
     std::vector<int> place(start_.size());
-    for (int p = 0; p < body.points.points(); ++p) place[static_cast<std::size_t>(body.id[static_cast<std::size_t>(p)])] = p;
+    for (int p = 0; p < body.points.points(); ++p)
+      place[static_cast<std::size_t>(body.id[static_cast<std::size_t>(p)])] = p;
     for (std::size_t k = 0; k < start_.size(); ++k) {
       const int p = place[k];
       const BarSample exact = bar_.exact(start_[k], simulation.time());

@@ -100,10 +100,8 @@ class MmsBar final : public ManufacturedCase {
                   .title = "linear shapes, otherwise default",
                   .why = crossing,
                   .overrides = {{"shape", "linear"}}});
-    compare(all, {.id = "quadratic",
-                  .title = "quadratic B-splines",
-                  .why = uneven,
-                  .overrides = {{"shape", "quadratic"}}});
+    compare(all,
+            {.id = "quadratic", .title = "quadratic B-splines", .why = uneven, .overrides = {{"shape", "quadratic"}}});
     compare(all, {.id = "cubic", .title = "cubic B-splines", .why = uneven, .overrides = {{"shape", "cubic"}}});
     compare(all, {.id = "gimp",
                   .title = "boxes that keep their size",
@@ -133,9 +131,13 @@ class MmsBar final : public ManufacturedCase {
   std::vector<CaseGate> gates() const override {
     std::vector<CaseGate> all;
     const auto add = [&](std::vector<CaseGate> more) { all.insert(all.end(), more.begin(), more.end()); };
-    for (const char* study : {"default", "courant-0.2", "courant-0.9", "small"}) {
+    for (const char* study : {"default", "courant-0.2", "courant-0.9"}) {
       add(displacement_order(study, 1.95, "second order, whatever cells the points cross"));
     }
+    add(displacement_order(
+        "small", 1.9,
+        "second order; 0.1 because boxes whose ends start on node lines leave their cells in part, by "
+        "a share u/h that grows as h falls"));
     add(comparison_gates());
     all.push_back(missed_error());
     all.push_back(displacement_gate("default", 256, 4.45e-6, Origin::literature,
@@ -176,11 +178,12 @@ class MmsBar final : public ManufacturedCase {
                                       declare(std::string(study) + "/order", {1.95, {}}, Origin::theory, reason)));
     }
     for (const auto& [cells, published] : {std::pair{32.0, 5.72e-7}, std::pair{128.0, 3.58e-8}}) {
-      all.push_back(error_gate("york1997-small", "displacement.worst", cells,
-                               declare("york1997-small/published-" + to_text(cells),
-                                       {0.98 * published, 1.02 * published}, Origin::literature,
-                                       "as printed (de Vaucorbeil et al. 2020, linear shapes); 2 % for a stress updated "
-                                       "last with another map")));
+      all.push_back(
+          error_gate("york1997-small", "displacement.worst", cells,
+                     declare("york1997-small/published-" + to_text(cells), {0.98 * published, 1.02 * published},
+                             Origin::literature,
+                             "as printed (de Vaucorbeil et al. 2020, linear shapes); 2 % for a stress updated "
+                             "last with another map")));
     }
     return all;
   }

@@ -26,12 +26,14 @@ class MmsRing final : public ManufacturedCase {
         "with u = A = 0.1 at the outer edge at the start, for one period, 0.02 s. ∂u/∂R vanishes at both edges and ν "
         "is zero: they are free of traction. A quarter is computed, between two planes of symmetry.\n\n"
         "`layout=cut` (default) takes the squares of the grid's lattice; those that an edge cuts count with what lies "
-        "inside, with boxes of its second moments. `layout=lattice` takes whole squares whose centre lies inside: edges "
+        "inside, with boxes of its second moments. `layout=lattice` takes whole squares whose centre lies inside: "
+        "edges "
         "are stairs. `layout=circles` puts points on circles; their boxes tile the ring only on average.";
     s.sketch = sketch;
     s.cells_along = "the outer radius of 1 m";
     s.known_limits = {
-        "Boxes along the axes cannot shear. Off the axes F has shears of up to 5 %, and boxes of the same second moments "
+        "Boxes along the axes cannot shear. Off the axes F has shears of up to 5 %, and boxes of the same second "
+        "moments "
         "overlap by twice their square, a share that does not fall with h: beyond 24 cells the error stops falling, at "
         "1e-3 of the motion.",
         "On circles boxes gape from the start, on the lattice edges are stairs: both stop earlier."};
@@ -60,33 +62,34 @@ class MmsRing final : public ManufacturedCase {
 
   std::vector<StudyPlan> studies() const override {
     const std::vector<double> coarse{8, 10, 12, 16, 20, 24}, fine{16, 24, 32, 48, 64};
-    return {{.id = "default",
-             .title = "default",
-             .why = "Maps, forces and step are of second order while boxes tile the ring.",
-             .values = coarse},
-            {.id = "fine",
-             .title = "default, fine meshes",
-             .why = "Boxes that overlap by a share that does not fall with h: no order.",
-             .values = fine,
-             .tier = Tier::full},
-            {.id = "circles",
-             .title = "default, points on circles",
-             .why = "Edges exact; boxes gape and overlap.",
-             .overrides = {{"layout", "circles"}},
-             .values = fine,
-             .tier = Tier::full},
-            {.id = "lattice",
-             .title = "default, whole squares",
-             .why = "Edges are stairs of half a spacing: order 1.",
-             .overrides = {{"layout", "lattice"}},
-             .values = fine,
-             .tier = Tier::full},
-            {.id = "cubic",
-             .title = "cubic B-splines",
-             .why = "Kernels that do not depend on the points' shapes: order 2, with the larger error of a wider kernel.",
-             .overrides = {{"shape", "cubic"}},
-             .values = coarse,
-             .full_values = fine}};
+    return {
+        {.id = "default",
+         .title = "default",
+         .why = "Maps, forces and step are of second order while boxes tile the ring.",
+         .values = coarse},
+        {.id = "fine",
+         .title = "default, fine meshes",
+         .why = "Boxes that overlap by a share that does not fall with h: no order.",
+         .values = fine,
+         .tier = Tier::full},
+        {.id = "circles",
+         .title = "default, points on circles",
+         .why = "Edges exact; boxes gape and overlap.",
+         .overrides = {{"layout", "circles"}},
+         .values = fine,
+         .tier = Tier::full},
+        {.id = "lattice",
+         .title = "default, whole squares",
+         .why = "Edges are stairs of half a spacing: order 1.",
+         .overrides = {{"layout", "lattice"}},
+         .values = fine,
+         .tier = Tier::full},
+        {.id = "cubic",
+         .title = "cubic B-splines",
+         .why = "Kernels that do not depend on the points' shapes: order 2, with the larger error of a wider kernel.",
+         .overrides = {{"shape", "cubic"}},
+         .values = coarse,
+         .full_values = fine}};
   }
 
   std::vector<CaseGate> gates() const override {

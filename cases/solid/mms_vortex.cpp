@@ -19,12 +19,14 @@ class MmsVortex final : public ManufacturedCase {
     s.name = "mms-vortex";
     s.title = "Manufactured solution: generalised vortex";
     s.source =
-        "K. Kamojjala, R. Brannon, A. Sadeghirad, J. Guilkey, Eng. Comput. 31 (2015) 207, doi 10.1007/s00366-013-0342-x";
+        "K. Kamojjala, R. Brannon, A. Sadeghirad, J. Guilkey, Eng. Comput. 31 (2015) 207, doi "
+        "10.1007/s00366-013-0342-x";
     s.claim = "Rotation and large shear, the hardest of the manufactured solutions.";
     s.physics =
         "Each circle of a ring, 0.75 <= R <= 1.25, turns by α = A sin(πt/T) (1 − 4s²)², s = (R − 1)/0.5, with A = 1 "
         "radian, T = 1 s; E = 1000, ν = 0.3, ρ₀ = 1000, plane strain. At t = T/2 the shear R dα/dR exceeds 6; volumes "
-        "do not change. Both edges rest and are free of traction, but the shear grows from them inwards by 128 a metre: at 16 "
+        "do not change. Both edges rest and are free of traction, but the shear grows from them inwards by 128 a "
+        "metre: at 16 "
         "cells a metre the points next to an edge are sheared by 2.\n\n"
         "Points stand on circles (`layout=circles`): what sticks out of a stair at an edge (`lattice`, `cut`) is torn "
         "off by the body force.";
@@ -45,7 +47,8 @@ class MmsVortex final : public ManufacturedCase {
              .high = 1.5,
              .low_open = true,
              .description = "A, largest angle"},
-            positive_key("youngs_modulus", vortex.youngs_modulus, "Pa", "E"), poisson_key(vortex.poisson),
+            positive_key("youngs_modulus", vortex.youngs_modulus, "Pa", "E"),
+            poisson_key(vortex.poisson),
             positive_key("initial_density", vortex.density, "kg/m^3", "initial density"),
             positive_key("t_end", 1, "s", "end time"),
             {.name = "layout",

@@ -40,7 +40,7 @@ NetThrow throw_of_net(const NetBall& ball) {
   NetThrow thrown;
   thrown.deepest = low;
   thrown.force = net_force(ball, low);
-  // T = 2 int_0^deepest dx / v(x), x = deepest sin(a): the integrand is smooth, and Simpson's rule of 2000 pieces enough.
+  // T = 2 int_0^deepest dx / v(x), x = deepest sin(a): the integrand is smooth, Simpson's rule of 2000 pieces enough.
   const int pieces = 2000;
   const double step = 0.5 * std::numbers::pi / pieces;
   const auto integrand = [&](int k) {

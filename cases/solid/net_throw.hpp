@@ -21,8 +21,8 @@ struct NetThrow {
 double net_length(const NetBall& ball, double depth);
 // Force on the ball, N.
 double net_force(const NetBall& ball, double depth);
-// The motion conserves energy, so the depth is where the net's energy is that of the ball at the start, and the time the
-// integral of dx / v, its singular end taken out by x = depth sin. Errors below 1e-9.
+// The motion conserves energy, so the depth is where the net's energy is that of the ball at the start, and the time
+// the integral of dx / v, its singular end taken out by x = depth sin. Errors below 1e-9.
 NetThrow throw_of_net(const NetBall& ball);
 
 }  // namespace plumbline

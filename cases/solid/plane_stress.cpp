@@ -93,8 +93,8 @@ class PlaneStressProblem final : public Problem {
     add("velocity", "m/s", velocity);
     add("stress", "Pa", stress);
     const auto period = mean_period(find_extremes(times_, mean_velocity_));
-    all.push_back(scalar_measure("period", period.value_or(std::nan("")), exact_.period().value, exact_.period().bound,
-                                 "s"));
+    all.push_back(
+        scalar_measure("period", period.value_or(std::nan("")), exact_.period().value, exact_.period().bound, "s"));
     all.push_back(scalar_measure("energy_rise", energy_.largest_rise(), 0, 0, "1"));
     if (sheet_) all.push_back(scalar_measure("across_error", across_, 0, 0, "1"));
     return all;
@@ -116,8 +116,8 @@ class PlaneStressProblem final : public Problem {
   void watch_ratio(const Body& body) {
     const double largest = exact_.problem().youngs_modulus * exact_.amplitude().value * exact_.wavenumber().value;
     for (int p = 0; p < body.points.points(); ++p) {
-      const double off =
-          body.points(column::stress, 1)[p] - settings_.number("poissons_ratio") * body.points(column::stress)[p];
+      const double off = body.points(column::stress, 1)[p] -
+                         settings_.number("poissons_ratio") * body.points(column::stress)[p];
       across_ = larger(across_, std::abs(off) / largest);
     }
   }
@@ -179,7 +179,8 @@ class PlaneStress final : public Case {
         "York gives his plane stress membrane no test of its own: it neither strains along its second direction nor "
         "bears stress through its thickness, so that σ₁ = E ε₁/(1 − ν²) and σ₂ = ν σ₁. Here it vibrates: fixed at x = "
         "0, free at x = L, started unstretched with v = v₀ sin(πx/2L), for two periods and a third.\n\n"
-        "`body=membrane`: one line of points of York's material. `body=sheet`: two cells of the plane stress law between "
+        "`body=membrane`: one line of points of York's material. `body=sheet`: two cells of the plane stress law "
+        "between "
         "frictionless walls, which find out σ₂ = ν σ₁ by themselves.\n\n"
         "ν = 0.4 makes the period 8 % shorter than that of the uniaxial law.";
     s.equations = {"σ₁ = E ε₁/(1 − ν²),  σ₂ = ν σ₁,  ε₂ = 0,  σ₃ = 0", "ω = πc/(2L),  c = √(E/((1 − ν²)ρ))"};
@@ -188,11 +189,12 @@ class PlaneStress final : public Case {
     s.reference_name = "bar-vibration";
     s.reference_text = "Closed form: one mode of a bar of modulus E/(1 − ν²).";
     s.reference_bound = "Rounding, carried through.";
-    s.theory_orders = {{"period", 2, "shapes, maps and step are of second order"},
-                       {"displacement.L2", 2, "the same"},
-                       {"stress.L2", 1,
-                        "the gradient of a tent averaged over a box within a cell is that of the cell's centre, a quarter of "
-                        "a cell off the point"}};
+    s.theory_orders = {
+        {"period", 2, "shapes, maps and step are of second order"},
+        {"displacement.L2", 2, "the same"},
+        {"stress.L2", 1,
+         "the gradient of a tent averaged over a box within a cell is that of the cell's centre, a quarter of "
+         "a cell off the point"}};
     s.known_limits = {"The sheet's thickness is no variable of the method: ε₃ follows, −ν ε₁/(1 − ν)."};
     return s;
   }

@@ -32,9 +32,7 @@ reference::RotatingDiskProblem problem_from(const Settings& settings) {
 
 class SpinningDiskProblem final : public Problem {
  public:
-  explicit SpinningDiskProblem(const Settings& settings)
-      : settings_(settings),
-        exact_(problem_from(settings)) {
+  explicit SpinningDiskProblem(const Settings& settings) : settings_(settings), exact_(problem_from(settings)) {
     const Body body = points();
     for (int p = 0; p < body.points.points(); ++p) {
       start_.push_back({body.points(column::position, 0)[p], body.points(column::position, 1)[p]});
@@ -136,15 +134,16 @@ class SpinningDiskProblem final : public Problem {
     std::vector<ErrorSample> samples;
     for (int p = 0; p < body.points.points(); ++p) {
       const auto [x, y] = start_[static_cast<std::size_t>(body.id[static_cast<std::size_t>(p)])];
-      const reference::Bounded radial = exact_.radial_stress(std::hypot(x, y)), hoop = exact_.hoop_stress(std::hypot(x, y));
+      const reference::Bounded radial = exact_.radial_stress(std::hypot(x, y)),
+                               hoop = exact_.hoop_stress(std::hypot(x, y));
       const double px = body.points(column::position, 0)[p], py = body.points(column::position, 1)[p];
       const double r = std::hypot(px, py), c = px / r, s = py / r, mixed = (radial.value - hoop.value) * c * s;
       const double exact[] = {radial.value * c * c + hoop.value * s * s, mixed, mixed,
                               radial.value * s * s + hoop.value * c * c};
       double square = 0;
       for (int k = 0; k < 4; ++k) square += std::pow(body.points(column::stress, k)[p] - exact[k], 2);
-      samples.push_back({body.points(column::volume)[p], std::sqrt(square),
-                         std::hypot(radial.value, hoop.value), radial.bound + hoop.bound});
+      samples.push_back({body.points(column::volume)[p], std::sqrt(square), std::hypot(radial.value, hoop.value),
+                         radial.bound + hoop.bound});
     }
     return samples;
   }
@@ -218,12 +217,11 @@ class SpinningDisk final : public Case {
     s.reference_name = "rotating-disk";
     s.reference_text = "Closed form of linear elasticity.";
     s.reference_bound = "Rounding, and four times the largest strain for what linear elasticity leaves out.";
-    s.theory_orders = {
-        {"stress.mean_error", 1, "boxes do not turn: those of turned points overlap and gape by shares that do not fall "
-                                 "with h, but stresses vary less over a smaller cell"},
-        {"angular_momentum_change", 2, "the step's own"}};
-    s.known_limits = {
-        "Boxes keep to the axes of the grid: turned by 45 degrees they tile the body only on average."};
+    s.theory_orders = {{"stress.mean_error", 1,
+                        "boxes do not turn: those of turned points overlap and gape by shares that do not fall "
+                        "with h, but stresses vary less over a smaller cell"},
+                       {"angular_momentum_change", 2, "the step's own"}};
+    s.known_limits = {"Boxes keep to the axes of the grid: turned by 45 degrees they tile the body only on average."};
     return s;
   }
 

@@ -176,6 +176,8 @@ class TwoBarCase final : public Case {
     s.known_limits = {
         "Restitution approaches its limit from below and slowly: what the affine maps take from the front of the "
         "pressure wave is lost. It comes back as no heat, since the bars have no energy equation.",
+        "On boxes the proof that no step creates energy has a gap, the inertia of their affine velocity; quadratic "
+        "B-splines have none, and part more slowly by 0.01 to 0.03.",
         "Linear strains are added up in fixed axes: bars that turn by more than a small angle want the neo-Hookean "
         "law."};
     return s;
@@ -244,6 +246,16 @@ class TwoBarCase final : public Case {
          .overrides = {{"speed", 20.0}, {"shape", "quadratic"}},
          .values = {20, 40},
          .full_values = {20, 40, 80, 160}},
+        {.id = "small-step",
+         .title = "default with half its step",
+         .why = "One mesh: what a point's affine velocity is worth on boxes changes with its place.",
+         .overrides = {{"speed", 20.0}, {"cfl", 0.25}},
+         .values = {20}},
+        {.id = "quadratic-small-step",
+         .title = "quadratic B-splines with half the step",
+         .why = "One mesh: of B-splines the affine velocity is worth the same everywhere.",
+         .overrides = {{"speed", 20.0}, {"cfl", 0.25}, {"shape", "quadratic"}},
+         .values = {20}},
         {.id = "none",
          .title = "one velocity for all",
          .why = "One mesh: nothing lets the bars part.",
@@ -297,7 +309,7 @@ class TwoBarCase final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {24 + 10 * 5, 28 + 10 * 5}; }
+  GateCount gate_count() const override { return {26 + 12 * 5, 30 + 12 * 5}; }
 
  private:
   static Gate target(const std::string& id, Range range, const std::string& why) {
@@ -341,6 +353,20 @@ class TwoBarCase final : public Case {
     all.push_back(error_gate(
         "default", "contact_duration", 80,
         target("default/contact-duration-80", {{}, 0.02 * lasts}, "within 2 % of 2L/c, as planned"), Tier::full));
+    const Gate monotone = declare(
+        "small-step/energy-rise", {{}, 1e-13}, Origin::theory,
+        "no step of the midpoint rule raises the energy of a linear elastic body on shapes of "
+        "constant inertia; sums over points round at 1e-15");
+    all.push_back(
+        value_gate("small-step", "energy_rise", 20,
+                   expected_failure(
+                       monotone,
+                       "the affine inertia of a box varies between 0.17 and 0.23 h^2 with its place, and the energy of "
+                       "the affine velocity with it, both ways; at the usual step the loss of the maps covers it",
+                       {1e-6, 1e-2}, "2026-11-21 a3c4d4e")));
+    Gate constant = monotone;
+    constant.id = "quadratic-small-step/energy-rise";
+    all.push_back(value_gate("quadratic-small-step", "energy_rise", 20, constant));
     for (const char* study : {"default", "fast", "quadratic"}) all.push_back(rising_gate(study));
     all.push_back(value_gate("fast", "restitution", 80,
                              target("fast/restitution-80", {0.88, {}}, "at least 0.88 at h = 0.0625, as planned")));

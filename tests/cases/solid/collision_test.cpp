@@ -48,8 +48,8 @@ TEST(CollisionWatch, StartAndEndOfAPush) {
   EXPECT_TRUE(std::isnan(nothing.duration()));
 }
 
-// A free rod in flight neither gains nor loses. One that is stretched and let go vibrates, and under a step of first order
-// its energy swings: that is seen.
+// A free rod in flight neither gains nor loses. One that is stretched and let go vibrates, and under a step of first
+// order its energy swings: that is seen.
 TEST(CollisionWatch, EnergyThatRisesIsSeen) {
   const auto rise = [](double strain) {
     auto law = std::make_shared<LinearElastic>();

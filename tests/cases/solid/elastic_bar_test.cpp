@@ -52,15 +52,16 @@ TEST(ElasticBar, StartsInTheExactState) {
 TEST(ElasticBar, MeasuresAgainstTheReference) {
   const Case& entry = find_case("bar-vibration");
   const RunResult run = run_experiment(
-      entry, "default", entry.settings("default", {}, {"cells=16", "velocity=0.001", "youngs_modulus=400", "t_end=12"}));
+      entry, "default",
+      entry.settings("default", {}, {"cells=16", "velocity=0.001", "youngs_modulus=400", "t_end=12"}));
   ASSERT_TRUE(run.finished);
   EXPECT_NEAR(*run.find("period")->reference, 5, 1e-12);
   EXPECT_NEAR(*run.find("period")->value, 5, 0.01);
   EXPECT_GT(run.find("displacement.L2")->reference_bound, 0);
   EXPECT_EQ(*run.find("energy_rise")->value, 0);
   EXPECT_GT(*run.find("energy_lost")->value, 0);
-  EXPECT_NEAR(*run.find("energy_lost")->value,
-              1 - run.ledger.stores.total() / run.ledger.initial_stores.total(), 1e-3 * *run.find("energy_lost")->value);
+  EXPECT_NEAR(*run.find("energy_lost")->value, 1 - run.ledger.stores.total() / run.ledger.initial_stores.total(),
+              1e-3 * *run.find("energy_lost")->value);
   // v0/omega over a bar of 25, at t = 12 of a period of 5 near its crest again; the norm of sin over it is sqrt(25/2).
   EXPECT_NEAR(run.find("displacement.worst")->scale, 0.001 / (0.4 * std::acos(-1.0)) * std::sqrt(12.5), 1e-4);
 }

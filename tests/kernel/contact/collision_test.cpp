@@ -27,8 +27,9 @@ Scene blocks(int dim, const std::string& shape, const std::string& transfer, con
   return scene;
 }
 
-// Every transfer under the steps with one, two and no further maps, each contact: all of it is booked. Linear shapes have
-// light nodes that fly fast, whose squares round more coarsely; XPIC and FMPM, which take differences of them, go without.
+// Every transfer under the steps with one, two and no further maps, each contact: all of it is booked. Linear shapes
+// have light nodes that fly fast, whose squares round more coarsely; XPIC and FMPM, which take differences of them, go
+// without.
 TEST(Collision, LedgerClosesWithContact) {
   for (const char* contact : {"york-9.7", "york-9.9", "touching"}) {
     for (const Choice& transfer : transfers()) {

@@ -160,7 +160,8 @@ TEST(Touching, ImpulsesConserveMomentumAndAngularMomentum) {
   }
 }
 
-// Mid-step the normal velocities are common, so the impulses do no work; a second pass finds the same nodes. [Touching 3]
+// Mid-step the normal velocities are common, so the impulses do no work; a second pass finds the same
+// nodes. [Touching 3]
 TEST(Touching, ImpulsesDoNoWork) {
   for (unsigned long seed = 1; seed <= 5; ++seed) {
     Meeting<2> meeting = squares(seed);
