@@ -71,8 +71,10 @@ class Stencil {
 
   // D_p along d: sum N (x_i - x_p)_d^2, m^2. [EC-APIC 5]
   Number inertia(int d) const {
-    if constexpr (Shape::boxes) return Shape::inertia(local_[d], half_[d]) * (h_ * h_);
-    else return Shape::inertia(local_[d]) * (h_ * h_);
+    if constexpr (Shape::boxes)
+      return Shape::inertia(local_[d], half_[d]) * (h_ * h_);
+    else
+      return Shape::inertia(local_[d]) * (h_ * h_);
   }
 
   // Adds to sums[node * step], for each node of the stencil in turn, N base + sum_d slope_d dN/dx_d.

@@ -34,7 +34,8 @@ class Passes {
     } else if (integrator == "energy") {
       // reverse_cooling() wants the midpoint strain rates; somewhere in a flow with shocks it changes a point, and forces
       // are mapped again.
-      for (const Pass& pass : {sort(true), map(true), stress(true), forces(false), cooling(), forces(false), finish(false)})
+      for (const Pass& pass :
+           {sort(true), map(true), stress(true), forces(false), cooling(), forces(false), finish(false)})
         add(pass);
     } else {
       // map_mass_and_momentum, map_forces; move_points: strain rates, their power, then the points move; map_momentum;

@@ -42,9 +42,7 @@ Key choice(std::string name, std::string value, std::vector<std::string> choices
 
 }  // namespace
 
-std::string name(Kind kind) {
-  return kind == Kind::gas ? "gas" : kind == Kind::membrane ? "membrane" : "solid";
-}
+std::string name(Kind kind) { return kind == Kind::gas ? "gas" : kind == Kind::membrane ? "membrane" : "solid"; }
 
 std::vector<std::string> scheme_names() { return {"default", "york1997"}; }
 
@@ -70,7 +68,11 @@ std::vector<Key> kind_keys(Kind kind) {
        .high = 1e6,
        .integer = true,
        .description = "cells along the case's reference length"},
-      choice("shape", gas ? "cubic" : solid ? "contiguous-gimp" : "quadratic", names(shapes()), "shape functions"),
+      choice("shape",
+             gas     ? "cubic"
+             : solid ? "contiguous-gimp"
+                     : "quadratic",
+             names(shapes()), "shape functions"),
       choice("transfer", "apic", names(transfers()), "what goes back and forth between points and grid"),
       {.name = "transfer_order",
        .value = 2.0,
@@ -78,7 +80,11 @@ std::vector<Key> kind_keys(Kind kind) {
        .high = 100,
        .integer = true,
        .description = "m of the transfers xpic and fmpm"},
-      choice("integrator", gas ? "leapfrog" : solid ? "midpoint" : "musl", integrator_names(), "time integrator"),
+      choice("integrator",
+             gas     ? "leapfrog"
+             : solid ? "midpoint"
+                     : "musl",
+             integrator_names(), "time integrator"),
       {.name = "cfl",
        .value = 0.5,
        .low = 0,
@@ -94,13 +100,15 @@ std::vector<Key> kind_keys(Kind kind) {
        .optional = true,
        .description = "fixed step; overrides cfl"},
       {.name = "ppc",
-       .value = gas ? 8.0 : solid ? 2.0 : 4.0,
+       .value = gas     ? 8.0
+                : solid ? 2.0
+                        : 4.0,
        .low = 1,
        .high = 1e4,
        .integer = true,
-       .description = gas ? "points per cell, in the densest gas where points have equal mass"
-             : solid ? "points per cell and direction"
-                     : "points per cell along the membrane"}};
+       .description = gas     ? "points per cell, in the densest gas where points have equal mass"
+                      : solid ? "points per cell and direction"
+                              : "points per cell along the membrane"}};
   if (solid) {
     keys.push_back(choice("contact", "default", {"none", "york-9.7", "york-9.8", "york-9.9", "default"},
                           "between bodies: none (one velocity for all), York's criteria, or where points touch"));

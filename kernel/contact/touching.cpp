@@ -245,9 +245,8 @@ void TouchingContact<dim>::apply_to_remapped(Fields& fields) {
     const auto i = static_cast<std::size_t>(c.node);
     return c.active && (fields[c.a].remapped[i] - fields[c.b].remapped[i]).dot(c.normal) > 0;
   };
-  for_nodes(closes, [&](const std::vector<Candidate*>& pairs) {
-    push_apart(fields, pairs, &VelocityField<dim>::remapped);
-  });
+  for_nodes(closes,
+            [&](const std::vector<Candidate*>& pairs) { push_apart(fields, pairs, &VelocityField<dim>::remapped); });
 }
 
 template class TouchingContact<1>;

@@ -63,11 +63,10 @@ auto YorkContact<dim>::outward_normal(const std::vector<double>& chi, int node) 
 }
 
 template <int dim>
-bool YorkContact<dim>::in_contact(const Vec& v1, const Vec& v2, const Vec& centre, const Vec& n1,
-                                  const Vec& n2) const {
-  if (criterion_ == YorkCriterion::against_other) return (v1 - v2).dot(n1) > 0;                // [York 9.7]
-  if (criterion_ == YorkCriterion::against_centre) return (v1 - centre).dot(n1) > 0;           // [York 9.8]
-  return (v1 - centre).dot(n1) > 0 || (v2 - centre).dot(n2) > 0;                               // [York 9.9]
+bool YorkContact<dim>::in_contact(const Vec& v1, const Vec& v2, const Vec& centre, const Vec& n1, const Vec& n2) const {
+  if (criterion_ == YorkCriterion::against_other) return (v1 - v2).dot(n1) > 0;       // [York 9.7]
+  if (criterion_ == YorkCriterion::against_centre) return (v1 - centre).dot(n1) > 0;  // [York 9.8]
+  return (v1 - centre).dot(n1) > 0 || (v2 - centre).dot(n2) > 0;                      // [York 9.9]
 }
 
 // Fields a and b meet at a node: whoever moves with one of them there, moves with both.

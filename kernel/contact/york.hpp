@@ -35,7 +35,8 @@ class YorkContact final : public Contact<dim> {
     std::vector<std::size_t> fields;
     std::vector<Vec> own;
   };
-  std::vector<double> colour(const Scene& scene, const std::vector<std::size_t>& field_of_body, std::size_t field) const;
+  std::vector<double> colour(const Scene& scene, const std::vector<std::size_t>& field_of_body,
+                             std::size_t field) const;
   Vec outward_normal(const std::vector<double>& colour, int node) const;
   bool in_contact(const Vec& v1, const Vec& v2, const Vec& centre, const Vec& n1, const Vec& n2) const;
 

@@ -89,14 +89,15 @@ template <class G, class S, class T>
 template <class Number>
 [[gnu::always_inline]] inline Number Mechanics<G, S, T>::inertia_at(const Number& x, const Number& half) {
   using std::floor;
-  if constexpr (S::boxes) return S::inertia_at(x, half);
-  else return S::inertia(Number(x - floor(x)));
+  if constexpr (S::boxes)
+    return S::inertia_at(x, half);
+  else
+    return S::inertia(Number(x - floor(x)));
 }
 
 template <class G, class S, class T>
-[[gnu::always_inline]] inline auto Mechanics<G, S, T>::stencil(const Places& places,
-                                                               const double (&anchor)[dim], int p) const
-    -> PackStencil {
+[[gnu::always_inline]] inline auto Mechanics<G, S, T>::stencil(const Places& places, const double (&anchor)[dim],
+                                                               int p) const -> PackStencil {
   Pack local[dim], half[dim];
   for (int d = 0; d < dim; ++d) {
     local[d] = (load(places.x[d] + p) - grid_.origin(d)) * (1 / grid_.h()) - anchor[d];

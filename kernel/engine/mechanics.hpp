@@ -282,7 +282,7 @@ class Mechanics final : public Engine {
   double time_ = 0, load_ahead_ = 0;  // of the step's start; how far after it the loads are wanted, s
   double drifted_ = 0;                // how far after it points stand by drift_points() alone, s
   double grid_mass_ = 0, hoop_force_ = 0;
-  Spin<dim> stress_turn_ = Spin<dim>::Zero();  // torque of the forces as mapped that should be none, N m
+  Spin<dim> stress_turn_ = Spin<dim>::Zero();          // torque of the forces as mapped that should be none, N m
   NodalVelocity rate_of_ = NodalVelocity::current;     // velocity the strain_rate columns hold; current: none
   double pending_strain_dt_ = 0, pending_stored_ = 0;  // strained before the forces were known
   mutable std::optional<Survey> survey_;

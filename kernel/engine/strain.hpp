@@ -84,7 +84,8 @@ double Mechanics<G, S, T>::gather_start(Body& body, const Located& at, const Chu
     for_packs(first, last, [&](int p, int count) {
       const PackStencil weights = stencil(places, anchor, p);
       if (wanted.rates) {
-        store_strain_rates(rates, weights, load(places.x[0] + p), p, count, [&](int k, int d) { return strained[k][d]; });
+        store_strain_rates(rates, weights, load(places.x[0] + p), p, count,
+                           [&](int k, int d) { return strained[k][d]; });
       }
       if (wanted.density) {
         const Pack density = weights.gather_array([&](int k) { return rho[k]; }).value;

@@ -393,8 +393,7 @@ void Mechanics<G, S, T>::advance_momentum(double dt) {
     if (scene_.heat_exchange > 0) solve_exchange(field, dt);
     if (!loaded_) continue;
     const std::vector<Vec>& straining = straining_velocity(field, NodalVelocity::midpoint);
-    field.for_touched(grid_,
-                      [&](std::size_t i) { pending_.body_work += dt * field.body_force[i].dot(straining[i]); });
+    field.for_touched(grid_, [&](std::size_t i) { pending_.body_work += dt * field.body_force[i].dot(straining[i]); });
   }
   pending_.wall.linear[0] += dt * hoop_force_;
   current_ = NodalVelocity::end;

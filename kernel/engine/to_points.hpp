@@ -57,7 +57,9 @@ auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Chun
       for_stencil_nodes(print, [&](int k, std::size_t i) {
         change_square[k] = 0;
         for (int d = 0; d < dim; ++d) {
-          change[k][d] = increments ? field.end[i][d] - field.start[i][d] : filters ? field.filtered[i][d] - end.base[d] : 0;
+          change[k][d] = increments ? field.end[i][d] - field.start[i][d]
+                         : filters  ? field.filtered[i][d] - end.base[d]
+                                    : 0;
           change_square[k] += change[k][d] * change[k][d];
           if (carrying) carried[k][d] = (*carrying)[i][d];
         }
@@ -66,7 +68,8 @@ auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Chun
     for_packs(first, last, [&](int p, int count) {
       const PackStencil weights = stencil(places, anchor, p);
       if (straining) {
-        store_strain_rates(rates, weights, load(places.x[0] + p), p, count, [&](int k, int d) { return strained[k][d]; });
+        store_strain_rates(rates, weights, load(places.x[0] + p), p, count,
+                           [&](int k, int d) { return strained[k][d]; });
       }
       if (most_exchange > 0) {
         const Pack share = weights.gather_array([&](int k) { return alpha[k]; }).value, e = load(energy + p);

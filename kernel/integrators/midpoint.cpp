@@ -11,11 +11,11 @@ class Midpoint final : public TimeIntegrator {
     mpm.locate_points();
     mpm.map_mass_and_momentum();
     mpm.map_forces();
-    mpm.advance_momentum(dt);                              // [Midpoint 1]
-    mpm.predict_stress(dt / 2, NodalVelocity::midpoint);   // [Midpoint 2]
+    mpm.advance_momentum(dt);                             // [Midpoint 1]
+    mpm.predict_stress(dt / 2, NodalVelocity::midpoint);  // [Midpoint 2]
     mpm.map_forces();
-    mpm.advance_momentum(dt);                              // [Midpoint 3]
-    mpm.move_points(dt, NodalVelocity::midpoint);          // [Midpoint 4]
+    mpm.advance_momentum(dt);                      // [Midpoint 3]
+    mpm.move_points(dt, NodalVelocity::midpoint);  // [Midpoint 4]
     mpm.update_stress(dt, NodalVelocity::midpoint);
   }
 };

@@ -22,9 +22,7 @@ struct IdealGas final : Material {
   bool has_density() const override { return true; }
   bool takes_heat() const override { return true; }
   // Without physical viscosity the stress is a pressure.
-  StressMeasure measure() const override {
-    return viscosity == 0 ? StressMeasure::pressure : StressMeasure::symmetric;
-  }
+  StressMeasure measure() const override { return viscosity == 0 ? StressMeasure::pressure : StressMeasure::symmetric; }
   bool viscous() const { return viscosity > 0 || viscosity_linear > 0 || viscosity_quadratic > 0; }
   double advance(Columns& points, PointRange range, const MaterialContext& context, double dt) const override;
   std::vector<const ColumnId*> internal_variables(const MaterialContext& context) const override;

@@ -11,10 +11,10 @@ namespace plumbline {
 // 2 lambda mu / (lambda + 2 mu). Strains add up in fixed axes, so bodies must not turn by more than a small angle; volumes
 // stay constant.
 struct LinearElastic final : Material {
-  double youngs_modulus = 0;   // E, Pa, > 0
-  double poissons_ratio = 0;   // nu, -1 < nu < 1/2
-  double density = 0;          // rho_0, kg/m^3, > 0: sets the wave speed of the step limit
-  bool plane_stress = false;   // in the plane alone
+  double youngs_modulus = 0;  // E, Pa, > 0
+  double poissons_ratio = 0;  // nu, -1 < nu < 1/2
+  double density = 0;         // rho_0, kg/m^3, > 0: sets the wave speed of the step limit
+  bool plane_stress = false;  // in the plane alone
 
   std::string name() const override { return "linear_elastic"; }
   void add_columns(Columns& points, int dim) const override;

@@ -105,7 +105,8 @@ class Material {
 double fastest_point(const Columns& points, PointRange range, int dim);
 
 // First point of the range with a value of the column that is not finite.
-Material::Fault first_not_finite(const Columns& points, PointRange range, const ColumnId& id, const std::string& reason);
+Material::Fault first_not_finite(const Columns& points, PointRange range, const ColumnId& id,
+                                 const std::string& reason);
 
 // What `list` says of a material; each registers itself in its own source file.
 struct MaterialEntry {

@@ -21,8 +21,8 @@ struct Body {
   std::vector<int> split_from;  // of the points that came later, in the order of their numbers: whose half each is
   // Body force per mass of the points at a time (s): sets the column body_force, m/s^2. Beside Scene::gravity. May be empty.
   std::function<void(double time, Columns& points, std::span<const int> id)> load;
-  double spacing = 0;           // between neighbouring points, m; 0: the edge of a cube of the point's volume
-  bool chain = false;           // points stand in the order of their connectivity and are never sorted
+  double spacing = 0;  // between neighbouring points, m; 0: the edge of a cube of the point's volume
+  bool chain = false;  // points stand in the order of their connectivity and are never sorted
 };
 
 // A body of `points` points with the columns that every body has and those the material, as it is now, asks for.

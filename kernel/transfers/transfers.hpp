@@ -22,10 +22,10 @@ struct Affine {
 // P: from the nodes to the points and back. For m = 1 both are pic, for large m they keep what flip keeps but what no
 // node sees.
 struct TransferChoice {
-  bool affine = false;      // points carry C_p
-  bool increments = false;  // points keep their velocity and add the grid's change
-  int order = 0;            // m of xpic and fmpm; 0: no filter
-  bool filters_end = false; // fmpm: w of v~ instead of v
+  bool affine = false;       // points carry C_p
+  bool increments = false;   // points keep their velocity and add the grid's change
+  int order = 0;             // m of xpic and fmpm; 0: no filter
+  bool filters_end = false;  // fmpm: w of v~ instead of v
 };
 
 // Throws std::invalid_argument for an unknown name.
