@@ -10,6 +10,7 @@ from figures import Figure, Key
 LEVEL_NAMES = ("coarsest", "middle", "finest")
 REFERENCE = "_reference"
 _BINS = 320
+_RESIDUAL_BINS = 60  # of what is noise but for its size
 _ERROR_BINS = 160
 _LONGEST_LABEL = 18     # characters that fit along the vertical axis, unit aside
 _QUANTITIES = {
@@ -192,7 +193,9 @@ def drift(quantity, finest, prefix):
 
     def paint(axes):
         for entry, result, relative in lines:
-            x, y = envelope(result.ledger[quantity]["time"], numpy.where(relative > 0, relative, numpy.nan))
+            x, y = envelope(
+                result.ledger[quantity]["time"], numpy.where(relative > 0, relative, numpy.nan), _RESIDUAL_BINS
+            )
             axes.plot(x, y, color=svg.series_colour(entry.style), linewidth=1.0)
         axes.axhline(figures.ROUNDING, color=svg.MUTED, linewidth=0.9, dashes=(4, 1.5, 1, 1.5))
         high = max([relative.max() for _, _, relative in lines] + [1e-13])

@@ -1,4 +1,5 @@
 // Contact where points really touch: pairs, normals, impulses.
+#include <Eigen/LU>
 #include <cmath>
 
 #include "tests/kernel/contact/two_clouds.hpp"
@@ -157,6 +158,32 @@ TEST(Touching, ImpulsesConserveMomentumAndAngularMomentum) {
     EXPECT_NEAR((meeting.momentum() - momentum).norm(), 0, 1e-12);
     EXPECT_NEAR(meeting.angular_momentum()[0], angular[0], 1e-12);
     EXPECT_NEAR(meeting.impulse().norm(), 0, 1e-13);
+  }
+}
+
+// The direction of every impulse is Fisher's, from the points around the node taken naively. [Touching 2]
+TEST(Touching, NormalsOfUnevenClouds) {
+  Meeting<2> meeting = squares(3);
+  meeting.meet("touching");
+  for (const auto& c : meeting.changes) {
+    const Eigen::Vector2d node = meeting.grid.position(c.node), given = c.end - c.own_end;
+    Eigen::Vector2d mean[2];
+    Eigen::Matrix2d spread = 1e-3 * 0.1 * 0.1 * Eigen::Matrix2d::Identity();
+    for (int b = 0; b < 2; ++b) {
+      std::vector<Eigen::Vector2d> around;
+      const Columns& points = meeting.scene.bodies[static_cast<std::size_t>(b)].points;
+      for (int p = 0; p < points.points(); ++p) {
+        const Eigen::Vector2d x(points(column::position, 0)[p], points(column::position, 1)[p]);
+        if ((x - node).cwiseAbs().maxCoeff() < 0.15) around.push_back(x);
+      }
+      mean[b] = Eigen::Vector2d::Zero();
+      for (const auto& x : around) mean[b] += x / static_cast<double>(around.size());
+      for (const auto& x : around) {
+        spread += (x - mean[b]) * (x - mean[b]).transpose() / static_cast<double>(around.size());
+      }
+    }
+    const Eigen::Vector2d n = (spread.inverse() * (mean[1] - mean[0])).normalized();
+    EXPECT_NEAR(given[0] * n[1] - given[1] * n[0], 0, 1e-10 * given.norm());
   }
 }
 
