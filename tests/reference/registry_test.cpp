@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -39,7 +40,8 @@ TEST(Registry, EveryReferenceDescribesItselfAndAnswersForItsDefaults) {
       EXPECT_FALSE(parameter.description.empty()) << parameter.key;
       EXPECT_NO_THROW(check(parameter, parameter.value)) << parameter.key;
     }
-    const double at[] = {0.25, 0.75};
+    const double least = reference->abscissa().low;  // a position within every initial body, or a count
+    const double at[] = {std::max(0.8, least), std::max(0.9, 2 * least)};
     const Answer answer = reference->evaluate({}, at);
     ASSERT_EQ(answer.values.size(), answer.bounds.size());
     for (std::size_t i = 0; i < answer.values.size(); ++i) {
@@ -49,7 +51,7 @@ TEST(Registry, EveryReferenceDescribesItselfAndAnswersForItsDefaults) {
     }
     ASSERT_EQ(answer.at.size(), 2u);
     ASSERT_EQ(answer.at_bounds.size(), 2u);
-    EXPECT_EQ(answer.at[1][0], (std::pair<std::string, double>{reference->at_name(), 0.75}));
+    EXPECT_EQ(answer.at[1][0], (std::pair<std::string, double>{reference->at_name(), at[1]}));
     EXPECT_EQ(answer.at[1].size(), answer.at_bounds[1].size() + 1);
   }
 }
