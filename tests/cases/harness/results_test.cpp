@@ -70,8 +70,8 @@ Value another(const Key& key) {
     return Value(to_text(key.value) == key.choices.back() ? key.choices.front() : key.choices.back());
   }
   const double now = std::holds_alternative<double>(key.value) ? std::get<double>(key.value) : 0;
-  for (const double candidate : {7.0, 2.0, 1.0, 3.0, 0.37, 0.5 * key.low + 0.5 * key.high,
-                                 0.25 * key.low + 0.75 * key.high}) {
+  for (const double candidate :
+       {7.0, 2.0, 1.0, 3.0, 0.37, 0.5 * key.low + 0.5 * key.high, 0.25 * key.low + 0.75 * key.high}) {
     const bool above = key.low_open ? candidate > key.low : candidate >= key.low;
     const bool below = key.high_open ? candidate < key.high : candidate <= key.high;
     const bool possible = !key.integer || candidate == std::floor(candidate);
