@@ -39,7 +39,7 @@ def render(folder):
         lstrip_blocks=True,
         undefined=jinja2.ChainableUndefined,
     )
-    environment.filters.update(plural=text.plural, by_label=tables.by_label)
+    environment.filters.update(plural=text.plural, by_label=tables.by_label, prose=text.prose)
     environment.globals.update(series_mark=svg.series_mark)
     results = {result.name: result for result in folder.runs}
     pages = [case_page(case, results) for case in cases.values()]

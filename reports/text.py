@@ -3,6 +3,8 @@
 import math
 import re
 
+from jinja2.utils import markupsafe
+
 MISSING = "—"
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -129,3 +131,8 @@ def listing(words):
     """'a, b and c'."""
     words = list(words)
     return " and ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
+
+
+def prose(words):
+    """Escaped text in which `name` is set as code."""
+    return markupsafe.Markup(re.sub("`([^`]+)`", r"<code>\1</code>", str(markupsafe.escape(words))))

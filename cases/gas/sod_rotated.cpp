@@ -17,7 +17,7 @@ constexpr double ahead_of_centre = -0.05;  // of the diaphragm, m: waves run fur
 const double side = 2 * (std::hypot(half_length, half_width) + from_sides);
 
 constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 360 110" role="img" aria-label="A square of gas on a grid, the diaphragm oblique to it, a strip along its normal is judged">
+    R"svg(<svg viewBox="0 0 412 110" role="img" aria-label="A square of gas on a grid, the diaphragm oblique to it, a strip along its normal is judged">
 <g fill="none" stroke="currentColor" stroke-width="1.5"><rect x="130" y="5" width="100" height="100"/><path d="M130 92l92 -87" stroke-dasharray="4 3"/></g>
 <path d="M130 5h92l-92 87z" fill="currentColor" opacity=".28"/><g stroke="currentColor" stroke-width=".5" opacity=".5"><path d="M130 25h100M130 45h100M130 65h100M130 85h100M150 5v100M170 5v100M190 5v100M210 5v100"/></g>
 <path d="M158 38l42 42m-5 -8l5 8l-8 -4" fill="none" stroke="currentColor" stroke-width="1.5"/>

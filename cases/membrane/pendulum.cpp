@@ -10,7 +10,7 @@ namespace plumbline {
 namespace {
 
 constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 360 170" role="img" aria-label="A bob on a string of points, held at the top wall, swings through the vertical">
+    R"svg(<svg viewBox="0 0 380 170" role="img" aria-label="A bob on a string of points, held at the top wall, swings through the vertical">
 <g fill="none" stroke="currentColor" stroke-width="1.5"><path d="M60 12h240"/><path d="M70 12l6-7m20 7l6-7m20 7l6-7m20 7l6-7m20 7l6-7m20 7l6-7m20 7l6-7m20 7l6-7m20 7l6-7m20 7l6-7"/><path d="M190 12v140" stroke-dasharray="4 4" stroke-width="1"/><path d="M143 152a148 148 0 0 0 94 0" stroke-dasharray="2 4" stroke-width="1"/><path d="M190 60a48 48 0 0 1-15-3" stroke-width="1"/></g>
 <g fill="currentColor"><circle cx="190" cy="12" r="3"/><circle cx="185" cy="27" r="2.5"/><circle cx="180" cy="42" r="2.5"/><circle cx="175" cy="57" r="2.5"/><circle cx="170" cy="72" r="2.5"/><circle cx="165" cy="87" r="2.5"/><circle cx="160" cy="102" r="2.5"/><circle cx="155" cy="117" r="2.5"/><circle cx="150" cy="132" r="2.5"/><circle cx="143" cy="152" r="8"/>
 <g font-size="12"><text x="198" y="30">(0.33333, 0.99990)</text><text x="20" y="158">(0.101, 0.303)</text><text x="172" y="76">18.4°</text><text x="240" y="95">L = 0.7346, m = 3.3</text><text x="240" y="112">g = 20 ↓</text></g></g></svg>)svg";

@@ -22,7 +22,7 @@ constexpr double box = 10, radius = 1.5, centre_x = 5.625, centre_y = 5, speed =
 constexpr double ball_modulus = 1e4, ball_poisson = 0.3, ball_density = 1, net_modulus = 1e4, net_density = 0.5;
 
 constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 360 190" role="img" aria-label="A ball flies to the right against a vertical net held at both ends">
+    R"svg(<svg viewBox="0 0 416 190" role="img" aria-label="A ball flies to the right against a vertical net held at both ends">
 <g stroke="currentColor" stroke-width="1.5" fill="none"><rect x="90" y="10" width="170" height="170" stroke-dasharray="3 4"/><circle cx="186" cy="95" r="25" fill="currentColor" fill-opacity=".18"/><path d="M176 95h22m-7 -5l7 5l-7 5"/><path d="M213 10v170" stroke-width="2.5"/><path d="M203 10h20M203 180h20" stroke-width="3"/></g>
 <g fill="currentColor" font-size="12"><text x="270" y="40">net: ρ = 0.5, E = 1e4</text><text x="270" y="58">held at both ends</text><text x="100" y="60">R = 1.5, ρ = 1</text><text x="100" y="78">E = 1e4, ν = 0.3</text><text x="150" y="140">v = 1</text></g></svg>)svg";
 

@@ -6,7 +6,7 @@ namespace plumbline {
 namespace {
 
 constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 360 160" role="img" aria-label="A square between four walls; lines of points along x and y move apart and together">
+    R"svg(<svg viewBox="0 0 470 160" role="img" aria-label="A square between four walls; lines of points along x and y move apart and together">
 <g stroke="currentColor" stroke-width="1.5" fill="none"><path d="M115 15h130v130h-130z"/><path d="M115 80h40m-8-5l8 5l-8 5M245 80h-40m8-5l-8 5l8 5M180 15v40m-5-8l5 8l5-8M180 145v-40m-5 8l5-8l5 8"/></g>
 <g stroke="currentColor" stroke-width=".6" opacity=".6"><path d="M125 15v130M140 15v130M160 15v130M200 15v130M220 15v130M235 15v130M115 25h130M115 40h130M115 60h130M115 100h130M115 120h130M115 135h130"/></g>
 <g fill="currentColor" font-size="12"><text x="255" y="84">u_i = A sin πX_i sin(πct + φ_i)</text><text x="20" y="84">no friction</text></g></svg>)svg";

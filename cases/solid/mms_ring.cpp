@@ -8,7 +8,7 @@ namespace plumbline {
 namespace {
 
 constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 360 170" role="img" aria-label="A quarter of a ring; its edges are free, it grows and shrinks along its radii">
+    R"svg(<svg viewBox="0 0 480 170" role="img" aria-label="A quarter of a ring; its edges are free, it grows and shrinks along its radii">
 <g stroke="currentColor" stroke-width="1.5" fill="none"><path d="M110 150h190M110 150v-140" stroke-dasharray="4 3"/><path d="M110 90a60 60 0 0 1 60 60h60a120 120 0 0 0-120-120z" fill="currentColor" fill-opacity=".15"/><path d="M174 86l26-26m-8 1l8-1l-1 8m-14 15l-26 26m8-1l-8 1l1-8"/></g>
 <g fill="currentColor" font-size="12"><text x="165" y="166">0.5</text><text x="222" y="166">1</text><text x="240" y="60">u_R = A cos πct (c₃R³ + c₂R² + c₁R)</text><text x="240" y="80">edges free of traction</text></g></svg>)svg";
 

@@ -16,7 +16,7 @@ namespace {
 constexpr double box = 5, left = 1, gap = 0.5, bottom = 0.25;
 
 constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 360 190" role="img" aria-label="A bar flies to the right against an equal bar at rest">
+    R"svg(<svg viewBox="0 0 384 190" role="img" aria-label="A bar flies to the right against an equal bar at rest">
 <g stroke="currentColor" stroke-width="1.5" fill="none"><rect x="90" y="10" width="170" height="170" stroke-dasharray="3 4"/><rect x="124" y="18" width="43" height="153" fill="currentColor" fill-opacity=".22"/><rect x="184" y="18" width="43" height="153" fill="currentColor" fill-opacity=".1"/><path d="M134 95h24m-7 -5l7 5l-7 5"/></g>
 <g fill="currentColor" font-size="12"><text x="140" y="82">v</text><text x="188" y="98">rest</text><text x="270" y="60">E = 1e5, ν = 0.3</text><text x="270" y="78">ρ = 1</text><text x="270" y="96">1.25 × 4.5 each</text><text x="270" y="114">0.5 apart</text></g></svg>)svg";
 

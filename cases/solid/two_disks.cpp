@@ -15,7 +15,7 @@ namespace {
 constexpr double radius = 0.2, density = 1000, youngs_modulus = 1000, poisson = 0.3, speed = 0.1;
 
 constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 360 190" role="img" aria-label="Two disks fly along the diagonal of a square against each other">
+    R"svg(<svg viewBox="0 0 392 190" role="img" aria-label="Two disks fly along the diagonal of a square against each other">
 <g stroke="currentColor" stroke-width="1.5" fill="none"><rect x="90" y="10" width="170" height="170" stroke-dasharray="3 4"/><circle cx="124" cy="146" r="34" fill="currentColor" fill-opacity=".15"/><circle cx="226" cy="44" r="34" fill="currentColor" fill-opacity=".15"/><path d="M124 146l20 -20m-8 2l8 -2l-2 8M226 44l-20 20m8 -2l-8 2l2 -8"/></g>
 <g fill="currentColor" font-size="12"><text x="270" y="60">E = 1000, ν = 0.3</text><text x="270" y="78">ρ = 1000, R = 0.2</text><text x="270" y="96">v = ±(0.1, 0.1)</text></g></svg>)svg";
 
