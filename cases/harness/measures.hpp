@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace plumbline {
@@ -60,5 +61,19 @@ struct Profile {
   std::vector<ProfileColumn> columns;
   const ProfileColumn* find(const std::string& name) const;
 };
+
+// A history with the first of `columns` as abscissa, from one row a step (a value per column), thinned to at most 1500.
+template <class Rows>
+Profile history_profile(std::vector<ProfileColumn> columns, const Rows& rows) {
+  Profile profile;
+  profile.kind = "history";
+  profile.abscissa = columns.front().name;
+  profile.columns = std::move(columns);
+  const std::size_t every = rows.size() / 1500 + 1;
+  for (std::size_t k = 0; k < rows.size(); k += every) {
+    for (std::size_t c = 0; c < profile.columns.size(); ++c) profile.columns[c].values.push_back(rows[k][c]);
+  }
+  return profile;
+}
 
 }  // namespace plumbline

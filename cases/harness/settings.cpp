@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
+#include <utility>
 
 #include "cases/harness/errors.hpp"
 
@@ -23,6 +24,15 @@ std::string short_hash(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
   return fmt::format("{:016x}", hash).substr(4);
+}
+
+Key positive_key(std::string name, double value, std::string unit, std::string description) {
+  return {.name = std::move(name),
+          .value = value,
+          .unit = std::move(unit),
+          .low = 0,
+          .low_open = true,
+          .description = std::move(description)};
 }
 
 std::string Key::allowed() const {

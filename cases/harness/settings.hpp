@@ -28,6 +28,9 @@ struct Key {
   std::string allowed() const;  // for people: "(0, inf) s", "one of linear, quadratic, cubic"
 };
 
+// The key of a positive number.
+Key positive_key(std::string name, double value, std::string unit, std::string description);
+
 using Override = std::pair<std::string, Value>;
 
 // All keys of a run with their values. Keys keep the order in which they were declared.

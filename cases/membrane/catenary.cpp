@@ -198,14 +198,6 @@ class CatenaryCase final : public Case {
   Kind kind() const override { return Kind::membrane; }
 
   std::vector<Key> keys() const override {
-    const auto positive = [](std::string name, double value, std::string unit, std::string description) {
-      return Key{.name = std::move(name),
-                 .value = value,
-                 .unit = std::move(unit),
-                 .low = 0,
-                 .low_open = true,
-                 .description = std::move(description)};
-    };
     return {strain_key(),
             {.name = "length",
              .value = 1.2,
@@ -213,15 +205,15 @@ class CatenaryCase final : public Case {
              .low = 1.02,
              .high = 1.5,
              .description = "of the unstretched chain; the supports are 1 m apart"},
-            positive("gravity", 9.81, "m/s^2", "gravity"),
-            positive("line_density", 1, "kg/m", "mass per unstretched length"),
+            positive_key("gravity", 9.81, "m/s^2", "gravity"),
+            positive_key("line_density", 1, "kg/m", "mass per unstretched length"),
             {.name = "stretch",
              .value = 1e-3,
              .low = 0,
              .high = 0.1,
              .low_open = true,
              .description = "strain by the chain's whole weight: its stiffness"},
-            positive("falls", 1, "1", "end time, in times in which the chain would fall by its sag")};
+            positive_key("falls", 1, "1", "end time, in times in which the chain would fall by its sag")};
   }
 
   std::vector<Override> points_and_end(const std::string& scheme) const override {
@@ -229,11 +221,9 @@ class CatenaryCase final : public Case {
     return {{"cells", 20.0}};
   }
 
-  // York has no such case; the Courant number is that of his pendulum.
   void derive(Settings& settings, const std::string& scheme) const override {
-    if (scheme != "york1997" || settings.is_set("dt") || settings.is_set("cfl")) return;
     const double speed = std::sqrt(settings.number("gravity") * settings.number("length") / settings.number("stretch"));
-    settings.set("dt", 0.63 / speed / settings.number("cells"), "catenary");  // [York A.4.5]
+    york_string_step(settings, scheme, speed);
   }
 
   std::unique_ptr<Problem> problem(const Settings& settings) const override {

@@ -146,17 +146,9 @@ class HangingChainCase final : public Case {
 
   std::vector<Key> keys() const override {
     const reference::HangingChainProblem p;
-    const auto positive = [](std::string name, double value, std::string unit, std::string description) {
-      return Key{.name = std::move(name),
-                 .value = value,
-                 .unit = std::move(unit),
-                 .low = 0,
-                 .low_open = true,
-                 .description = std::move(description)};
-    };
     return {strain_key(),
-            positive("gravity", p.gravity, "m/s^2", "gravity"),
-            positive("line_density", p.line_density, "kg/m", "mass per length"),
+            positive_key("gravity", p.gravity, "m/s^2", "gravity"),
+            positive_key("line_density", p.line_density, "kg/m", "mass per length"),
             {.name = "stretch",
              .value = 1e-3,
              .low = 0,
@@ -164,7 +156,7 @@ class HangingChainCase final : public Case {
              .low_open = true,
              .description = "strain at the support by the chain's weight: its stiffness"},
             {.name = "mode", .value = 1.0, .low = 1, .high = 20, .integer = true, .description = "of the swing"},
-            positive("amplitude", 1e-3, "m", "of the free end")};
+            positive_key("amplitude", 1e-3, "m", "of the free end")};
   }
 
   std::vector<Override> points_and_end(const std::string& scheme) const override {
@@ -172,11 +164,9 @@ class HangingChainCase final : public Case {
     return {{"cells", 20.0}};
   }
 
-  // York has no such case; the Courant number is that of his pendulum.
   void derive(Settings& settings, const std::string& scheme) const override {
-    if (scheme != "york1997" || settings.is_set("dt") || settings.is_set("cfl")) return;
     const double speed = std::sqrt(settings.number("gravity") / settings.number("stretch"));
-    settings.set("dt", 0.63 / speed / settings.number("cells"), "hanging-chain");  // [York A.4.5]
+    york_string_step(settings, scheme, speed);
   }
 
   std::unique_ptr<Problem> problem(const Settings& settings) const override {

@@ -233,14 +233,6 @@ class Pendulum final : public Case {
 
   std::vector<Key> keys() const override {
     const reference::ElasticPendulumProblem p;
-    const auto positive = [](std::string name, double value, std::string unit, std::string description) {
-      return Key{.name = std::move(name),
-                 .value = value,
-                 .unit = std::move(unit),
-                 .low = 0,
-                 .low_open = true,
-                 .description = std::move(description)};
-    };
     return {strain_key(),
             {.name = "box",
              .value = "wide",
@@ -255,12 +247,12 @@ class Pendulum final : public Case {
              .choices = {"ends", "ppc", "york"},
              .description = "20, 40, 80, 320 points on York's meshes, half a segment's share at the ends; ppc points a "
                             "cell; or York's, all of them whole"},
-            positive("youngs_modulus", p.youngs_modulus, "Pa", "E of the string"),
-            positive("area", p.area, "m^2", "section of the string"),
-            positive("string_density", p.density, "kg/m^3", "density of the string"),
-            positive("mass", p.mass, "kg", "of the bob"),
-            positive("gravity", p.gravity, "m/s^2", "gravity"),
-            positive("t_end", 1.3, "s", "end time")};
+            positive_key("youngs_modulus", p.youngs_modulus, "Pa", "E of the string"),
+            positive_key("area", p.area, "m^2", "section of the string"),
+            positive_key("string_density", p.density, "kg/m^3", "density of the string"),
+            positive_key("mass", p.mass, "kg", "of the bob"),
+            positive_key("gravity", p.gravity, "m/s^2", "gravity"),
+            positive_key("t_end", 1.3, "s", "end time")};
   }
 
   std::vector<Override> points_and_end(const std::string& scheme) const override {

@@ -193,16 +193,8 @@ class SpringMass final : public Case {
 
   std::vector<Key> keys() const override {
     const reference::SpringProblem spring;
-    const auto positive = [](std::string name, double value, std::string unit, std::string description) {
-      return Key{.name = std::move(name),
-                 .value = value,
-                 .unit = std::move(unit),
-                 .low = 0,
-                 .low_open = true,
-                 .description = std::move(description)};
-    };
-    return {positive("youngs_modulus", spring.youngs_modulus, "Pa", "E of the spring"),
-            positive("area", spring.area, "m^2", "section of the spring"),
+    return {positive_key("youngs_modulus", spring.youngs_modulus, "Pa", "E of the spring"),
+            positive_key("area", spring.area, "m^2", "section of the spring"),
             {.name = "length",
              .value = spring.length,
              .unit = "m",
@@ -210,10 +202,10 @@ class SpringMass final : public Case {
              .high = 1.5,
              .low_open = true,
              .description = "length of the spring"},
-            positive("mass", spring.mass, "kg", "the hanging mass"),
-            positive("spring_density", spring.density, "kg/m^3", "density of the spring"),
-            positive("gravity", spring.gravity, "m/s^2", "gravity"),
-            positive("t_end", 0.1, "s", "end time"),
+            positive_key("mass", spring.mass, "kg", "the hanging mass"),
+            positive_key("spring_density", spring.density, "kg/m^3", "density of the spring"),
+            positive_key("gravity", spring.gravity, "m/s^2", "gravity"),
+            positive_key("t_end", 0.1, "s", "end time"),
             {.name = "layout",
              .value = "ends",
              .choices = {"ends", "york"},

@@ -118,4 +118,9 @@ double energy_drift(const Account& energy) {
   return (energy.flow(Flow::integration) + energy.flow(Flow::transfer)) / energy.scale();
 }
 
+void york_string_step(Settings& settings, const std::string& scheme, double speed) {
+  if (scheme != "york1997" || settings.is_set("dt") || settings.is_set("cfl")) return;
+  settings.set("dt", 0.63 / speed / settings.number("cells"), "string");  // [York A.4.5]
+}
+
 }  // namespace plumbline

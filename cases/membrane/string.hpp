@@ -54,4 +54,8 @@ double chord_length(const Columns& points);
 // What a scheme that claims no conservation of energy gains or loses, as a share of the energies at play.
 double energy_drift(const Account& energy);
 
+// Of a string that York did not run, under his scheme: the Courant number of his pendulum, for waves of `speed` (m/s) and
+// cells of h = 1/cells m. [York A.4.5]
+void york_string_step(Settings& settings, const std::string& scheme, double speed);
+
 }  // namespace plumbline

@@ -232,14 +232,6 @@ class StringSlack final : public Case {
 
   std::vector<Key> keys() const override {
     const reference::SlackStringProblem p;
-    const auto positive = [](std::string name, double value, std::string unit, std::string description) {
-      return Key{.name = std::move(name),
-                 .value = value,
-                 .unit = std::move(unit),
-                 .low = 0,
-                 .low_open = true,
-                 .description = std::move(description)};
-    };
     return {strain_key(),
             {.name = "layout",
              .value = "even",
@@ -247,8 +239,8 @@ class StringSlack final : public Case {
              .description =
                  "slack spread evenly, evenly but for what the kernel of the mass reaches, or York's ten points, "
                  "six slack"},
-            positive("youngs_modulus", p.youngs_modulus, "Pa", "E of the string"),
-            positive("area", p.area, "m^2", "section of the string"),
+            positive_key("youngs_modulus", p.youngs_modulus, "Pa", "E of the string"),
+            positive_key("area", p.area, "m^2", "section of the string"),
             {.name = "length",
              .value = p.length,
              .unit = "m",
@@ -256,16 +248,16 @@ class StringSlack final : public Case {
              .high = 1.5,
              .low_open = true,
              .description = "unstretched length of the string"},
-            positive("string_density", 0.1, "kg/m^3", "density of the string"),
-            positive("mass", p.mass, "kg", "the hanging mass"),
-            positive("gravity", p.gravity, "m/s^2", "gravity"),
+            positive_key("string_density", 0.1, "kg/m^3", "density of the string"),
+            positive_key("mass", p.mass, "kg", "the hanging mass"),
+            positive_key("gravity", p.gravity, "m/s^2", "gravity"),
             {.name = "slack",
              .value = p.slack,
              .unit = "m",
              .low = 0,
              .high = 0.1,
              .description = "by which the mass falls before the string is straight"},
-            positive("t_end", 0.04, "s", "end time")};
+            positive_key("t_end", 0.04, "s", "end time")};
   }
 
   std::vector<Override> points_and_end(const std::string& scheme) const override {

@@ -146,19 +146,11 @@ class StringVibrationEntry final : public Case {
 
   std::vector<Key> keys() const override {
     const reference::StringVibrationProblem p;
-    const auto positive = [](std::string name, double value, std::string unit, std::string description) {
-      return Key{.name = std::move(name),
-                 .value = value,
-                 .unit = std::move(unit),
-                 .low = 0,
-                 .low_open = true,
-                 .description = std::move(description)};
-    };
     return {
         strain_key(),
-        positive("youngs_modulus", p.youngs_modulus, "Pa", "E of the string"),
-        positive("area", p.area, "m^2", "section of the taut string"),
-        positive("string_density", p.density, "kg/m^3", "density of the taut string"),
+        positive_key("youngs_modulus", p.youngs_modulus, "Pa", "E of the string"),
+        positive_key("area", p.area, "m^2", "section of the taut string"),
+        positive_key("string_density", p.density, "kg/m^3", "density of the taut string"),
         {.name = "pretension",
          .value = p.strain,
          .low = 0,
@@ -166,7 +158,7 @@ class StringVibrationEntry final : public Case {
          .low_open = true,
          .description = "strain of the taut string"},
         {.name = "mode", .value = 1.0, .low = 1, .high = 100, .integer = true, .description = "number of half waves"},
-        positive("amplitude", 1e-4, "m", "largest displacement")};
+        positive_key("amplitude", 1e-4, "m", "largest displacement")};
   }
 
   std::vector<Override> points_and_end(const std::string& scheme) const override {
@@ -174,11 +166,9 @@ class StringVibrationEntry final : public Case {
     return {{"cells", 20.0}};
   }
 
-  // York has no such case; the Courant number is that of his pendulum.
   void derive(Settings& settings, const std::string& scheme) const override {
-    if (scheme != "york1997" || settings.is_set("dt") || settings.is_set("cfl")) return;
     const double speed = std::sqrt(settings.number("youngs_modulus") / settings.number("string_density"));
-    settings.set("dt", 0.63 / speed / settings.number("cells"), "string-vibration");  // [York A.4.5]
+    york_string_step(settings, scheme, speed);
   }
 
   std::unique_ptr<Problem> problem(const Settings& settings) const override {

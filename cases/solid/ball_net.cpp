@@ -84,21 +84,14 @@ class BallAndNet final : public Problem {
   }
 
   Profile profile(const Simulation&) const override {
-    Profile profile;
-    profile.kind = "history";
-    profile.abscissa = "time";
-    profile.columns = {{"time", "s", "time", {}},
-                       {"ball_velocity", "m/s", "velocity of the ball's centre of mass", {}},
-                       {"net_velocity", "m/s", "velocity of the net's centre of mass", {}},
-                       {"ball_position", "m", "x of the ball's centre of mass", {}},
-                       {"net_position", "m", "x of the net's centre of mass", {}},
-                       {"kinetic_energy", "J", "kinetic energy", {}},
-                       {"elastic_energy", "J", "strain energy", {}}};
-    const std::size_t every = history_.size() / 1500 + 1;
-    for (std::size_t k = 0; k < history_.size(); k += every) {
-      for (std::size_t c = 0; c < profile.columns.size(); ++c) profile.columns[c].values.push_back(history_[k][c]);
-    }
-    return profile;
+    return history_profile({{"time", "s", "time", {}},
+                            {"ball_velocity", "m/s", "velocity of the ball's centre of mass", {}},
+                            {"net_velocity", "m/s", "velocity of the net's centre of mass", {}},
+                            {"ball_position", "m", "x of the ball's centre of mass", {}},
+                            {"net_position", "m", "x of the net's centre of mass", {}},
+                            {"kinetic_energy", "J", "kinetic energy", {}},
+                            {"elastic_energy", "J", "strain energy", {}}},
+                           history_);
   }
 
  private:

@@ -38,15 +38,6 @@ Statement ManufacturedCase::begin_statement() {
   return s;
 }
 
-Key positive_key(std::string name, double value, std::string unit, std::string description) {
-  return {.name = std::move(name),
-          .value = value,
-          .unit = std::move(unit),
-          .low = 0,
-          .low_open = true,
-          .description = std::move(description)};
-}
-
 Key poisson_key(double value) {
   return {.name = "poissons_ratio",
           .value = value,

@@ -23,8 +23,7 @@ class ManufacturedCase : public Case {
   static Statement begin_statement();
 };
 
-// Keys: a positive number; Poisson's ratio.
-Key positive_key(std::string name, double value, std::string unit, std::string description);
+// The key of Poisson's ratio.
 Key poisson_key(double value);
 
 // Points of the regular lattice that starts at `shape.low`, as ManufacturedSetup::body wants them.

@@ -70,19 +70,12 @@ class TwoDisks final : public Problem {
   }
 
   Profile profile(const Simulation&) const override {
-    Profile profile;
-    profile.kind = "history";
-    profile.abscissa = "time";
-    profile.columns = {{"time", "s", "time", {}},
-                       {"kinetic_energy", "J", "kinetic energy", {}},
-                       {"elastic_energy", "J", "strain energy", {}},
-                       {"position", "m", "x of the lower disk's centre of mass", {}},
-                       {"velocity", "m/s", "its velocity along x", {}}};
-    const std::size_t every = history_.size() / 1500 + 1;
-    for (std::size_t k = 0; k < history_.size(); k += every) {
-      for (std::size_t c = 0; c < profile.columns.size(); ++c) profile.columns[c].values.push_back(history_[k][c]);
-    }
-    return profile;
+    return history_profile({{"time", "s", "time", {}},
+                            {"kinetic_energy", "J", "kinetic energy", {}},
+                            {"elastic_energy", "J", "strain energy", {}},
+                            {"position", "m", "x of the lower disk's centre of mass", {}},
+                            {"velocity", "m/s", "its velocity along x", {}}},
+                           history_);
   }
 
  private:
