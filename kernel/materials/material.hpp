@@ -104,7 +104,7 @@ class Material {
 // Largest |v_p| of the range, m/s; a NaN stays.
 double fastest_point(const Columns& points, PointRange range, int dim);
 
-// First point of the range with a value of the column that is not finite.
+// A point of the range with a value of the column that is not finite.
 Material::Fault first_not_finite(const Columns& points, PointRange range, const ColumnId& id,
                                  const std::string& reason);
 
