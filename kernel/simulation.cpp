@@ -22,6 +22,10 @@ Simulation::Simulation(Scene scene, const std::string& integrator, StepControl c
     throw std::invalid_argument("points cannot be split with shape " + scene_.shape + " and transfer " +
                                 scene_.transfer + ": " + why);
   }
+  if (scene_.loss_to_gas && !integrator_->returns_transfer_loss()) {
+    throw std::invalid_argument("integrator " + integrator +
+                                " cannot hand losses to the gas: it gives no transfer loss back as heat");
+  }
   engine_ = make_engine(
       scene_, ledger_, {integrator_->returns_transfer_loss(), integrator_->evaluates_stress_first(), control_.threads});
   engine_->initialise();

@@ -35,6 +35,12 @@ struct VelocityField {
         heat(size(grid)),
         exchange(size(grid)) {}
 
+  // Arrays that only fields need whose gas shares nodes with other bodies.
+  void add_gas_arrays(const Grid<dim>& grid) {
+    gas_mass.resize(size(grid));
+    loss.resize(size(grid));
+  }
+
   static std::size_t size(const Grid<dim>& grid) { return static_cast<std::size_t>(grid.node_count()); }
 
   std::vector<std::pair<int, int>> touched;  // [first, last) node of each row that a point reaches; empty: (0, 0)
@@ -52,6 +58,8 @@ struct VelocityField {
   std::vector<double> density;               // M_i / |cell_i|
   std::vector<double> heat;                  // sum_p m_p e_p N_ip, then E_i, its mean per mass
   std::vector<double> exchange;              // sum_p m_p N_ip max(0, -div v), then alpha_i
+  std::vector<double> gas_mass;              // of the bodies that take heat, if others share the field; else empty
+  std::vector<double> loss;                  // what the others lost this step, then per mass of gas, J/kg
 
   // Calls visit(node) for every touched node of a row.
   template <class Visit>

@@ -89,6 +89,30 @@ class Columns(dict):
 
 
 @dataclass
+class Frames:
+    """Snapshots of the points of a run. `times` in s; `bodies`: objects with name, kind (gas, membrane, solid),
+    material, chain, closed; `grid`: dim, axisymmetric, h, low, high, walls; `units` by field.
+    """
+
+    times: numpy.ndarray
+    bodies: list
+    grid: dict
+    units: dict
+    every: int = 1  # one point in so many is there of bodies that are no chain
+    points: dict = field(default_factory=dict)  # by field: the values of all frames one after another
+    starts: numpy.ndarray = None  # where each frame begins in them, and their end
+
+    def __len__(self):
+        return len(self.times)
+
+    def body(self, frame, number):
+        """{field: values} of one body at one frame: id, position and velocity (n, 3), pressure, stress."""
+        part = slice(self.starts[frame], self.starts[frame + 1])
+        chosen = self.points["body"][part] == number
+        return {name: values[part][chosen] for name, values in self.points.items() if name != "body"}
+
+
+@dataclass
 class Result:
     """One result file. `run`, `study` and `verdicts` hold the JSON object of the file's own kind, else {}."""
 
@@ -106,6 +130,7 @@ class Result:
     ledger: dict = field(default_factory=dict)
     profile: Columns = field(default_factory=lambda: Columns({}))
     comparators: dict = field(default_factory=dict)  # of a study: levels of other methods, by name
+    frames: Frames = None  # of a run that kept any
 
     def table_names(self):
         """Names of the tables that this file can give as CSV."""
@@ -223,6 +248,8 @@ def _read(file, name):
     result.ledger = {quantity: Columns(_columns(group)) for quantity, group in _groups(file, "ledger")}
     if "profile" in file:
         result.profile = _profile(file["profile"])
+    if "VTKHDF" in file:
+        result.frames = _frames(file)
     return result
 
 
@@ -283,6 +310,20 @@ def _profile(group):
     labels = {name: _text(data.attrs.get("label")) for name, data in group.items()}
     return Columns(
         _columns(group), units, labels, _text(group.attrs.get("abscissa")), _text(group.attrs.get("kind"))
+    )
+
+
+def _frames(file):
+    described, data = _json(file, "frames", dict, required=True), file["VTKHDF"]
+    starts = numpy.append(data["Steps/PointOffsets"][()], len(data["Points"]))
+    points = {name: values[()] for name, values in data["PointData"].items()}
+    points["position"] = data["Points"][()]
+    lengths = {name: len(values) for name, values in points.items()}
+    if len(set(lengths.values())) > 1 or numpy.any(numpy.diff(starts) < 0):
+        raise DamagedFile(f"the frames do not fit their points: {lengths}")
+    grid = {name: described[name] for name in ("dim", "axisymmetric", "h", "low", "high", "walls")}
+    return Frames(
+        data["Steps/Values"][()], described["bodies"], grid, described["units"], described["every"], points, starts
     )
 
 

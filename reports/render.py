@@ -17,6 +17,8 @@ import jinja2
 
 import cases as gathering
 import figures
+import normals
+import pictures
 import plumbline_results
 import profiles
 import speed
@@ -132,8 +134,20 @@ def case_page(case, results):
         "leads_with_scalars": not (case.measure or "").endswith(NORMS),
         "books": tables.ledger_rows(finest),
         "stopped": tables.stopped(case),
+        "pictures": picture_groups(case, results, name),
+        "normals": _ready(normals.drawings(case, results, f"{name}-normals")),
         **case_figures(case, results, finest, name),
     }
+
+
+def picture_groups(case, results, name):
+    """What can be looked at of the runs that kept frames: points over time, a film, fields."""
+    groups = pictures.groups(case, results, f"{name}-pictures")
+    for group in groups:
+        if group["film"]:
+            group["film"].svg = _markup(group["film"].svg)
+        group["fields"] = _ready(group["fields"])
+    return groups
 
 
 def case_figures(case, results, finest, name):

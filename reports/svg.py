@@ -30,6 +30,7 @@ _STYLE = {
     "svg.hashsalt": "plumbline",
     "font.family": "DejaVu Sans",
     "font.size": 8.5,
+    "axes.facecolor": "none",
     "axes.edgecolor": MUTED,
     "axes.labelcolor": INK,
     "axes.linewidth": 0.7,
@@ -93,6 +94,7 @@ def _inline(text, prefix, label):
     text = re.sub("|".join(_VARIABLES), lambda match: _VARIABLES[match.group(0)], text)
     text = re.sub(r'id="class:([\w-]+)[^"]*"', r'class="\1"', text)
     text = re.sub(r' (?:d|x|y|width|height|transform)="[^"]*"', _rounded, text)
+    text = re.sub(r"<g[^>]*/>", "", text)  # parts that nothing was drawn in
     text = re.sub(r"<g([^>]*)>\s*((?:<use [^>]*/>\s*){3,})</g>", _shared_style, text)
     text = _own_identifiers(text, f"f{zlib.crc32(prefix.encode()):x}")
     return re.sub(r">\s+<", "><", re.sub(r" *\n *", " ", text)).strip()

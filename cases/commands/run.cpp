@@ -9,6 +9,8 @@ struct RunOptions {
   std::string case_name;
   std::optional<int> cells;
   bool dry = false;
+  int frames = 0;
+  bool with_frames = false;
 };
 
 // The declared study and level that these choices are one run of, if any.
@@ -99,6 +101,18 @@ int dry_run(const Output& out, const Invocation& invocation, const Case& entry, 
   return 0;
 }
 
+FrameRequest frames_of(const RunOptions& options) {
+  if (!options.with_frames) return {};
+  if (options.frames < 2 || options.frames > most_frames) {
+    const std::string given = std::to_string(options.frames), allowed = fmt::format("[2, {}]", most_frames);
+    throw UsageError("--frames", given, allowed, {},
+                     fmt::format("--frames {}: a number of snapshots in {} is wanted, the first and the last instant "
+                                 "being two of them",
+                                 given, allowed));
+  }
+  return {options.frames, 0};
+}
+
 int execute(const Invocation& invocation, const RunOptions& options) {
   const Case& entry = find_case(options.case_name);
   const auto chosen = chosen_schemes(invocation.options);
@@ -108,10 +122,11 @@ int execute(const Invocation& invocation, const RunOptions& options) {
   std::vector<Override> overrides = chosen[0].overrides;
   if (options.cells) overrides.emplace_back("cells", static_cast<double>(*options.cells));
   const Settings settings = entry.settings(chosen[0].scheme, overrides, invocation.options.settings);
+  const FrameRequest frames = frames_of(options);
   const Output out(invocation.options);
   if (options.dry) return dry_run(out, invocation, entry, chosen[0].scheme, settings);
   const ResultsFolder folder(invocation.options.results);
-  RunResult run = run_experiment(entry, chosen[0].scheme, settings, invocation.options.threads);
+  RunResult run = run_experiment(entry, chosen[0].scheme, settings, invocation.options.threads, frames);
   if (chosen[0].scheme == "default") run.scheme = integrator_scheme(entry, settings.text("integrator"));
   run.file = ResultsFolder::run_name(run);
   const auto declared = declared_run(entry, chosen[0].scheme, settings);
@@ -133,9 +148,14 @@ Command add_run(CLI::App& app, Invocation& invocation) {
   auto options = std::make_shared<RunOptions>();
   sub->add_option("case", options->case_name, "the case")->required();
   sub->add_option("--cells", options->cells, "cells along the case's reference length");
+  sub->add_option("--frames", options->frames,
+                  "keep so many snapshots of all points, evenly spaced in time, in the result file");
   sub->add_flag("--dry-run", options->dry, "print points, cells, steps, memory and estimated time only");
   add_run_options(*sub, invocation.options);
-  return {sub, [&invocation, options] { return execute(invocation, *options); }};
+  return {sub, [&invocation, options, sub] {
+            options->with_frames = sub->count("--frames") > 0;
+            return execute(invocation, *options);
+          }};
 }
 
 }  // namespace plumbline

@@ -136,7 +136,9 @@ class GasExpansion final : public Case {
     return {{.id = "default",
              .title = "default, a quarter in the plane",
              .why = "The start is a jump to vacuum, the rarefaction's head a kink: order 1.",
-             .values = {40, 56, 80, 112, 160}}};
+             .values = {40, 56, 80, 112, 160},
+             .frames = 25,
+             .frames_at = 80.0}};
   }
   std::vector<CaseGate> gates() const override {
     std::vector<CaseGate> all = target_order("default", "density.L1", 0.8,

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,8 @@ struct StudyPlan {
   Tier tier = Tier::quick;               // the lowest tier that runs it
   std::vector<double> full_values = {};  // replaces `values` in the full tier, if not empty
   bool offsets_in_full = false;          // the full tier repeats each level at four sub-cell offsets
+  int frames = 0;                        // 2 ... 100: so many snapshots of its last level for the report's pictures
+  std::optional<double> frames_at = {};  // of the level with this value instead
 };
 
 // A gate on a study: which number, and what it must be.

@@ -9,6 +9,10 @@
 namespace plumbline {
 namespace {
 
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 volatile std::sig_atomic_t arrived_signal = 0;
 extern "C" void note_signal(int signal_number) { arrived_signal = signal_number; }
 
@@ -121,7 +125,8 @@ StepControl step_control(const Settings& settings) {
   return control;
 }
 
-RunResult run_experiment(const Case& entry, const std::string& scheme, const Settings& settings, int threads) {
+RunResult run_experiment(const Case& entry, const std::string& scheme, const Settings& settings, int threads,
+                         const FrameRequest& frames) {
   const auto problem = entry.problem(settings);
   Scene scene = problem->scene();
   RunResult result(entry.name(), scheme, settings);
@@ -134,21 +139,29 @@ RunResult run_experiment(const Case& entry, const std::string& scheme, const Set
     control.threads = threads;
     Simulation simulation(std::move(scene), settings.text("integrator"), control);
     LedgerRecorder recorder(result.dim, result.axisymmetric);
+    FrameRecorder pictures(frames, simulation.scene(), result.end_time);
+    pictures.look(simulation);
+    double looking_s = 0;
     const auto start = std::chrono::steady_clock::now();
     const auto finish = [&] {
-      result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      result.wall_s = seconds_since(start) - looking_s;
       result.steps = simulation.steps();
       result.points = simulation.points();
       result.doubles_per_point = simulation.scene().bodies.front().points.doubles_per_point();
       result.dt = result.steps > 0 ? simulation.time() / static_cast<double>(result.steps) : 0;
       result.ledger = simulation.ledger();
       result.history = recorder.history(simulation);
+      result.frames = pictures.take();
     };
     try {
       simulation.run_until(result.end_time, [&](const Simulation& now) {
         problem->observe(now);
         recorder.record(now);
         throw_if_interrupted();
+        if (frames.count == 0) return;
+        const auto before = std::chrono::steady_clock::now();
+        pictures.look(now);
+        looking_s += seconds_since(before);
       });
       finish();
     } catch (const InadmissibleState&) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cases/harness/case.hpp"
+#include "cases/harness/frames.hpp"
 
 namespace plumbline {
 
@@ -50,6 +51,7 @@ struct RunResult {
   LedgerHistory history;
   std::vector<Measure> measures;  // empty if stopped
   Profile profile;
+  FrameSet frames;   // as asked for
   std::string file;  // its name in a results folder
 
   const Measure* find(const std::string& measure) const;
@@ -62,8 +64,9 @@ struct RunResult {
 StepControl step_control(const Settings& settings);
 
 // Runs it, the loops over points on `threads` threads. A stop on an inadmissible state is a result; throws Interrupted if
-// a signal arrives.
-RunResult run_experiment(const Case& entry, const std::string& scheme, const Settings& settings, int threads = 1);
+// a signal arrives. No number depends on the frames that are asked for.
+RunResult run_experiment(const Case& entry, const std::string& scheme, const Settings& settings, int threads = 1,
+                         const FrameRequest& frames = {});
 
 // SIGINT and SIGTERM end the runs under way at their next step: installs the handlers.
 void end_runs_on_signals();

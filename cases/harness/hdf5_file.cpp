@@ -4,6 +4,7 @@
 #include <hdf5.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "cases/harness/errors.hpp"
@@ -25,6 +26,30 @@ class Handle {
  private:
   hid_t id_;
   herr_t (*close_)(hid_t);
+};
+
+// Types of a number in a file and in memory.
+template <class Number>
+struct Type;
+template <>
+struct Type<float> {
+  static hid_t stored() { return H5T_IEEE_F32LE; }
+  static hid_t in_memory() { return H5T_NATIVE_FLOAT; }
+};
+template <>
+struct Type<std::int64_t> {
+  static hid_t stored() { return H5T_STD_I64LE; }
+  static hid_t in_memory() { return H5T_NATIVE_INT64; }
+};
+template <>
+struct Type<std::int32_t> {
+  static hid_t stored() { return H5T_STD_I32LE; }
+  static hid_t in_memory() { return H5T_NATIVE_INT32; }
+};
+template <>
+struct Type<std::uint8_t> {
+  static hid_t stored() { return H5T_STD_U8LE; }
+  static hid_t in_memory() { return H5T_NATIVE_UINT8; }
 };
 
 void silence_hdf5() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
@@ -73,6 +98,27 @@ void Hdf5Writer::attribute(const std::string& object, const std::string& name, s
   impl_->require(H5Awrite(attribute, H5T_NATIVE_INT64, &number) >= 0, name);
 }
 
+void Hdf5Writer::ascii_attribute(const std::string& object, const std::string& name, const std::string& text) {
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, impl_->path, "make a string type");
+  H5Tset_size(type, text.size());
+  H5Tset_strpad(type, H5T_STR_NULLPAD);
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, impl_->path, "make a space");
+  const Handle attribute(
+      H5Acreate_by_name(impl_->file, object.c_str(), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose, impl_->path, "write attribute " + name);
+  impl_->require(H5Awrite(attribute, type, text.c_str()) >= 0, name);
+}
+
+void Hdf5Writer::integers_attribute(const std::string& object, const std::string& name,
+                                    const std::vector<std::int64_t>& values) {
+  const hsize_t size = values.size();
+  const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose, impl_->path, "make a space");
+  const Handle attribute(H5Acreate_by_name(impl_->file, object.c_str(), name.c_str(), H5T_STD_I64LE, space, H5P_DEFAULT,
+                                           H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose, impl_->path, "write attribute " + name);
+  impl_->require(H5Awrite(attribute, H5T_NATIVE_INT64, values.data()) >= 0, name);
+}
+
 void Hdf5Writer::group(const std::string& path) {
   const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, impl_->path, "make a property list");
   H5Pset_create_intermediate_group(links, 1);
@@ -105,6 +151,31 @@ void Hdf5Writer::numbers(const std::string& path, std::span<const double> values
     impl_->require(H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, path);
   }
 }
+
+template <class Number>
+void Hdf5Writer::array(const std::string& path, std::span<const Number> values, std::size_t columns) {
+  const hsize_t width = columns == 0 ? 1 : columns, size[] = {values.size() / width, width};
+  const int rank = columns == 0 ? 1 : 2;
+  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, impl_->path, "make a property list");
+  H5Pset_create_intermediate_group(links, 1);
+  const Handle space(H5Screate_simple(rank, size, nullptr), H5Sclose, impl_->path, "make a space");
+  const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, impl_->path, "make a property list");
+  H5Pset_obj_track_times(creation, false);
+  if (values.size() > 64) {  // below, a chunk's own bytes outweigh what compression saves
+    const hsize_t chunk[] = {std::min<hsize_t>(size[0], 16384), width};
+    H5Pset_chunk(creation, rank, chunk);
+    H5Pset_shuffle(creation);
+    H5Pset_deflate(creation, 6);
+  }
+  const Handle data(H5Dcreate2(impl_->file, path.c_str(), Type<Number>::stored(), space, links, creation, H5P_DEFAULT),
+                    H5Dclose, impl_->path, "write " + path);
+  if (values.empty()) return;
+  impl_->require(H5Dwrite(data, Type<Number>::in_memory(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, path);
+}
+template void Hdf5Writer::array(const std::string&, std::span<const float>, std::size_t);
+template void Hdf5Writer::array(const std::string&, std::span<const std::int64_t>, std::size_t);
+template void Hdf5Writer::array(const std::string&, std::span<const std::int32_t>, std::size_t);
+template void Hdf5Writer::array(const std::string&, std::span<const std::uint8_t>, std::size_t);
 
 void Hdf5Writer::commit() {
   const herr_t closed = H5Fclose(impl_->file);

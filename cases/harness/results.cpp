@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "cases/harness/frames_file.hpp"
 #include "cases/harness/hdf5_file.hpp"
 
 namespace plumbline {
@@ -95,6 +96,7 @@ void ResultsFolder::write_run(const RunResult& run, const std::vector<JudgedGate
     file.attribute(path, "unit", column.unit);
     file.attribute(path, "label", column.label);
   }
+  write_frames(file, run.frames);
   file.commit();
 }
 

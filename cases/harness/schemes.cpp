@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "kernel/normals/normals.hpp"
 #include "kernel/scene.hpp"
 #include "kernel/time_integrator.hpp"
 
@@ -42,7 +43,18 @@ Key choice(std::string name, std::string value, std::vector<std::string> choices
 
 }  // namespace
 
-std::string name(Kind kind) { return kind == Kind::gas ? "gas" : kind == Kind::membrane ? "membrane" : "solid"; }
+std::string name(Kind kind) {
+  switch (kind) {
+    case Kind::gas:
+      return "gas";
+    case Kind::membrane:
+      return "membrane";
+    case Kind::solid:
+      return "solid";
+    default:
+      return "coupled";
+  }
+}
 
 std::vector<std::string> scheme_names() { return {"default", "york1997"}; }
 
@@ -56,11 +68,58 @@ std::string scheme_source(const std::string& scheme) {
   return scheme == "york1997" ? "York 1997, SAND97-1893" : "kernel/README.md";
 }
 
+namespace {
+
+void add_gas_keys(Kind kind, std::vector<Key>& keys) {
+  if (kind == Kind::gas) {
+    keys.push_back({.name = "offset",
+                    .value = 0.0,
+                    .low = 0,
+                    .high = 1,
+                    .high_open = true,
+                    .description = "shift of the grid in cells"});
+  }
+  keys.push_back(choice("density", "grid", names(densities()), "how points get their density"));
+  keys.push_back(choice("points", "equal-mass", {"equal-mass", "equal-volume"}, "what all points have alike"));
+  keys.push_back(number("sharpening", 1.0, "1", 0, 1, false,
+                        "how much of the maps' smoothing of forces and strain rates is undone on the nodes"));
+  keys.push_back(number("heat_exchange", 1.0, "1", 0, infinite, false,
+                        "kappa: how fast points of a gas under compression share their heat"));
+  if (kind == Kind::gas) {
+    keys.push_back(number("split", 1.3, "1", 0, infinite, false,
+                          "points that have grown to more cells than this are split in two; 0: none"));
+  }
+  keys.push_back(number("viscosity.linear", 0.0, "1", 0, infinite, false, "c_L of the artificial viscosity"));
+  keys.push_back(number("viscosity.quadratic", 0.5, "1", 0, infinite, false, "c_Q of the artificial viscosity"));
+}
+
+void add_coupling_keys(std::vector<Key>& keys) {
+  keys.push_back({.name = "membrane.ppc",
+                  .value = 4.0,
+                  .low = 1,
+                  .high = 1e3,
+                  .description = "points per cell along the membrane"});
+  keys.push_back(choice("membrane.strain", "segments", {"accumulated", "segments"},
+                        "the stretch of the segments between points, or summed from rates at the points"));
+  keys.push_back(
+      choice("membrane.loss", "gas", {"booked", "gas"},
+             "what maps and strains take from membranes heats the gas at their nodes, or is booked as lost"));
+  keys.push_back(number("membrane.relaxation", 0.5, "1", 0, 1, false,
+                        "theta: how much of what no node sees of the segments' motion is taken out each step"));
+  keys.push_back(number("membrane.smoothing", 0.01, "1", 0, infinite, false,
+                        "kappa: how fast what no node sees of accumulated strains is taken out"));
+  keys.push_back(choice("normals", "connectivity", names(normals_methods()),
+                        "how membranes with accumulated strain know their tangents"));
+}
+
+}  // namespace
+
 // Gas: the energy-conserving leapfrog. Membrane: symplectic stress update, because a stress evaluated at the start of the
 // step and strained with the midpoint velocity amplifies an elastic oscillation by 1 + (omega dt)^2 / 4 a step. Solid: the
-// midpoint step, which raises no energy even in contact, on shapes whose boxes deform with the points.
+// midpoint step, which raises no energy even in contact, on shapes whose boxes deform with the points. Coupled: the gas's
+// step, which neither damps nor amplifies membranes below omega dt = 2, and gives what they lose to the gas.
 std::vector<Key> kind_keys(Kind kind) {
-  const bool gas = kind == Kind::gas, solid = kind == Kind::solid;
+  const bool gas = kind == Kind::gas || kind == Kind::coupled, solid = kind == Kind::solid;
   std::vector<Key> keys{
       {.name = "cells",
        .value = 100.0,
@@ -86,7 +145,7 @@ std::vector<Key> kind_keys(Kind kind) {
                      : "musl",
              integrator_names(), "time integrator"),
       {.name = "cfl",
-       .value = 0.5,
+       .value = kind == Kind::coupled ? 0.9 : 0.5,
        .low = 0,
        .high = infinite,
        .low_open = true,
@@ -106,31 +165,16 @@ std::vector<Key> kind_keys(Kind kind) {
        .low = 1,
        .high = 1e4,
        .integer = true,
-       .description = gas     ? "points per cell, in the densest gas where points have equal mass"
-                      : solid ? "points per cell and direction"
-                              : "points per cell along the membrane"}};
-  if (solid) {
+       .description = kind == Kind::gas ? "points per cell, in the densest gas where points have equal mass"
+                      : gas             ? "points per cell of the gas"
+                      : solid           ? "points per cell and direction"
+                                        : "points per cell along the membrane"}};
+  if (solid || kind == Kind::coupled) {
     keys.push_back(choice("contact", "default", {"none", "york-9.7", "york-9.8", "york-9.9", "default"},
                           "between bodies: none (one velocity for all), York's criteria, or where points touch"));
   }
-  if (gas) {
-    keys.push_back({.name = "offset",
-                    .value = 0.0,
-                    .low = 0,
-                    .high = 1,
-                    .high_open = true,
-                    .description = "shift of the grid in cells"});
-    keys.push_back(choice("density", "grid", names(densities()), "how points get their density"));
-    keys.push_back(choice("points", "equal-mass", {"equal-mass", "equal-volume"}, "what all points have alike"));
-    keys.push_back(number("sharpening", 1.0, "1", 0, 1, false,
-                          "how much of the maps' smoothing of forces and strain rates is undone on the nodes"));
-    keys.push_back(number("heat_exchange", 1.0, "1", 0, infinite, false,
-                          "kappa: how fast points of a gas under compression share their heat"));
-    keys.push_back(number("split", 1.3, "1", 0, infinite, false,
-                          "points that have grown to more cells than this are split in two; 0: none"));
-    keys.push_back(number("viscosity.linear", 0.0, "1", 0, infinite, false, "c_L of the artificial viscosity"));
-    keys.push_back(number("viscosity.quadratic", 0.5, "1", 0, infinite, false, "c_Q of the artificial viscosity"));
-  }
+  if (gas) add_gas_keys(kind, keys);
+  if (kind == Kind::coupled) add_coupling_keys(keys);
   return keys;
 }
 
@@ -138,10 +182,23 @@ void apply_choices(const Settings& settings, Scene& scene) {
   scene.shape = settings.text("shape");
   scene.transfer = settings.text("transfer");
   scene.transfer_order = settings.integer("transfer_order");
-  if (!settings.has("contact")) return;
-  const std::string& contact = settings.text("contact");
-  scene.contact = contact == "default" ? "touching" : contact;
-  for (Body& body : scene.bodies) body.field = contact == "none" ? "common" : body.name;
+  const bool coupled = settings.has("membrane.loss");
+  if (settings.has("contact")) {
+    const std::string& contact = settings.text("contact");
+    scene.contact = contact == "default" ? "touching" : contact;
+    for (Body& body : scene.bodies) {
+      if (contact == "none") body.field = "common";
+      if (contact != "none" && !coupled) body.field = body.name;
+    }
+  }
+  if (!coupled) return;
+  scene.density = density_method(settings.text("density"));
+  scene.sharpening = settings.number("sharpening");
+  scene.heat_exchange = settings.number("heat_exchange");
+  scene.loss_to_gas = settings.text("membrane.loss") == "gas";
+  scene.chain_relaxation = settings.number("membrane.relaxation");
+  scene.strain_smoothing = settings.number("membrane.smoothing");
+  scene.normals = settings.text("normals");
 }
 
 std::vector<Override> scheme_choices(const std::string& scheme, Kind kind) {
@@ -151,14 +208,21 @@ std::vector<Override> scheme_choices(const std::string& scheme, Kind kind) {
                              {"integrator", "musl"},
                              {"cfl", std::monostate{}}};  // the case derives his fixed step
   if (kind == Kind::solid) york.push_back({"contact", "york-9.7"});
-  if (kind == Kind::gas) {
+  if (kind == Kind::gas || kind == Kind::coupled) {
     york.insert(york.end(), {{"density", "quadratic"},
                              {"points", "equal-volume"},
                              {"sharpening", 0.0},
                              {"heat_exchange", 0.0},
-                             {"split", 0.0},
-                             {"viscosity.linear", 1.0},
-                             {"viscosity.quadratic", 1.0}});
+                             {"viscosity.linear", kind == Kind::gas ? 1.0 : 0.0},
+                             {"viscosity.quadratic", kind == Kind::gas ? 1.0 : 0.0}});
+  }
+  if (kind == Kind::gas) york.push_back({"split", 0.0});
+  if (kind == Kind::coupled) {
+    york.insert(york.end(), {{"contact", "none"},
+                             {"membrane.strain", "accumulated"},
+                             {"membrane.loss", "booked"},
+                             {"membrane.relaxation", 0.0},
+                             {"membrane.smoothing", 0.0}});
   }
   return york;
 }

@@ -10,7 +10,7 @@
 namespace plumbline {
 
 // What a scene consists of; decides which keys exist and which default holds.
-enum class Kind { gas, membrane, solid };
+enum class Kind { gas, membrane, solid, coupled };
 
 std::string name(Kind kind);
 std::vector<std::string> scheme_names();  // default, york1997
@@ -20,7 +20,8 @@ std::string scheme_source(const std::string& scheme);
 // The keys that every case of a kind has, with the values of `default`.
 std::vector<Key> kind_keys(Kind kind);
 
-// Puts the choices that all kinds have into the scene: shape, transfer and its order, and of solids the contact.
+// Puts the choices of the settings' kind into the scene: shape, transfer and its order; of solids the contact, with a
+// velocity field for each body; of coupled scenes all beside points and step, with the fields that the bodies name.
 void apply_choices(const Settings& settings, Scene& scene);
 
 // What a scheme sets among them; empty for `default`.

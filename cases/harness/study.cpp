@@ -108,6 +108,19 @@ const OrderFit* StudyResult::fit(const std::string& measure) const {
   return nullptr;
 }
 
+namespace {
+
+// Points of a snapshot for the report: more cannot be told apart in a picture.
+constexpr long most_drawn_points = 20000;
+
+void ask_for_frames(const StudyPlan& plan, double last, std::vector<PlannedRun>& planned) {
+  for (PlannedRun& run : planned) {
+    if (!run.is_offset && run.value == plan.frames_at.value_or(last)) run.frames = {plan.frames, most_drawn_points};
+  }
+}
+
+}  // namespace
+
 std::vector<PlannedRun> planned_runs(const Case& entry, const StudyPlan& plan, Tier tier,
                                      const std::vector<std::string>& typed) {
   const bool full = tier == Tier::full;
@@ -126,6 +139,7 @@ std::vector<PlannedRun> planned_runs(const Case& entry, const StudyPlan& plan, T
       planned.push_back({value, std::move(shifted), true});
     }
   }
+  if (!values.empty()) ask_for_frames(plan, values.back(), planned);
   if (plan.vary == Vary::dt && !values.empty()) {
     // One more run, with half the finest step: the one the finest level is measured against.
     planned.push_back({values.back() / 2, with_step_factor(entry.settings(plan.scheme, plan.overrides, typed),

@@ -39,6 +39,7 @@ struct PlannedRun {
   double value;
   Settings settings;
   bool is_offset = false;  // a further sub-cell offset of the level before
+  FrameRequest frames = {};
 };
 std::vector<PlannedRun> planned_runs(const Case& entry, const StudyPlan& plan, Tier tier,
                                      const std::vector<std::string>& typed = {});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <mutex>
 #include <numeric>
+#include <set>
 
 #include "cases/harness/pool.hpp"
 #include "kernel/time_integrator.hpp"
@@ -32,7 +33,7 @@ StudyResult run_study(const Case& entry, const StudyPlan& plan, const std::vecto
   std::mutex guard;
   for_all(planned.size(), threads, [&](std::size_t k) {
     const std::size_t at = order[k];
-    results[at] = run_experiment(entry, plan.scheme, planned[at].settings);
+    results[at] = run_experiment(entry, plan.scheme, planned[at].settings, 1, planned[at].frames);
     results[at]->scheme = plan.scheme == "default" ? integrator_scheme(entry, planned[at].settings.text("integrator"))
                                                    : plan.scheme;
     results[at]->file = ResultsFolder::run_name(*results[at]);
@@ -111,9 +112,13 @@ void verify_case(const Case& entry, Tier tier, const Selection& selection, int t
   std::vector<std::vector<PlannedRun>> planned;  // all of them before the first run: a wrong call must not cost time
   for (const StudyPlan& plan : plans.all) planned.push_back(planned_runs(entry, plan, tier, selection.settings));
   StudySet studies;
+  std::set<std::string> with_frames;
   for (std::size_t k = 0; k < plans.all.size(); ++k) {
     studies.push_back(run_study(entry, plans.all[k], planned[k], threads, progress));
     for (const StudyLevel& at : studies.back().levels) {
+      // The same run in a study that asks for no frames must not take them away.
+      if (!at.run.frames.frames.empty()) with_frames.insert(at.run.file);
+      if (at.run.frames.frames.empty() && with_frames.count(at.run.file) > 0) continue;
       folder.write_run(at.run, {}, provenance);
       for (const RunResult& other : at.offsets) folder.write_run(other, {}, provenance);
     }

@@ -1,6 +1,7 @@
 // Picks the instantiation for a scene's shape and transfer. Included only by the files that instantiate a geometry.
 #pragma once
 
+#include "kernel/engine/coupling.hpp"
 #include "kernel/engine/locate.hpp"
 #include "kernel/engine/method_of_lines.hpp"
 #include "kernel/engine/strain.hpp"

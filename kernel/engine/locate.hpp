@@ -22,7 +22,8 @@ Mechanics<G, S, T>::Mechanics(Scene& scene, Ledger& ledger, const EngineOptions&
       walls_(grid_),
       pistons_(scene),
       sharpening_(grid_, scene.sharpening * S::blur),
-      inverse_volume_(inverse_cell_volumes<S>(grid_)) {
+      inverse_volume_(inverse_cell_volumes<S>(grid_)),
+      tangents_(scene.normals) {
   if ((transfer_.increments || transfer_.order > 0) && !pistons_.none()) {
     throw std::invalid_argument("pistons cannot work with the transfer " + scene.transfer +
                                 ": its points do not take the velocity that a piston gives its nodes");
@@ -52,6 +53,38 @@ Mechanics<G, S, T>::Mechanics(Scene& scene, Ledger& ledger, const EngineOptions&
     if (T::affine) body.points.add(column::affine, dim * dim);
     if (S::boxes) add_boxes(body);
     if (options.keep_loss && body.material->takes_heat()) body.points.add(column::transfer_loss);
+  }
+  refuse_relaxation();
+  for (const Body& body : scene.bodies) {
+    if (body.enclosure && dim != 2) {
+      throw std::invalid_argument("body " + body.name +
+                                  ": only in two dimensions does a chain of points enclose a gas");
+    }
+  }
+  for (std::size_t b = 0; b < located_.size(); ++b) {
+    Field& field = field_of(b);
+    const auto other = [&](std::size_t o) {
+      return located_[o].field == located_[b].field &&
+             scene.bodies[o].material->takes_heat() != scene.bodies[b].material->takes_heat();
+    };
+    for (std::size_t o = 0; o < located_.size(); ++o) {
+      if (!other(o) || mixed(field)) continue;
+      field.add_gas_arrays(grid_);
+    }
+  }
+  for (std::size_t b = 0; b < located_.size(); ++b) {
+    if (!hands_over(b)) continue;
+    scene.bodies[b].points.add(column::transfer_loss);
+    scene.bodies[b].points.add(column::kept_loss);
+  }
+}
+
+// Moving points without their velocities changes the inertia of boxes, and with it energy that is nobody's.
+template <class G, class S, class T>
+void Mechanics<G, S, T>::refuse_relaxation() const {
+  if (T::affine && !S::fixed_inertia && scene_.chain_relaxation > 0) {
+    throw std::invalid_argument("chains cannot be relaxed with the shape " + scene_.shape + " and the transfer " +
+                                scene_.transfer + ": the affine inertia of points would change as they are moved");
   }
 }
 
@@ -132,7 +165,7 @@ void Mechanics<G, S, T>::refuse_other_geometry(const Body& body) {
   expect(column::velocity, dim);
   expect(column::stress, stress_components(body.material->measure(), dim, G::axisymmetric));
   const bool tangents = body.material->measure() != StressMeasure::point_force;
-  if (body.chain && (G::axisymmetric || (dim > 2 && tangents))) {
+  if (body.chain && tangents && (G::axisymmetric || dim > 2)) {
     throw std::invalid_argument("body " + body.name + ": a chain of membrane points lives on a line or in the plane");
   }
 }
@@ -260,6 +293,7 @@ void Mechanics<G, S, T>::locate_points() {
   pending_ = Pending{};
   moved_ = forces_mapped_ = false;
   load_ahead_ = 0;
+  tangents_.find(scene_.grid, scene_.bodies);
   rate_of_ = NodalVelocity::current;
   pending_strain_dt_ = pending_stored_ = 0;
 }

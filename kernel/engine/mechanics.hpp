@@ -10,6 +10,7 @@
 #include "kernel/contact/contact.hpp"
 #include "kernel/inadmissible.hpp"
 #include "kernel/mechanics.hpp"
+#include "kernel/normals/membrane_tangents.hpp"
 #include "kernel/pack.hpp"
 #include "kernel/parallel.hpp"
 #include "kernel/pistons.hpp"
@@ -86,6 +87,7 @@ class Mechanics final : public Engine {
     const std::vector<Vec>* loss = nullptr;   // nodal velocity of the map
     const std::vector<Vec>* rates = nullptr;  // nodal velocity that strains
     const std::vector<double>* density = nullptr;
+    bool specific = false;  // `density` holds specific volumes
     bool none() const { return !loss && !rates && !density; }
   };
   struct RateColumns {
@@ -151,7 +153,12 @@ class Mechanics final : public Engine {
   };
 
   MaterialContext context(double ahead = 0) const {
-    return {dim, grid_.h(), scene_.density == DensityMethod::continuity, ahead, scene_.density == DensityMethod::grid};
+    return {dim,
+            grid_.h(),
+            scene_.density == DensityMethod::continuity,
+            ahead,
+            scene_.density == DensityMethod::grid,
+            tangents_.given()};
   }
   const std::vector<Vec>& nodal(const Field& field, NodalVelocity which) const;
   Field& field_of(std::size_t body) { return fields_[located_[body].field]; }
@@ -219,6 +226,7 @@ class Mechanics final : public Engine {
 
   // --- one body or all
   static void refuse_other_geometry(const Body& body);
+  void refuse_relaxation() const;
   void add_boxes(Body& body) const;
   void deform_boxes(Body& body);
   double inertia_of(const Columns& points, int d, int p) const;
@@ -238,13 +246,21 @@ class Mechanics final : public Engine {
   void pass_to_points_and_back(std::size_t field_index, const std::vector<Vec>& from, std::vector<Vec>& to);
   void finish_points(double dt, std::optional<double> drift);
   bool exchanges_heat(const Body& body) const { return scene_.heat_exchange > 0 && body.material->takes_heat(); }
-  void find_grid_density(Field& field) const;
+  void find_grid_density(Field& field, const std::vector<double>& mass, const Body& body);
   void map_own_mass(Body& body, Located& at, Field& field);
   void find_all_strain_rates(NodalVelocity which);
   void add_body_force(Field& field, double dt);
   void map_load(std::size_t body);
   void add_stress_turn(std::size_t body);
   void touch_bodies(double dt);
+  bool hands_over(std::size_t body) const;
+  void hand_loss_over();
+  void take_loss(std::size_t body);
+  void relax_chain(std::size_t body, MotionSums& sums);
+  void shift_chain(Body& body, MotionSums& sums) const;
+  void smooth_strain(std::size_t body, double dt);
+  bool mixed(const Field& field) const { return !field.gas_mass.empty(); }
+  const std::vector<double>& gas_mass(const Field& field) const { return mixed(field) ? field.gas_mass : field.mass; }
   std::vector<std::size_t> field_indices() const {
     std::vector<std::size_t> indices;
     for (const Located& at : located_) indices.push_back(at.field);
@@ -273,6 +289,9 @@ class Mechanics final : public Engine {
   std::vector<bool> alone_;             // per field: whether a single body moves with it
   std::vector<double> inverse_volume_;  // 1 / |cell_i|, m^-dim; axisymmetric per radian
   std::optional<Field> own_field_;      // one body's mass alone
+  std::vector<double> space_;           // nodal volumes of the enclosure last asked for, m^dim; axisymmetric per radian
+  std::vector<double> chain_force_, chain_shift_;
+  MembraneTangents tangents_;
   BinSort bin_sort_;
   std::vector<int> spare_;
   Pending pending_;

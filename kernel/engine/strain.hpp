@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernel/density/cell_density.hpp"
+#include "kernel/enclosed_volumes.hpp"
 #include "kernel/engine/chunks.hpp"
 
 namespace plumbline {
@@ -59,7 +60,7 @@ auto Mechanics<G, S, T>::rate_columns(Body& body) const -> RateColumns {
 //            that are never negative: what v_p and C_p differ by from the grid's, and what of the grid's velocity is not
 //            affine [EC-APIC 1]
 //   rates    strain rates of a nodal velocity [York 3.23]
-//   density  V_p = m_p / rho_p, rho_p = sum_i N_ip rho_i [EC-APIC 2]
+//   density  V_p = m_p / rho_p, rho_p = sum_i N_ip rho_i [EC-APIC 2]; specific: V_p = m_p sum_i N_ip v_i [Coupling 4]
 template <class G, class S, class T>
 double Mechanics<G, S, T>::gather_start(Body& body, const Located& at, const Chunk& chunk, const Wanted& wanted) const {
   const Places places = this->places(body, at);
@@ -89,7 +90,7 @@ double Mechanics<G, S, T>::gather_start(Body& body, const Located& at, const Chu
       }
       if (wanted.density) {
         const Pack density = weights.gather_array([&](int k) { return rho[k]; }).value;
-        store(volume + p, load(mass + p) / density, count);
+        store(volume + p, wanted.specific ? load(mass + p) * density : load(mass + p) / density, count);
       }
       if (!wanted.loss) return;
       Pack inertia[dim];
@@ -192,6 +193,7 @@ void Mechanics<G, S, T>::strain_points(double dt, NodalVelocity velocity) {
     });
   }
   const double stored = sums.viscous;
+  for (std::size_t b = 0; b < located_.size(); ++b) smooth_strain(b, dt);
   if (forces_mapped_) {
     ledger_.energy.book(Flow::integration, sums.power);
     ledger_.energy.book(Flow::constitutive, stored - sums.power);
@@ -215,11 +217,29 @@ void Mechanics<G, S, T>::settle_pending_strain() {
   pending_strain_dt_ = pending_stored_ = 0;
 }
 
-// rho_i = M_i / |cell_i|. [EC-APIC 2]
+// rho_i = M_i / |cell_i|. [EC-APIC 2] Of an enclosed gas its inverse, with what of the cell lies inside: volumes of points
+// then sum to the enclosed one, whatever the points' places. [Coupling 4]
 template <class G, class S, class T>
-void Mechanics<G, S, T>::find_grid_density(Field& field) const {
+void Mechanics<G, S, T>::find_grid_density(Field& field, const std::vector<double>& mass, const Body& body) {
+  if constexpr (dim == 2) {
+    if (body.enclosure) {
+      const auto chain = std::find_if(scene_.bodies.begin(), scene_.bodies.end(),
+                                      [&](const Body& other) { return other.name == body.enclosure->chain; });
+      if (chain == scene_.bodies.end()) {
+        throw std::invalid_argument("body " + body.name + " names the enclosure " + body.enclosure->chain +
+                                    ", which is no body of the scene");
+      }
+      enclosed_volumes<S>(grid_, chain->points, body.enclosure->corners, space_);
+      walls_.fold_even(field, space_);
+      field.for_touched(
+          grid_, [&](std::size_t i) { field.density[i] = mass[i] > least_mass ? space_[i] / mass[i] : 0.0; },
+          options_.threads);
+      walls_.extend_even(field, field.density);
+      return;
+    }
+  }
   field.for_touched(
-      grid_, [&](std::size_t i) { field.density[i] = field.mass[i] * inverse_volume_[i]; }, options_.threads);
+      grid_, [&](std::size_t i) { field.density[i] = mass[i] * inverse_volume_[i]; }, options_.threads);
   walls_.extend_even(field, field.density);
 }
 
@@ -240,14 +260,19 @@ void Mechanics<G, S, T>::evaluate_stress_ahead(NodalVelocity velocity, double ah
     Located elsewhere;  // where the points stand now, if they have moved since they were located
     const Located* at = &located_[b];
     Field* field = &field_of(b);
-    if (grid_density && (moved_ || !alone_[at->field])) {
+    const auto takes_heat = [&](std::size_t o) {
+      return located_[o].field == located_[b].field && scene_.bodies[o].material->takes_heat();
+    };
+    bool only_gas = true;  // of its field: then the step has mapped its mass
+    for (std::size_t o = 0; o < located_.size(); ++o) only_gas = only_gas && (o == b || !takes_heat(o));
+    if (grid_density && (moved_ || (!alone_[at->field] && !only_gas))) {
       if (!own_field_) own_field_.emplace(grid_);
       field = &*own_field_;
       elsewhere.lowest.resize(located_[b].lowest.size());
       if (moved_) at = &elsewhere;
       map_own_mass(body, moved_ ? elsewhere : located_[b], *field);
     }
-    if (grid_density) find_grid_density(*field);
+    if (grid_density) find_grid_density(*field, field == &field_of(b) ? gas_mass(*field) : field->mass, body);
     if (has_density && !grid_density && scene_.density != DensityMethod::continuity) {
       cell_density<dim>(grid_, body.points, scene_.density == DensityMethod::quadratic);
     }
@@ -259,6 +284,7 @@ void Mechanics<G, S, T>::evaluate_stress_ahead(NodalVelocity velocity, double ah
     if (loss_wanted) wanted.loss = &field_of(b).start;
     if (rates_wanted) wanted.rates = &nodal_velocity;
     if (grid_density && !elsewhere_wanted) wanted.density = &field->density;
+    wanted.specific = body.enclosure.has_value();
     const auto evaluate = [&](const Chunk& chunk) {
       const double lost = wanted.none() ? 0.0 : gather_start(body, located_[b], chunk, wanted);
       if (!elsewhere_wanted) body.material->evaluate_stress(body.points, {chunk.first, chunk.last}, then);
@@ -279,7 +305,7 @@ void Mechanics<G, S, T>::evaluate_stress_ahead(NodalVelocity velocity, double ah
     if (elsewhere_wanted) {
       moved_ = false;  // weights of where the points stand now
       for_chunks(elsewhere, [&](const Chunk& chunk) {
-        gather_start(body, elsewhere, chunk, {.density = &field->density});
+        gather_start(body, elsewhere, chunk, {.density = &field->density, .specific = body.enclosure.has_value()});
         body.material->evaluate_stress(body.points, {chunk.first, chunk.last}, then);
       });
       moved_ = true;

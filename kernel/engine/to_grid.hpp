@@ -77,10 +77,19 @@ void Mechanics<G, S, T>::map_mass_and_momentum() {
         },
         options_.threads);
   }
-  for (std::size_t b = 0; b < located_.size(); ++b) {
-    for_chunks_writing_nodes(located_[b], [&](const Chunk& chunk) {
-      scatter_mass_and_momentum<true, true>(scene_.bodies[b], located_[b], chunk, field_of(b));
-    });
+  for (const bool gas : {true, false}) {  // gases first: where others share their nodes, their mass is wanted alone
+    for (std::size_t b = 0; b < located_.size(); ++b) {
+      if (scene_.bodies[b].material->takes_heat() != gas) continue;
+      for_chunks_writing_nodes(located_[b], [&](const Chunk& chunk) {
+        scatter_mass_and_momentum<true, true>(scene_.bodies[b], located_[b], chunk, field_of(b));
+      });
+    }
+    for (Field& field : fields_) {
+      if (!gas || !mixed(field)) continue;
+      field.for_touched(grid_, [&](std::size_t i) { field.gas_mass[i] = field.mass[i]; });
+      walls_.fold_even(field, field.gas_mass);
+      walls_.extend_even(field, field.gas_mass);
+    }
   }
   for (Field& field : fields_) {
     double mass = 0;
@@ -167,6 +176,8 @@ double Mechanics<G, S, T>::scatter_forces(const Body& body, const Located& at, c
         weights.spread_divergence(s[0], sums, parts);
       } else if constexpr (measure == StressMeasure::point_force) {
         for (int d = 0; d < dim; ++d) weights.spread(s[d], sums + d, parts);
+        if constexpr (G::axisymmetric)
+          hoop_force += s[0];  // forces along the surface cancel; what is left is the hoops'
       } else {
         Pack flux[dim][dim];
         if constexpr (full) {
@@ -212,15 +223,17 @@ double Mechanics<G, S, T>::scatter_forces(const Body& body, const Located& at, c
   }
 }
 
-// E_i = sum_p m_p e_p N_ip / M_i, alpha_i = min(1, kappa dt sum_p m_p N_ip max(0, -div v) / M_i). [Exchange 1]
+// E_i = sum_p m_p e_p N_ip / M_i, alpha_i = min(1, kappa dt sum_p m_p N_ip max(0, -div v) / M_i), M_i of the gas.
+// [Exchange 1]
 template <class G, class S, class T>
 void Mechanics<G, S, T>::solve_exchange(Field& field, double dt) const {
   walls_.fold_even(field, field.heat);
   walls_.fold_even(field, field.exchange);
+  const std::vector<double>& mass = gas_mass(field);
   field.for_touched(
       grid_,
       [&](std::size_t i) {
-        const double share = field.mass[i] > least_mass ? 1 / field.mass[i] : 0.0;
+        const double share = mass[i] > least_mass ? 1 / mass[i] : 0.0;
         field.heat[i] *= share;
         field.exchange[i] = std::min(1.0, scene_.heat_exchange * dt * field.exchange[i] * share);
       },

@@ -378,6 +378,10 @@ void Mechanics<G, S, T>::gather_all_motion(double dt, std::optional<double> drif
     stop_if_too_far(own, body);
     sums += own;
   }
+  moved_ = true;
+  for (std::size_t b = 0; b < located_.size(); ++b) {
+    if (!drift) relax_chain(b, sums);
+  }
   book_motion(sums, dt);
 }
 
@@ -420,9 +424,11 @@ void Mechanics<G, S, T>::drift_points(double dt) {
 template <class G, class S, class T>
 void Mechanics<G, S, T>::return_transfer_loss() {
   survey_.reset();
+  hand_loss_over();
   for (std::size_t b = 0; b < located_.size(); ++b) {
     Body& body = scene_.bodies[b];
-    if (!body.points.has(column::transfer_loss)) continue;
+    if (!body.material->takes_heat()) continue;
+    take_loss(b);
     const double* loss = body.points(column::transfer_loss);
     const double returned = sum_over_chunks<double>(located_[b], [&](const Chunk& chunk) {
       body.material->add_heat(body.points, {chunk.first, chunk.last}, loss);
@@ -465,37 +471,62 @@ void Mechanics<G, S, T>::finish_points(double dt, std::optional<double> drift) {
   };
   const bool rates_wanted = rate_of_ != NodalVelocity::midpoint, power_wanted = pending_.power;
   Sums all;
-  for (std::size_t b = 0; b < located_.size(); ++b) {
+  const auto finish = [&](std::size_t b) {
     Body& body = scene_.bodies[b];
-    const double* loss = body.points.has(column::transfer_loss) ? body.points(column::transfer_loss) : nullptr;
+    const bool heated = body.material->takes_heat();
+    const double* loss = heated ? body.points(column::transfer_loss) : nullptr;
     const Field& field = field_of(b);
     const std::vector<Vec>& midpoint = rates_wanted ? straining_velocity(field_of(b), NodalVelocity::midpoint)
                                                     : field.midpoint;
     const bool exchange = exchanges_heat(body);
+    if (heated) take_loss(b);
+    if (body.chain || hands_over(b)) keep_places(body, located_[b]);
     const auto move = [&](const Chunk& chunk) {
       return gather_motion(body, located_[b], chunk, field, dt, drift, rates_wanted ? &midpoint : nullptr, exchange,
                            nullptr);
     };
-    MotionSums chain_motion;  // all points of a chain move before any looks where its neighbours stand
-    if (body.chain) chain_motion = sum_over_chunks<MotionSums>(located_[b], move);
-    Sums own = sum_over_chunks<Sums>(located_[b], [&](const Chunk& chunk) {
-      const PointRange range{chunk.first, chunk.last};
-      Sums sums;
-      if (!body.chain) sums.motion = move(chunk);
-      sums.power.power = stress_power(body, range, dt);
-      sums.power.viscous = body.material->viscous_heat(body.points, range, context(), dt);
-      sums.stored = body.material->advance(body.points, range, context(), dt);  // [EC-APIC 6]
-      if (loss) {
-        body.material->add_heat(body.points, range, loss);
-        for (int p = range.first; p < range.last; ++p) sums.returned += loss[p];
-      }
-      if (drift) reflect(body, range, sums.motion);
-      sums.survey = survey(body, range);
-      return sums;
-    });
-    own.motion += chain_motion;
+    Sums own;
+    if (body.chain) {  // all points of a chain move before any looks where its neighbours stand
+      own.motion = sum_over_chunks<MotionSums>(located_[b], move);
+      stop_if_too_far(own.motion, body);
+      moved_ = true;
+      relax_chain(b, own.motion);
+      moved_ = false;
+    }
+    own = own + sum_over_chunks<Sums>(located_[b], [&](const Chunk& chunk) {
+            const PointRange range{chunk.first, chunk.last};
+            Sums sums;
+            if (!body.chain) sums.motion = move(chunk);
+            sums.power.power = stress_power(body, range, dt);
+            sums.power.viscous = body.material->viscous_heat(body.points, range, context(), dt);
+            sums.stored = body.material->advance(body.points, range, context(), dt);  // [EC-APIC 6]
+            if (loss) {
+              body.material->add_heat(body.points, range, loss);
+              for (int p = range.first; p < range.last; ++p) sums.returned += loss[p];
+            }
+            if (drift) reflect(body, range, sums.motion);
+            if (!body.chain) sums.survey = survey(body, range);
+            return sums;
+          });
+    if (body.chain) {
+      moved_ = true;
+      smooth_strain(b, dt);
+      moved_ = false;
+      own.survey = sum_over_chunks<Survey>(located_[b], [&](const Chunk& chunk) {
+        return survey(body, {chunk.first, chunk.last});
+      });
+    }
     stop_if_too_far(own.motion, body);
     all += own;
+  };
+  for (const bool heated : {false, true}) {  // first those whose loss heats the others
+    for (std::size_t b = 0; b < located_.size(); ++b) {
+      if (scene_.bodies[b].material->takes_heat() == heated) finish(b);
+    }
+    if (heated) continue;
+    moved_ = true;
+    hand_loss_over();
+    moved_ = false;
   }
   if (power_wanted) {
     pending_.stress_power = all.power.power;

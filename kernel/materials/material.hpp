@@ -16,6 +16,7 @@ struct MaterialContext {
   bool continuity_density = false;  // rho follows div v point by point [York 4.7]
   double ahead = 0;                 // s; stresses are those that the strain rates lead to after this time
   bool volume_given = false;        // the volume column holds m_p / rho_p already; else the material sets it
+  bool tangents_given = false;      // the tangent column is set; else membranes find tangents by connectivity
 };
 
 // Points first ... last-1 of a body. Loops over a range may run beside loops over other ranges.
@@ -79,6 +80,13 @@ class Material {
 
   // dt sum_p V_p s_p : strain_rate with s the viscous part of the stress, J.
   virtual double viscous_heat(const Columns&, PointRange, const MaterialContext&, double) const { return 0; }
+
+  // Of forces between points alone: sets them where the points stand, component by component, N. Returns a time in which
+  // they cannot carry a point past its rest, s^2: 1 / w^2 of the fastest oscillation of the points among each other.
+  virtual double point_forces(const Columns&, std::vector<double>&) const { return 0; }
+
+  // Strain carried by points takes the values `strain`; returns the energy stored meanwhile, J.
+  virtual double set_strain(Columns&, const std::vector<double>& /*strain*/) const { return 0; }
 
   // Adds heat_p (J per point) to the internal energy. Only where takes_heat().
   virtual void add_heat(Columns&, PointRange, const double*) const {}

@@ -1,5 +1,6 @@
 #include "kernel/materials/segment_membrane.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -9,122 +10,217 @@ namespace {
 const RegisterMaterial entry{{"segment_membrane", "a chain strained by the stretch of its segments, one-way law",
                               "Lian, Zhang, Liu 2014, doi 10.1007/s10999-014-9241-6"}};
 
-struct Segment {
-  std::array<double, 3> direction{};  // unit vector from the first to the second point
-  double length = 0;
-};
-
-// As it will be `ahead` seconds later, if points keep the velocities in the strain_rate column.
-Segment segment(const Columns& points, int p, double ahead) {
-  const int dim = points.components(column::position), after = (p + 1) % points.points();
-  Segment s;
-  for (int d = 0; d < dim; ++d) {
-    const double *x = points(column::position, d), *v = points(column::strain_rate, d);
-    double& edge = s.direction[static_cast<std::size_t>(d)];
-    edge = x[after] - x[p];
-    if (ahead != 0) edge += ahead * (v[after] - v[p]);
-    s.length += edge * edge;
-  }
-  s.length = std::sqrt(s.length);
-  for (double& component : s.direction) component /= s.length;
-  return s;
-}
-
-double energy_of(const SegmentMembrane& m, const Columns& points, int p) {
-  const double strain = points(column::strain)[p];
-  return 0.5 * points(column::rest_length)[p] * m.tension(strain) * strain;  // [Segments 1]
-}
-
-double strain_of(const Columns& points, int p) {
-  return segment(points, p, 0).length / points(column::rest_length)[p] - 1;  // [Segments 1]
-}
-
 }  // namespace
 
-void SegmentMembrane::add_columns(Columns& points, int) const {
+// A segment as it will be `ahead` seconds later, if points keep the velocities in the strain_rate column.
+struct SegmentMembrane::Band {
+  std::array<double, 3> first{}, second{};  // forces on its two points, N
+  double strain = 0, hoop_strain = 0, energy = 0;
+};
+
+SegmentMembrane::BandState SegmentMembrane::band(double strain, double hoop) const {
+  const double nu = poissons_ratio, e = youngs_modulus, stiff = e / (1 - nu * nu);
+  const double along = strain + nu * hoop, around = hoop + nu * strain;
+  if (along > 0 && around > 0) {
+    return {0.5 * stiff * (strain * along + hoop * around), stiff * along, stiff * around};  // [Segments 3]
+  }
+  if (strain > 0 && around <= 0) return {0.5 * e * strain * strain, e * strain, 0};
+  if (hoop > 0 && along <= 0) return {0.5 * e * hoop * hoop, 0, e * hoop};
+  return {};
+}
+
+auto SegmentMembrane::band_of(const Columns& points, int p, double ahead) const -> Band {
+  const int dim = points.components(column::position), after = p + 1 < points.points() ? p + 1 : 0;
+  const double rest = points(column::rest_length)[p];
+  Band b;
+  std::array<double, 3> direction{};
+  double length = 0, radius = 0;
+  for (int d = 0; d < dim; ++d) {
+    const double* x = points(column::position, d);
+    double from = x[p], to = x[after];
+    if (ahead != 0) {
+      const double* v = points(column::strain_rate, d);
+      from += ahead * v[p];
+      to += ahead * v[after];
+    }
+    if (d == 0) radius = 0.5 * (from + to);
+    const double edge = to - from;
+    direction[static_cast<std::size_t>(d)] = edge;
+    length += edge * edge;
+  }
+  length = std::sqrt(length);
+  b.strain = length / rest - 1;  // [Segments 1]
+  double pull = tension(b.strain), outward = 0;
+  b.energy = 0.5 * rest * pull * b.strain;  // [Segments 1]
+  if (revolved) {
+    const double rest_radius = points(column::rest_radius)[p];
+    b.hoop_strain = radius / rest_radius - 1;
+    const BandState state = band(b.strain, b.hoop_strain);
+    b.energy = section * rest * rest_radius * state.energy;
+    pull = section * rest_radius * state.along;
+    outward = -0.5 * section * rest * state.around;  // half to each end [Segments 3]
+  }
+  for (std::size_t d = 0; d < 3; ++d) {
+    b.first[d] = pull * direction[d] / length;
+    b.second[d] = -b.first[d];
+  }
+  b.first[0] += outward;
+  b.second[0] += outward;
+  return b;
+}
+
+void SegmentMembrane::add_columns(Columns& points, int dim) const {
   points.add(column::strain);
   points.add(column::rest_length);
+  points.add(column::segment_force, 2 * dim);
+  if (!revolved) return;
+  points.add(column::rest_radius);
+  points.add(column::hoop_strain);
 }
 
 std::vector<const ColumnId*> SegmentMembrane::internal_variables(const MaterialContext&) const {
+  if (revolved) return {&column::strain, &column::hoop_strain};
   return {&column::strain};
 }
 
-// Stress does not depend on the strain column, but what is stored does.
+// Stress does not depend on the strain columns, but what is stored does.
 std::vector<double> SegmentMembrane::rates(const Columns& points, const MaterialContext&) const {
-  const int n = points.points();
-  std::vector<double> rates(static_cast<std::size_t>(n));
+  const int n = points.points(), dim = points.components(column::position);
+  std::vector<double> rates(static_cast<std::size_t>(revolved ? 2 * n : n));
   for (int p = 0; p < n; ++p) {
     if (!has_segment(points, p)) continue;
-    const Segment s = segment(points, p, 0);
-    double opening = 0;
-    for (int d = 0; d < points.components(column::position); ++d) {
-      const double* v = points(column::strain_rate, d);
-      opening += s.direction[static_cast<std::size_t>(d)] * (v[(p + 1) % n] - v[p]);
+    const int after = (p + 1) % n;
+    double opening = 0, square = 0;
+    for (int d = 0; d < dim; ++d) {
+      const double *x = points(column::position, d), *v = points(column::strain_rate, d);
+      const double edge = x[after] - x[p];
+      opening += edge * (v[after] - v[p]);
+      square += edge * edge;
     }
-    rates[static_cast<std::size_t>(p)] = opening / points(column::rest_length)[p];
+    rates[static_cast<std::size_t>(p)] = opening / std::sqrt(square) / points(column::rest_length)[p];
+    if (!revolved) continue;
+    const double* v = points(column::strain_rate);
+    rates[static_cast<std::size_t>(n + p)] = 0.5 * (v[p] + v[after]) / points(column::rest_radius)[p];
   }
   return rates;
 }
 
-double SegmentMembrane::advance(Columns& points, PointRange range, const MaterialContext&, double) const {
+// What of the stored energy the forces' work does not account for is the segment's own loss, or gain.
+double SegmentMembrane::advance(Columns& points, PointRange range, const MaterialContext&, double dt) const {
+  const int dim = points.components(column::position), n = points.points();
   double* strain = points(column::strain);
+  double* hoop_strain = revolved ? points(column::hoop_strain) : nullptr;
+  double* loss = points.has(column::transfer_loss) ? points(column::transfer_loss) : nullptr;
   double stored = 0;
   for (int p = range.first; p < range.last; ++p) {
     if (!has_segment(points, p)) continue;
-    const double before = energy_of(*this, points, p);
-    strain[p] = strain_of(points, p);
-    stored += energy_of(*this, points, p) - before;
+    const double before = stored_energy(points, {p, p + 1});
+    const Band now = band_of(points, p, 0);
+    strain[p] = now.strain;
+    if (revolved) hoop_strain[p] = now.hoop_strain;
+    stored += now.energy - before;
+    if (!loss) continue;
+    double work = 0;
+    for (int d = 0; d < dim; ++d) {
+      const double* v = points(column::strain_rate, d);
+      work -= dt * (points(column::segment_force, d)[p] * v[p] +
+                    points(column::segment_force, dim + d)[p] * v[p + 1 < n ? p + 1 : 0]);
+    }
+    loss[p] += work - (now.energy - before);  // [Coupling 1]
   }
   return stored;
 }
 
 void SegmentMembrane::evaluate_stress(Columns& points, PointRange range, const MaterialContext& context) const {
   const int dim = points.components(column::position), n = points.points();
-  const double *volume = points(column::volume), *rest = points(column::rest_length);
+  const double* volume = points(column::volume);
+  double *stress[3] = {}, *force[6] = {};
+  for (int d = 0; d < dim; ++d) stress[d] = points(column::stress, d);
+  for (int d = 0; d < 2 * dim; ++d) force[d] = points(column::segment_force, d);
+  const auto segment = [&](int p) { return has_segment(points, p) ? band_of(points, p, context.ahead) : Band{}; };
+  Band before = range.first > 0 || closed ? segment(range.first > 0 ? range.first - 1 : n - 1) : Band{};
   for (int p = range.first; p < range.last; ++p) {
-    std::array<double, 3> force{};
-    for (int side = 0; side < 2; ++side) {
-      const int start = side == 0 ? p : (p + n - 1) % n;
-      if ((side == 1 && p == 0 && !closed) || !has_segment(points, start)) continue;
-      const Segment s = segment(points, start, context.ahead);
-      const double pull = (side == 0 ? 1 : -1) * tension(s.length / rest[start] - 1);
-      for (std::size_t d = 0; d < 3; ++d) force[d] += pull * s.direction[d];  // [Segments 2]
+    const Band own = segment(p);
+    for (int d = 0; d < dim; ++d) {
+      const auto k = static_cast<std::size_t>(d);
+      force[d][p] = own.first[k];
+      force[dim + d][p] = own.second[k];
+      stress[d][p] = -(own.first[k] + before.second[k]) / volume[p];  // [Segments 2]
     }
-    for (int d = 0; d < dim; ++d) points(column::stress, d)[p] = -force[static_cast<std::size_t>(d)] / volume[p];
+    before = own;
   }
+}
+
+double SegmentMembrane::point_forces(const Columns& points, std::vector<double>& forces) const {
+  const int dim = points.components(column::position), n = points.points();
+  const double *mass = points(column::mass), *rest = points(column::rest_length);
+  const double* radius = revolved ? points(column::rest_radius) : nullptr;
+  forces.assign(static_cast<std::size_t>(dim * n), 0.0);
+  double fastest = 0, stiffness_before = 0;
+  Band before;
+  if (closed) {
+    before = band_of(points, n - 1, 0);
+    stiffness_before = section * youngs_modulus / rest[n - 1];
+  }
+  for (int p = 0; p < n; ++p) {
+    const bool starts = has_segment(points, p);
+    const Band own = starts ? band_of(points, p, 0) : Band{};
+    const double stiff = youngs_modulus / (1 - poissons_ratio * poissons_ratio) * section;
+    double stiffness = starts ? stiff * (radius ? radius[p] : 1.0) / rest[p] : 0.0;
+    if (starts && radius) stiffness += stiff * rest[p] / (4 * radius[p]);
+    for (int d = 0; d < dim; ++d) {
+      const auto k = static_cast<std::size_t>(d);
+      forces[static_cast<std::size_t>(d * n + p)] = own.first[k] + before.second[k];
+    }
+    fastest = std::max(fastest, 2 * (stiffness + stiffness_before) / mass[p]);  // Gershgorin
+    before = own;
+    stiffness_before = stiffness;
+  }
+  return fastest > 0 ? 1 / fastest : 0;
 }
 
 void SegmentMembrane::describe(Columns& points) const {
   for (int p = 0; p < points.points(); ++p) {
-    if (has_segment(points, p)) points(column::strain)[p] = strain_of(points, p);
+    if (!has_segment(points, p)) continue;
+    const Band now = band_of(points, p, 0);
+    points(column::strain)[p] = now.strain;
+    if (revolved) points(column::hoop_strain)[p] = now.hoop_strain;
   }
 }
 
 double SegmentMembrane::stored_energy(const Columns& points, PointRange range) const {
+  const double *strain = points(column::strain), *rest = points(column::rest_length);
+  const double *hoop = revolved ? points(column::hoop_strain) : nullptr,
+               *radius = revolved ? points(column::rest_radius) : nullptr;
   double stored = 0;
   for (int p = range.first; p < range.last; ++p) {
-    if (has_segment(points, p)) stored += energy_of(*this, points, p);
+    if (!has_segment(points, p)) continue;
+    stored += revolved ? section * rest[p] * radius[p] * band(strain[p], hoop[p]).energy
+                       : 0.5 * rest[p] * tension(strain[p]) * strain[p];  // [Segments 1]
   }
   return stored;
 }
 
 StepBounds SegmentMembrane::step_bounds(const Columns& points, PointRange range, int dim) const {
   StepBounds bounds;
-  bounds.fastest = std::sqrt(youngs_modulus / density) + fastest_point(points, range, dim);
+  const double modulus = revolved ? youngs_modulus / (1 - poissons_ratio * poissons_ratio) : youngs_modulus;
+  bounds.fastest = std::sqrt(modulus / density) + fastest_point(points, range, dim);
   return bounds;
 }
 
 Material::Fault SegmentMembrane::first_fault(const Columns& points, PointRange range) const {
   const Fault fault = first_not_finite(points, range, column::strain, "the strain must be finite");
   if (fault.point >= 0) return fault;
-  for (int p = range.first; p < range.last; ++p) {
-    const double rest = points(column::rest_length)[p];
-    if (has_segment(points, p) && !(rest > 0)) {
-      return {p, column::rest_length.name(), rest, "the rest length of a segment must be positive"};
+  const auto positive = [&](const ColumnId& id, const char* reason) -> Fault {
+    const double* values = points(id);
+    for (int p = range.first; p < range.last; ++p) {
+      if (has_segment(points, p) && !(values[p] > 0)) return {p, id.name(), values[p], reason};
     }
-  }
-  return {};
+    return {};
+  };
+  const Fault length = positive(column::rest_length, "the rest length of a segment must be positive");
+  if (length.point >= 0 || !revolved) return length;
+  return positive(column::rest_radius, "the rest radius of a band must be positive");
 }
 
 }  // namespace plumbline

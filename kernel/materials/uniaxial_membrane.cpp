@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "kernel/normals/connectivity.hpp"
+
 namespace plumbline {
 namespace {
 
@@ -10,32 +12,6 @@ const RegisterMaterial entry{
 const RegisterMaterial plane_stress_entry{{"plane_stress_membrane",
                                            "the same held out of the plane, with the modulus E / (1 - nu^2)",
                                            "York 1997, (5.12-5.15)"}};
-
-struct Direction {
-  double x, y;
-};
-
-Direction segment(const double* x, const double* y, int from, int to) {
-  const double dx = x[to] - x[from], dy = y[to] - y[from], length = std::sqrt(dx * dx + dy * dy);
-  return {dx / length, dy / length};
-}
-
-// Unit tangents from the chain. The normalised sum of two unit vectors has the mean of their angles. [York 7.1]
-void find_tangents(Columns& points, PointRange range, bool closed) {
-  const int n = points.points();
-  if (n < 2) return;
-  const double *x = points(column::position), *y = points(column::position, 1);
-  double *tx = points(column::tangent), *ty = points(column::tangent, 1);
-  for (int p = range.first; p < range.last; ++p) {
-    const bool first = p == 0 && !closed, last = p == n - 1 && !closed;
-    const int before = (p + n - 1) % n, after = (p + 1) % n;
-    const Direction a = first ? segment(x, y, p, after) : segment(x, y, before, p);
-    const Direction b = last ? a : segment(x, y, p, after);
-    const double sx = a.x + b.x, sy = a.y + b.y, length = std::sqrt(sx * sx + sy * sy);
-    tx[p] = sx / length;
-    ty[p] = sy / length;
-  }
-}
 
 // t . e . t in the plane; the third strain rate is the engineering shear. [York 5.2]
 double tangential_rate(const Columns& points, int p) {
@@ -63,14 +39,42 @@ std::vector<double> UniaxialMembrane::rates(const Columns& points, const Materia
   return rates;
 }
 
+// What of the stored energy the stress's work does not account for is the point's own loss, or gain.
 double UniaxialMembrane::advance(Columns& points, PointRange range, const MaterialContext& context, double dt) const {
   const double* volume = points(column::volume);
+  const int strains = context.dim == 1 ? 1 : 3;
+  const double *rate[3], *stress[3];
+  for (int k = 0; k < strains; ++k) {
+    rate[k] = points(column::strain_rate, k);
+    stress[k] = points(column::stress, k);
+  }
   double* strain = points(column::strain);
+  double* loss = points.has(column::transfer_loss) ? points(column::transfer_loss) : nullptr;
   double stored = 0;
   for (int p = range.first; p < range.last; ++p) {
     const double before = energy_density(strain[p]);
-    strain[p] += dt * (context.dim == 1 ? points(column::strain_rate)[p] : tangential_rate(points, p));  // [York 5.3]
-    stored += volume[p] * (energy_density(strain[p]) - before);
+    strain[p] += dt * (context.dim == 1 ? rate[0][p] : tangential_rate(points, p));  // [York 5.3]
+    const double gained = volume[p] * (energy_density(strain[p]) - before);
+    stored += gained;
+    if (!loss) continue;
+    double power = 0;
+    for (int k = 0; k < strains; ++k) power += stress[k][p] * rate[k][p];
+    loss[p] += dt * volume[p] * power - gained;  // [Coupling 1]
+  }
+  return stored;
+}
+
+double UniaxialMembrane::set_strain(Columns& points, const std::vector<double>& strain) const {
+  const double* volume = points(column::volume);
+  double* own = points(column::strain);
+  double* loss = points.has(column::transfer_loss) ? points(column::transfer_loss) : nullptr;
+  double stored = 0;
+  for (int p = 0; p < points.points(); ++p) {
+    const double before = energy_density(own[p]);
+    own[p] = strain[static_cast<std::size_t>(p)];
+    const double gained = volume[p] * (energy_density(own[p]) - before);
+    stored += gained;
+    if (loss) loss[p] -= gained;  // [Coupling 1]
   }
   return stored;
 }
@@ -89,7 +93,10 @@ void UniaxialMembrane::evaluate_stress(Columns& points, PointRange range, const 
     for (int p = range.first; p < range.last; ++p) xx[p] = tension(p);
     return;
   }
-  find_tangents(points, range, closed);
+  if (!context.tangents_given) {
+    chain_tangents(points(column::position), points(column::position, 1), points.points(), range.first, range.last,
+                   closed, points(column::tangent), points(column::tangent, 1));
+  }
   double *yy = points(column::stress, 1), *xy = points(column::stress, 2);
   const double *tx = points(column::tangent), *ty = points(column::tangent, 1);
   for (int p = range.first; p < range.last; ++p) {

@@ -9,7 +9,8 @@ namespace plumbline {
 // eps carried as the *total* tangential strain        [York 5.3]
 // sigma = E eps t t, all other stresses zero          [York 5.5]
 // one_way: no stress while eps < 0, but the negative strain still accumulates (wrinkles). [York 5.2, text]
-// Tangents in the plane come from connectivity, the mean of the two adjoining segment angles. [York 7.1]
+// Tangents in the plane come from connectivity, the mean of the two adjoining segment angles [York 7.1], or are given.
+// A tangent of (0, 0) carries no stress.
 // Volumes stay constant.
 struct UniaxialMembrane : Material {
   double youngs_modulus = 0;  // E, Pa, > 0
@@ -25,6 +26,7 @@ struct UniaxialMembrane : Material {
   std::vector<const ColumnId*> internal_variables(const MaterialContext& context) const override;
   std::vector<double> rates(const Columns& points, const MaterialContext& context) const override;
   void evaluate_stress(Columns& points, PointRange range, const MaterialContext& context) const override;
+  double set_strain(Columns& points, const std::vector<double>& strain) const override;
   double stored_energy(const Columns& points, PointRange range) const override;
   StepBounds step_bounds(const Columns& points, PointRange range, int dim) const override;
   Fault first_fault(const Columns& points, PointRange range) const override;

@@ -37,5 +37,6 @@ inline const ColumnId half_size{"half_size", "m"};        // of the point's box,
 inline const ColumnId half_size_at_start{"half_size_at_start", "m"};  // of the undeformed box
 inline const ColumnId tangent{"tangent", "1"};                        // unit tangent of a membrane point, from 2-D on
 inline const ColumnId transfer_loss{"transfer_loss", "J"};            // what the two maps of a step took from the point
+inline const ColumnId kept_loss{"kept_loss", "J"};  // what of it waits for gas to share a node with [Coupling 1]
 }  // namespace column
 }  // namespace plumbline

@@ -3,7 +3,7 @@
 from html.parser import HTMLParser
 
 VOID = {"meta", "link", "br", "input", "img", "hr"}
-MAY_CLOSE_THEMSELVES = {"path", "circle", "rect", "line", "use", "polyline", "polygon", "ellipse"}
+MAY_CLOSE_THEMSELVES = {"path", "image", "circle", "rect", "line", "use", "polyline", "polygon", "ellipse"}
 
 
 class Page(HTMLParser):
@@ -60,7 +60,7 @@ class Page(HTMLParser):
             for name, value in attributes.items()
             if name in ("src", "srcset", "data", "action", "poster")
             or (name == "href" and tag not in ("a", "use"))
-            or (name == "style" and value and "url(" in value)
+            or (name == "style" and value and "url(" in value.replace("url(data:image/png;base64,", ""))
         ]
 
     @property

@@ -201,6 +201,88 @@ def write_run(folder, run, profile=None, kind="space"):
                 data.attrs["label"] = LONG_LABELS.get(name, name.replace("_", " "))
 
 
+FRAME_TIMES = numpy.linspace(0, 0.143, 9)
+FRAME_BODIES = [
+    {"name": "air", "kind": "gas", "material": "ideal_gas", "chain": False, "closed": False},
+    {"name": "bag", "kind": "membrane", "material": "segment_membrane", "chain": True, "closed": True},
+    {"name": "probe", "kind": "solid", "material": "linear_elastic", "chain": False, "closed": False},
+]
+
+
+def frame_bodies(number):
+    """{field: values} of each body at a frame: a bag that swells, more gas points from the fifth frame on."""
+    swell = 0.34 + 0.01 * number
+    places = numpy.arange(400 if number < 4 else 600) + 0.5
+    radius, angle = 0.95 * swell * numpy.sqrt(places / len(places)), 2.39996 * places
+    around = numpy.linspace(0, 2 * numpy.pi, 60, endpoint=False)
+    square = numpy.stack(numpy.meshgrid(numpy.linspace(0.4, 0.6, 8), numpy.linspace(0.9, 1, 4)), -1).reshape(-1, 2)
+    shapes = (
+        numpy.stack([0.5 + radius * numpy.cos(angle), 0.5 + radius * numpy.sin(angle)], axis=1),
+        numpy.stack([0.5 + swell * numpy.cos(around), 0.5 + swell * numpy.sin(around)], axis=1),
+        square - (0, 0.01 * number),
+    )
+    nothing = numpy.nan
+    fields = (
+        (2 - radius**2 - 0.1 * number, nothing),
+        (nothing, 10 + numpy.cos(around)),
+        (0.1 + 0 * square[:, 0], 5 * square[:, 1]),
+    )
+    bodies = []
+    for position, (pressure, stress) in zip(shapes, fields):
+        count = len(position)
+        bodies.append(
+            {
+                "id": numpy.arange(count),
+                "position": numpy.column_stack([position, numpy.zeros(count)]),
+                "velocity": numpy.zeros((count, 3)),
+                "pressure": numpy.broadcast_to(pressure, count),
+                "stress": numpy.broadcast_to(stress, count),
+            }
+        )
+    return bodies
+
+
+def add_frames(path, axisymmetric=False, times=FRAME_TIMES):
+    """Puts frames into a file of a run, in the layout of the real ones."""
+    frames = [frame_bodies(number) for number in range(len(times))]
+    counts = [sum(len(body["id"]) for body in bodies) for bodies in frames]
+    wall = ["symmetry", "symmetry"]
+    described = {
+        "dim": 2,
+        "axisymmetric": axisymmetric,
+        "h": 0.05,
+        "low": [0.0, 0.0],
+        "high": [1.0, 1.2],
+        "walls": [wall, ["no_slip", "free"]],
+        "every": 3,
+        "bodies": FRAME_BODIES,
+        "units": {"position": "m", "velocity": "m/s", "pressure": "Pa", "stress": "Pa", "time": "s"},
+    }
+    with h5py.File(path, "a") as file:
+        file["frames"] = json.dumps(described)
+        group = file.create_group("VTKHDF")
+        group.attrs.update({"Version": [2, 0], "Type": numpy.bytes_("UnstructuredGrid")})
+        group["Steps/Values"] = times
+        group["Steps/PointOffsets"] = numpy.cumsum(counts) - counts
+        bodies = [(number, body) for frame in frames for number, body in enumerate(frame)]
+        for name, place in (("position", "Points"), *((name, f"PointData/{name}") for name in ("velocity", "pressure", "stress"))):
+            group[place] = numpy.concatenate([body[name] for _, body in bodies]).astype(numpy.float32)
+        group["PointData/id"] = numpy.concatenate([body["id"] for _, body in bodies])
+        group["PointData/body"] = numpy.concatenate([numpy.full(len(body["id"]), number) for number, body in bodies])
+
+
+def normals_profile():
+    """Points on an arc with their exact normals and those of two methods, one of them wrong."""
+    angle = numpy.linspace(0, numpy.pi / 2, 50)
+    columns = {"x": numpy.cos(angle), "y": numpy.sin(angle), "judged": (angle > 0).astype(float)}
+    for name, off in (("", 0.0), ("good.", 1e-12), ("wrong.", 0.4)):
+        columns[f"{name}normal_x"], columns[f"{name}normal_y"] = numpy.cos(angle + off), numpy.sin(angle + off)
+        if name:
+            columns[f"{name}angle_error_deg"] = numpy.full(len(angle), numpy.degrees(off))
+    columns["wrong.angle_error_deg"][0] = 80.0  # not judged
+    return columns
+
+
 def write_study(folder, case, scheme, vary, levels, measures, catalog, **more):
     settings = {key: value for key, value in levels[0]["settings"].items() if key not in ("cells", vary)}
     gates = more.pop("gates", [])
@@ -704,10 +786,17 @@ def write_all(folder, damaged=True):
     )
     sod_dt_study(folder)
     names["run"] = spring_files(folder)
+    names["frames"] = add_frames_to_the_finest(folder, "sod-default-1600-*.h5")
     names["verdicts"] = write_verdicts(folder)
     if damaged:
         names["truncated"] = write_truncated(folder, names["run"])
     return names
+
+
+def add_frames_to_the_finest(folder, pattern):
+    name = sorted(path.name for path in folder.glob(pattern))[0]
+    add_frames(folder / name)
+    return name
 
 
 def spring_files_only(folder):

@@ -1,0 +1,282 @@
+"""Pictures: what is drawn of the frames of a run, and of normals."""
+
+import base64
+import re
+import struct
+import zlib
+
+import numpy
+import pytest
+
+import figures
+import normals
+import pictures
+import plumbline_results
+import raster
+import render
+import synthetic_results
+from html_page import Page
+
+
+@pytest.fixture(scope="module")
+def run(results):
+    folder, names = results
+    return plumbline_results.load(folder / names["frames"])
+
+
+@pytest.fixture(scope="module")
+def axisymmetric(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("axisymmetric")
+    name = synthetic_results.spring_files_only(folder)
+    synthetic_results.add_frames(folder / name, axisymmetric=True)
+    return plumbline_results.load(folder / name)
+
+
+def pixels_of(content):
+    """Colour numbers of a PNG and its palette."""
+    width, height = struct.unpack(">II", content[16:24])
+    parts, place = {}, 8
+    while place < len(content):
+        (length,) = struct.unpack(">I", content[place : place + 4])
+        name, body = content[place + 4 : place + 8], content[place + 8 : place + 8 + length]
+        assert struct.unpack(">I", content[place + 8 + length : place + 12 + length])[0] == zlib.crc32(name + body)
+        parts[name] = body
+        place += 12 + length
+    rows = numpy.frombuffer(zlib.decompress(parts[b"IDAT"]), numpy.uint8).reshape(height, width + 1)
+    assert not rows[:, 0].any(), "rows without a filter"
+    return rows[:, 1:], numpy.frombuffer(parts[b"PLTE"], numpy.uint8).reshape(-1, 3)
+
+
+def picture(address):
+    assert address.startswith("data:image/png;base64,")
+    return pixels_of(base64.b64decode(address.partition(",")[2]))
+
+
+# --- reading --------------------------------------------------------------------------------------
+
+
+def test_reader_gives_back_what_was_written(run):
+    frames = run.frames
+    assert len(frames) == 9 and frames.every == 3 and frames.grid["dim"] == 2
+    assert numpy.array_equal(frames.times, synthetic_results.FRAME_TIMES)
+    for frame in (0, 3, 4, 8):
+        for number, wanted in enumerate(synthetic_results.frame_bodies(frame)):
+            found = frames.body(frame, number)
+            assert all(numpy.allclose(found[name], wanted[name], equal_nan=True) for name in wanted)
+    assert len(frames.body(3, 0)["id"]) == 400 and len(frames.body(4, 0)["id"]) == 600
+
+
+def test_a_run_without_frames_has_none(results):
+    folder, names = results
+    assert plumbline_results.load(folder / names["run"]).frames is None
+
+
+@pytest.mark.parametrize("part", ["frames", "VTKHDF/Steps", "VTKHDF/PointData/body"])
+def test_frames_that_lack_a_part_are_damaged(tmp_path, part):
+    import h5py
+
+    name = synthetic_results.spring_files_only(tmp_path)
+    synthetic_results.add_frames(tmp_path / name)
+    with h5py.File(tmp_path / name, "a") as file:
+        del file[part]
+    if part.endswith("body"):
+        with pytest.raises(KeyError):
+            plumbline_results.load(tmp_path / name).frames.body(0, 0)
+        return
+    with pytest.raises(plumbline_results.DamagedFile):
+        plumbline_results.load(tmp_path / name)
+
+
+def test_frames_of_unequal_length_are_damaged(tmp_path):
+    import h5py
+
+    name = synthetic_results.spring_files_only(tmp_path)
+    synthetic_results.add_frames(tmp_path / name)
+    with h5py.File(tmp_path / name, "a") as file:
+        shorter = file["VTKHDF/PointData/stress"][:-1]
+        del file["VTKHDF/PointData/stress"]
+        file["VTKHDF/PointData/stress"] = shorter
+    with pytest.raises(plumbline_results.DamagedFile, match="do not fit"):
+        plumbline_results.load(tmp_path / name)
+
+
+# --- raster ---------------------------------------------------------------------------------------
+
+
+def test_png_says_what_the_pixels_were():
+    pixels = numpy.arange(12, dtype=numpy.uint8).reshape(3, 4)
+    palette = [(10 * k, 5, 255 - k) for k in range(1, 12)]
+    found, colours = pixels_of(raster.png(pixels, palette))
+    assert numpy.array_equal(found, pixels)
+    assert [tuple(colour) for colour in colours] == [(0, 0, 0), *palette]
+
+
+def test_y_points_upwards_and_dots_lie_where_points_are():
+    canvas = raster.Canvas((0, 0), (2, 1), 201)
+    assert canvas.pixels.shape == (101, 201)
+    canvas.dots(numpy.array([[0.5, 0.9], [numpy.nan, 0.5], [5, 5]]), 3, 0.03)
+    rows, columns = numpy.nonzero(canvas.pixels)
+    assert abs(rows.mean() - 10) < 0.5 and abs(columns.mean() - 50) < 0.5
+    assert numpy.ptp(rows) == numpy.ptp(columns) == 6
+
+
+def test_area_fills_gaps_of_a_body_and_no_others():
+    canvas = raster.Canvas((0, 0), (1, 1), 101)
+    canvas.dots(numpy.array([[0.5, 0.5]]), 9, 0.005)
+    canvas.area(numpy.array([[0.1, 0.2], [0.13, 0.2], [0.5, 0.2]]), 4, 0.005)
+    row = canvas.pixels[80]
+    assert list(row[9:15]) == [0, 4, 4, 4, 4, 0] and row[50] == 4 and not row[20:49].any()
+    assert canvas.pixels[50, 50] == 9
+
+
+def test_ramp_keeps_its_ends():
+    assert raster.ramp(("#000000", "#ffffff"), 3) == ("#000000", "#808080", "#ffffff")
+
+
+# --- what is chosen -------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("count, wanted, chosen", [(2, 6, [0, 1]), (6, 6, [0, 1, 2, 3, 4, 5]), (25, 6, [0, 5, 10, 14, 19, 24]), (9, 3, [0, 4, 8])])
+def test_frames_of_the_strip(count, wanted, chosen):
+    assert pictures.chosen_frames(count, wanted) == chosen
+
+
+@pytest.mark.parametrize("low, high", [(0, 110), (-3e-7, 8e-7), (99.99, 100.02), (7, 7), (0, 0)])
+def test_steps_of_colour_are_centred_on_round_numbers(low, high):
+    levels = pictures.colour_levels(numpy.linspace(low, high, 1001))
+    size = levels[1] - levels[0]
+    assert len(levels) <= 15 and numpy.allclose(numpy.diff(levels), size, rtol=1e-6)
+    centres = (levels[1:] + levels[:-1]) / 2 / size
+    assert numpy.allclose(centres, numpy.rint(centres), atol=1e-4)
+    assert levels[0] <= low + 0.011 * (high - low) and levels[-1] >= high - 0.011 * (high - low)
+
+
+def test_window_holds_all_points_and_the_walls_near_them(run):
+    view = pictures.View(run.frames)
+    places = run.frames.points["position"][:, :2]
+    assert (places >= view.low).all() and (places <= view.high).all()
+    assert len(view.walls()) == 3, "left, right and below; nothing stands above"
+    assert view.axis() is None
+
+
+def test_axisymmetric_scenes_are_mirrored(axisymmetric):
+    view = pictures.View(axisymmetric.frames)
+    assert view.low[0] == -view.high[0]
+    places = view.body(0, 1)["position"]
+    assert len(places) == 120 and numpy.array_equal(places[:60] * (-1, 1), places[60:])
+    assert [len(part) for part in view.lines(1, places)] == [61, 61], "closed on either side"
+    assert view.axis()[:, 0].tolist() == [0, 0]
+    assert sorted(ends[0, 0] for ends in view.walls() if ends[0, 0] == ends[1, 0]) == [-1, 1], "the axis is no wall"
+    drawn = pictures.strip(view, "run", "file")
+    pixels, _ = picture(drawn.cells[-1]["picture"])
+    other = numpy.count_nonzero(pixels[:, : pixels.shape[1] // 2] > 2) / numpy.count_nonzero(pixels > 2)
+    assert other == pytest.approx(0.5, abs=0.03)
+    assert "Both sides of the axis" in drawn.caption
+
+
+# --- what is drawn --------------------------------------------------------------------------------
+
+
+def test_strip_shows_six_instants_with_their_times(run):
+    drawn = pictures.strip(pictures.View(run.frames), "run", "file")
+    assert [cell["time"] for cell in drawn.cells][:1] + [drawn.cells[-1]["time"]] == ["t = 0 s", "t = 0.143 s"]
+    assert len(drawn.cells) == 6
+    assert [key.label for key in drawn.keys] == ["air", "bag", "probe"]
+    assert "One point in 3" in drawn.caption and "walls" in drawn.caption
+    for cell in drawn.cells:
+        pixels, palette = picture(cell["picture"])
+        assert set(numpy.unique(pixels)) == {0, raster.WALL, 3, 4, 5}, "nothing, walls, and each body"
+        assert pixels.shape[1] / pixels.shape[0] == pytest.approx(drawn.shape, rel=0.02)
+
+
+def test_film_has_all_frames_side_by_side(run):
+    view = pictures.View(run.frames)
+    drawn = pictures.film(view, "run", "file", "p")
+    assert len(drawn.times) == 9 and "pressure of the gas" in drawn.caption.lower()
+    pixels, palette = picture(drawn.picture)
+    assert pixels.shape[1] % 9 == 0
+    frames = numpy.split(pixels, 9, axis=1)
+    assert all(not numpy.array_equal(one, other) for one, other in zip(frames, frames[1:]))
+    assert [key.label for key in drawn.keys] == ["bag", "probe"], "what is coloured has the scale of colours instead"
+    # the pressure falls from 2 at the start, in the middle of the bag, to 1.2 at the end
+    middle = [frame[frame.shape[0] * 6 // 10, frame.shape[1] // 2] for frame in frames]
+    assert middle[0] > middle[-1] > 5 and numpy.all(numpy.diff(numpy.array(middle, int)) <= 0)
+
+
+def test_film_keeps_within_its_bytes(run, monkeypatch):
+    view = pictures.View(run.frames)
+    monkeypatch.setattr(pictures, "FILM_BYTES", 12000)
+    drawn = pictures.film(view, "run", "file", "p")
+    assert len(drawn.picture) < 12000 * 4 / 3 + 100
+    assert len(drawn.times) >= 5
+
+
+def test_fields_of_each_kind_of_body(run):
+    view = pictures.View(run.frames)
+    drawn = {kind: pictures.field_at_one_time(view, kind, "run", "file", kind) for kind in ("gas", "membrane", "solid")}
+    assert drawn["gas"].title == "Pressure of the gas at the end of the run" and "t = 0.143 s" in drawn["gas"].caption
+    assert "from 9 to 11 Pa" in drawn["membrane"].caption
+    assert "when it is largest, t = 0 s" in drawn["solid"].caption
+    assert drawn["gas"].svg.count("<image") == 1 and drawn["membrane"].svg.count("<image") == 0
+    assert all("Pa" in figure.svg for figure in drawn.values())
+    assert drawn["gas"].keys[0].label == "bag"
+
+
+def test_values_between_points_and_none_outside():
+    class Square:
+        low, high = numpy.zeros(2), numpy.ones(2)
+
+    side = (numpy.arange(20) + 0.5) / 40  # the lower left quarter
+    places = numpy.stack(numpy.meshgrid(side, side), -1).reshape(-1, 2)
+    grid, extent = pictures.on_pixels(places, 3 * places[:, 0], numpy.full(len(places), 1 / 40), Square)
+    assert extent == pytest.approx((0, 1, 0, 1))
+    height, width = grid.shape
+    inner = grid[20 : height // 2 - 20, 20 : width // 2 - 20]
+    x = (numpy.arange(width) + 0.5) / width
+    assert numpy.allclose(inner, 3 * x[20 : width // 2 - 20], atol=1e-6)
+    assert numpy.isnan(grid[height // 2 + 15 :]).all() and numpy.isnan(grid[:, width // 2 + 15 :]).all()
+
+
+# --- the page -------------------------------------------------------------------------------------
+
+
+def test_page_shows_them(page):
+    source = page.read_text(encoding="utf-8")
+    parsed = Page(source)
+    assert "What it looks like" in parsed.text and "Points over time" in parsed.text
+    assert len(re.findall(r'<ol class="strip-of-points"', source)) == 1
+    reel = re.search(r'<div class="reel" role="img" aria-label="([^"]+)"', source)
+    assert "pressure of the gas" in reel.group(1)
+    assert "prefers-reduced-motion: no-preference" in source and 'class="pause"' in source
+    assert "<script" not in source
+
+
+def test_nothing_is_said_of_pictures_without_frames(tmp_path):
+    synthetic_results.spring_files_only(tmp_path)
+    assert "What it looks like" not in render.render(plumbline_results.load_folder(tmp_path))
+
+
+# --- normals --------------------------------------------------------------------------------------
+
+
+def test_normals_of_each_method():
+    profile = plumbline_results.Columns(synthetic_results.normals_profile())
+    assert sorted(normals.methods(profile)) == ["good", "wrong"]
+    drawn = normals.needles(profile, "line", "file", "p")
+    assert "good" in drawn.svg and "&lt; 10⁻⁶°" in drawn.svg
+    assert "23°" in drawn.svg and "80°" not in drawn.svg, "points that are not judged do not count"
+    assert isinstance(drawn, figures.Figure)
+
+
+def test_profiles_without_normals_have_none():
+    profile = synthetic_results.normals_profile()
+    del profile["normal_x"]
+    assert normals.methods(plumbline_results.Columns(profile)) == []
+    assert normals.methods(plumbline_results.Columns(synthetic_results.spring_profile())) == []
+
+
+def test_needles_stand_on_their_points():
+    places, directions = numpy.array([[1.0, 2.0], [0.0, 0.0]]), numpy.array([[0.0, 1.0], [1.0, 0.0]])
+    x, y = normals._needles(places, directions, 0.5)
+    assert numpy.array_equal(x, [1, 1, numpy.nan, 2, 2.5, numpy.nan], equal_nan=True)
+    assert numpy.array_equal(y, [0, 0.5, numpy.nan, 0, 0, numpy.nan], equal_nan=True)
