@@ -144,8 +144,8 @@ class AirbagRun final : public Problem {
   double start_height() const { return highest_point(bag_.skin, 1); }  // of the pole, where the probe is first
   double start_volume() const { return turn * enclosed_volume(bag_.skin); }
 
-  // The energy that the skin held at first counts with the probe's; for the rebound so does what the gas can do besides,
-  // at most its excess pressure times the volume that the skin could open. None where the model has no answer.
+  // The energy that the skin held at first counts with the probe's; for the rebound so does what the gas can do
+  // besides, at most its excess pressure times the volume that the skin could open. None where the model has no answer.
   std::optional<Limits> limits() const {
     const double energy = 0.5 * spec_.mass * speed() * speed() + start_elastic_;
     try {

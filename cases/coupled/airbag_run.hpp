@@ -23,8 +23,8 @@ struct AirbagSpec {
 
 std::unique_ptr<Problem> airbag_run(const AirbagSpec& spec, const Settings& settings);
 
-// The probe, a solid cylinder 80 mm high with its face at the height `face`, at rest: rows of points about h/ppc apart that
-// fill it exactly, the density such that it has its mass.
+// The probe, a solid cylinder 80 mm high with its face at the height `face`, at rest: rows of points about h/ppc apart
+// that fill it exactly, the density such that it has its mass.
 Body airbag_probe(const AirbagSpec& spec, const GridSpec& grid, int ppc, double face);
 
 }  // namespace plumbline

@@ -172,7 +172,7 @@ Bag inflate(const Bag& bag, const GridSpec& grid, const BagPressures& pressures)
             bag.tether};
   const double volume = enclosed_volume(blown.skin), before = enclosed_volume(bag.skin);
   for (int p = 0; p < blown.gas.points.points(); ++p) {
-    blown.gas.points(column::mass)[p] = bag.gas.points(column::mass)[p];
+    blown.gas.points(column::mass)[p] = bag.gas.points(column::mass)[p] * volume / before;
     blown.gas.points(column::volume)[p] = bag.gas.points(column::volume)[p] * volume / before;
     blown.gas.points(column::density)[p] = bag_density;
     blown.gas.points(column::energy)[p] = pressures.inside / ((bag_gamma - 1) * bag_density);  // [York 4.4]

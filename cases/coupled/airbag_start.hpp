@@ -19,8 +19,8 @@ BagPressures bag_pressures(const std::string& name);
 
 inline constexpr double bag_gamma = 1.4, bag_density = 1.2156;  // of the gas, kg/m^3. York, Table 8
 
-// The skin from the pole on the plate to the upper one, counter-clockwise about the gas, m: the polygon of York's input.
-// crown: height of the upper pole, inside the ring of the tether. York A.4.8, A.4.9
+// The skin from the pole on the plate to the upper one, counter-clockwise about the gas, m: the polygon of York's
+// input. crown: height of the upper pole, inside the ring of the tether. York A.4.8, A.4.9
 Curve york_outline(double crown);
 inline constexpr double tether_radius = 0.08, tether_height = 0.299;  // of its ring on the skin
 

@@ -377,6 +377,14 @@ TEST(EnclosedGas, FillsTheBagInAStep) {
   EXPECT_GT(std::abs(enclosed(run.scene()) - room), 1e-9);
 }
 
+TEST(EnclosedGas, RefusesAnEnclosureWhereAChainEnclosesNothing) {
+  for (const Space space : {Space::line, Space::solid}) {
+    Scene scene = scenes::gas_and_skin(scenes::Skin::segments, space, "quadratic", "apic", true);
+    scene.bodies[0].enclosure = Enclosure{"membrane", {}};
+    EXPECT_THROW(Simulation(scene, "energy", {0.3, 2e-3}), std::invalid_argument) << space;
+  }
+}
+
 TEST(EnclosedGas, RefusesAnEnclosureThatIsNotThere) {
   Scene scene = quarter_bag(Space::plane, "quadratic", false);
   scene.bodies[0].enclosure->chain = "bladder";

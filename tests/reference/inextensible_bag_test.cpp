@@ -20,7 +20,7 @@ TEST(InextensibleBag, UntouchedItIsTheMylarBalloon) {
   EXPECT_NEAR(shape.volume.value, bag.free_volume().value, 1e-14);
 }
 
-// The last shape that is kept stands at the very edge of what the skin can close around: no rounding may lead beyond it.
+// The last shape that is kept stands at the edge of what the skin can close around: no rounding may lead beyond it.
 TEST(InextensibleBag, EveryMeridianHasItsShapes) {
   for (int k = 0; k < 100; ++k) {
     for (double radius : {0.05, 0.1, 0.25}) {

@@ -91,8 +91,9 @@ TEST(AirbagStart, BlownUpItHasItsPressureAndDensity) {
   EXPECT_LT(volume, 1.1 * enclosed_volume(flat_bag(bag_pressures("physical")).skin));
 }
 
-// With the tether it stays. A probe would make 39 mm in that time; what the bag creeps by, for gas is never quite at rest,
-// is to be less than a fiftieth of that, so that no displacement depends on it by more. Its volume rests far better.
+// With the tether it stays. A probe would make 39 mm in that time; what the bag creeps by, for gas is never quite at
+// rest, is to be less than a fiftieth of that, so that no displacement depends on it by more. Its volume rests far
+// better.
 TEST(AirbagStart, BlownUpItRests) {
   const Bag& bag = blown_bag();
   Scene scene;

@@ -29,7 +29,7 @@ double volume_of(const Columns& chain) {
 
 const Curve lens{{0, 0}, {0.1, 0.01}, {0.25, 0.08}, {0.22, 0.19}, {0.09, 0.26}, {0, 0.27}};
 
-// [Airbag 1] The volume is a cubic of each coordinate: central differences are off by the third derivative, at most 1/6.
+// [Airbag 1] The volume is a cubic of each coordinate: central differences are off by its third derivative.
 TEST(BagForces, GradientOfTheVolume) {
   Columns chain = chain_of(lens);
   const int n = chain.points();

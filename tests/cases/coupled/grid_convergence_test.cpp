@@ -19,8 +19,8 @@ TEST(GridConvergence, ValuesThatFollowTheLaw) {
   EXPECT_NEAR(known.uncertainty, 1.25 * 0.02, 1e-14);
 }
 
-// [GCI 1] h = 1, 2, 3 with 0, 0, 3: the line -2 + 1.5 h is off by 0.5, -1, 0.5, so sigma is sqrt(1.5) and the finest value off
-// by 0.5; 1.25 times 1.5 is left at h = 1.
+// [GCI 1] h = 1, 2, 3 with 0, 0, 3: the line -2 + 1.5 h is off by 0.5, -1, 0.5, so sigma is sqrt(1.5) and the finest
+// value off by 0.5; 1.25 times 1.5 is left at h = 1.
 TEST(GridConvergence, ScatterCounts) {
   const GridConvergence known = grid_convergence({{1, 0}, {2, 0}, {3, 3}}, 1);
   EXPECT_NEAR(known.limit, -2, 1e-14);

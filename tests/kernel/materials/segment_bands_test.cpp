@@ -229,6 +229,15 @@ std::vector<ChainCase> chains() {
       narrow(column::rest_length)[p] = 0.28;
     }
     all.push_back({law, narrow});
+    Columns tube = crooked(law, 20);  // even: as close to the bound as a chain comes
+    for (int p = 0; p < tube.points(); ++p) {
+      tube(column::position)[p] = 0.5;
+      tube(column::position, 1)[p] = 0.1 * p;
+      tube(column::mass)[p] = 0.3;
+      tube(column::rest_length)[p] = 0.08;
+      tube(column::rest_radius)[p] = 0.4;
+    }
+    if (!closed) all.push_back({law, tube});
     law.revolved = false;
     law.poissons_ratio = 0;
     for (const bool one_way : {true, false}) {
