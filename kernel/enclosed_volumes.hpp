@@ -48,8 +48,8 @@ struct ShapeIntegrals {
 // |cell_i| = int_inside N_i dA, axisymmetric int_inside N_i r dA, of all nodes, ghosts included, m^2 (m^3 per radian).
 // Inside: the polygon of the points in their order, and on through the corners back to the first point; positive if it runs
 // counter-clockwise. By Green's theorem |cell_i| = sum over edges of int Phi_i(x) N_i(y) dy, Phi_i(x) = int^x N_i (r) dx:
-// exact but for one or two Gauss points on pieces of at most a quarter of a cell; the sum over all nodes is the polygon's
-// area (volume per radian) to rounding. [Coupling 4]
+// with one or two Gauss points on pieces of at most a quarter of a cell, and tents in place of boxes, which is good to a few
+// thousandths of a cell; the sum over all nodes is the polygon's area (volume per radian) to rounding. [Coupling 4]
 template <class Shape>
 void enclosed_volumes(const Grid<2>& grid, const Columns& chain, const std::vector<std::array<double, 2>>& corners,
                       std::vector<double>& volume) {

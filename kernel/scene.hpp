@@ -37,9 +37,11 @@ struct Scene {
   DensityMethod density = DensityMethod::grid;
   std::string contact = "none";          // between velocity fields: none, york-9.7, york-9.8, york-9.9, touching
   std::string normals = "connectivity";  // how membranes that carry their strain know their tangents: normals_methods()
-  double sharpening = 0;     // 0: none, 1: the leading term of the maps' smoothing undone, see sharpening.hpp; [0, 1]
-  double split = 0;          // > 0: gas points larger than this many cells are split, see splitting.hpp; 0: never
-  bool loss_to_gas = false;  // what points without an energy equation lose heats the gas at their nodes [Coupling 1]
+  double sharpening = 0;  // 0: none, 1: the leading term of the maps' smoothing undone, see sharpening.hpp; [0, 1]
+  double split = 0;       // > 0: gas points larger than this many cells are split, see splitting.hpp; 0: never
+  bool loss_to_gas =
+      false;  // what maps, and strains of membranes, take from points without an energy equation heats the
+              // gas at their nodes [Coupling 1]
   double chain_relaxation = 0;  // theta of segments, [0, 1]: motion that no node sees is taken out [Coupling 2]
   double strain_smoothing = 0;  // kappa >= 0 of carried strains: what no node sees is taken out [Coupling 3]
   double heat_exchange = 0;  // kappa >= 0: heat that points of a compressed gas exchange through the nodes [Exchange 1]

@@ -177,7 +177,8 @@ Scene ring_scene(const Settings& settings, const RestingRing& ring) {
     scene.bodies.push_back(fill_cut("gas", gas, scene.grid, ppc, polygon, problem.gas_density, ring.gas_energy));
   }
   scene.bodies.push_back(membrane_body(settings, "ring", ring.material, ring.curve, ring.strain));
-  if (problem.law == reference::RingLaw::segments) scene.bodies[0].enclosure = Enclosure{"ring", {{0, 0}}};
+  if (problem.law == reference::RingLaw::segments && settings.text("density") == "grid")
+    scene.bodies[0].enclosure = Enclosure{"ring", {{0, 0}}};
   apply_choices(settings, scene);
   return scene;
 }

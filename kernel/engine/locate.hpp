@@ -60,6 +60,9 @@ Mechanics<G, S, T>::Mechanics(Scene& scene, Ledger& ledger, const EngineOptions&
       throw std::invalid_argument("body " + body.name +
                                   ": only in two dimensions does a chain of points enclose a gas");
     }
+    if (body.enclosure && scene.density != DensityMethod::grid) {
+      throw std::invalid_argument("body " + body.name + ": an enclosed gas needs the density method grid");
+    }
   }
   for (std::size_t b = 0; b < located_.size(); ++b) {
     Field& field = field_of(b);

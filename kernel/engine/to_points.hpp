@@ -504,17 +504,21 @@ void Mechanics<G, S, T>::finish_points(double dt, std::optional<double> drift) {
               body.material->add_heat(body.points, range, loss);
               for (int p = range.first; p < range.last; ++p) sums.returned += loss[p];
             }
+            if (body.chain) return sums;
             if (drift) reflect(body, range, sums.motion);
-            if (!body.chain) sums.survey = survey(body, range);
+            sums.survey = survey(body, range);
             return sums;
           });
     if (body.chain) {
       moved_ = true;
       smooth_strain(b, dt);
       moved_ = false;
-      own.survey = sum_over_chunks<Survey>(located_[b], [&](const Chunk& chunk) {
-        return survey(body, {chunk.first, chunk.last});
-      });
+      own = own + sum_over_chunks<Sums>(located_[b], [&](const Chunk& chunk) {
+              Sums sums;
+              if (drift) reflect(body, {chunk.first, chunk.last}, sums.motion);
+              sums.survey = survey(body, {chunk.first, chunk.last});
+              return sums;
+            });
     }
     stop_if_too_far(own.motion, body);
     all += own;

@@ -266,23 +266,11 @@ inline std::vector<double> densities_in_use(const Body& body) {
 }
 
 inline std::vector<const ColumnId*> all_columns() {
-  return {&column::position,
-          &column::velocity,
-          &column::affine,
-          &column::mass,
-          &column::volume,
-          &column::strain_rate,
-          &column::stress,
-          &column::density,
-          &column::energy,
-          &column::pressure,
-          &column::strain,
-          &column::tangent,
-          &column::transfer_loss,
-          &column::deformation,
-          &column::body_force,
-          &column::half_size,
-          &column::half_size_at_start};
+  return {&column::position,  &column::velocity,          &column::affine,      &column::mass,
+          &column::volume,    &column::strain_rate,       &column::stress,      &column::density,
+          &column::energy,    &column::pressure,          &column::strain,      &column::kept_loss,
+          &column::tangent,   &column::transfer_loss,     &column::deformation, &column::body_force,
+          &column::half_size, &column::half_size_at_start};
 }
 
 // Every column, bit for bit, and the order of the points.
