@@ -16,7 +16,7 @@ namespace {
 
 // What a case may choose for itself: geometry, points and end time. All other keys of its kind are numerical.
 bool free_to_choose(const std::string& key) {
-  constexpr std::array free{"cells", "ppc", "points", "offset"};
+  constexpr std::array free{"cells", "ppc", "points", "offset", "membrane.ppc"};
   return std::find(free.begin(), free.end(), key) != free.end();
 }
 
@@ -78,6 +78,21 @@ TEST(Schemes, DefaultOfGas) {
   EXPECT_EQ(settings.number("viscosity.quadratic"), 0.5);
 }
 
+// The gas's step, with what membranes lose given to the gas.
+TEST(Schemes, DefaultOfGasAndMembranes) {
+  const Settings settings(kind_keys(Kind::coupled)), gas(kind_keys(Kind::gas));
+  for (const char* key : {"integrator", "shape", "transfer", "density", "sharpening", "heat_exchange",
+                          "viscosity.linear", "viscosity.quadratic"}) {
+    EXPECT_EQ(to_text(settings[key]), to_text(gas[key])) << key;
+  }
+  EXPECT_EQ(settings.number("cfl"), 0.9);
+  EXPECT_EQ(settings.text("membrane.strain"), "segments");
+  EXPECT_EQ(settings.text("membrane.loss"), "gas");
+  EXPECT_EQ(settings.number("membrane.relaxation"), 0.5);
+  EXPECT_EQ(settings.text("normals"), "connectivity");
+  EXPECT_FALSE(settings.has("split"));
+}
+
 TEST(Schemes, DefaultOfMembranes) {
   const Settings settings(kind_keys(Kind::membrane));
   EXPECT_EQ(settings.text("integrator"), "musl");
@@ -96,8 +111,13 @@ TEST(Schemes, York1997IsYorks) {
     EXPECT_EQ(settings.text("integrator"), "musl") << entry->name();
     const std::set<std::string> published{"sod", "two-bar", "two-disks", "ball-net"};
     const bool his_own = published.count(entry->name()) || entry->kind() == Kind::membrane;  // their steps are given
-    EXPECT_EQ(settings.is_set("dt"), his_own) << entry->name();
-    EXPECT_EQ(settings.is_set("cfl"), !his_own) << entry->name();
+    EXPECT_NE(settings.is_set("dt"), settings.is_set("cfl")) << entry->name();
+    EXPECT_TRUE(entry->kind() == Kind::coupled || settings.is_set("dt") == his_own) << entry->name();
+    if (entry->kind() == Kind::coupled) {
+      EXPECT_EQ(settings.text("membrane.loss"), "booked") << entry->name();
+      EXPECT_EQ(settings.number("membrane.relaxation"), 0) << entry->name();
+      EXPECT_EQ(settings.number("viscosity.quadratic"), 0) << entry->name();
+    }
     if (entry->kind() != Kind::gas) continue;
     EXPECT_EQ(settings.number("sharpening"), 0) << entry->name();
     EXPECT_EQ(settings.number("heat_exchange"), 0) << entry->name();
