@@ -110,7 +110,9 @@ TEST(Schemes, York1997IsYorks) {
     EXPECT_EQ(settings.text("transfer"), "flip") << entry->name();
     EXPECT_EQ(settings.text("integrator"), "musl") << entry->name();
     const std::set<std::string> published{"sod", "two-bar", "two-disks", "ball-net"};
-    const bool his_own = published.count(entry->name()) || entry->kind() == Kind::membrane;  // their steps are given
+    const std::set<std::string> at_rest{"normals-cell", "normals-first-step"};  // one step, in which nothing moves
+    const bool his_own = published.count(entry->name()) ||                      // their steps are given
+                         (entry->kind() == Kind::membrane && !at_rest.count(entry->name()));
     EXPECT_NE(settings.is_set("dt"), settings.is_set("cfl")) << entry->name();
     EXPECT_TRUE(entry->kind() == Kind::coupled || settings.is_set("dt") == his_own) << entry->name();
     if (entry->kind() == Kind::coupled) {
