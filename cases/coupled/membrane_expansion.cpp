@@ -222,7 +222,7 @@ class MembraneExpansion final : public Case {
   std::vector<double> default_levels() const override { return {4, 6, 8, 12, 16}; }
   std::vector<StudyPlan> studies() const override;
   std::vector<CaseGate> gates() const override;
-  GateCount gate_count() const override { return {52, 0}; }
+  GateCount gate_count() const override { return {57, 78}; }
 };
 
 Statement MembraneExpansion::statement() const {
@@ -257,8 +257,8 @@ Statement MembraneExpansion::statement() const {
       "membrane can spoil it. But pR/t takes a mean pressure, and Σ V_p p_p is fixed: if the gas points' volumes add "
       "up "
       "to more than the bag encloses (`volume_ratio`), their pressure is low by as much, and stress seems high against "
-      "it. `hoop_from_pressure` of york1997 is the square root of nothing else: 1.06 at 8 cells with volumes 13 % too "
-      "large, 1.04 at 16 cells with 4 %. York averages pressure over interior grid points, which is lower still (27.0 "
+      "it: σt/(pR) = `volume_ratio` · πR/2L. So york1997 has 1.06 at 8 cells with volumes 13 % too large, 1.04 at 16 "
+      "cells with 4 %. York averages pressure over interior grid points, which is lower still (27.0 "
       "against 28.6 here at 16 cells); his stress of 417 Pa is 416 here. His 447 at 32 cells is above what the virial "
       "allows for any mean (432) and can only be a peak.\n\n"
       "Two weaknesses are mended in `default`. Points of one layer have motions that no node sees; as the bag unfolds "
@@ -300,6 +300,12 @@ std::vector<StudyPlan> MembraneExpansion::studies() const {
            .full_values = {4, 6, 8, 12, 16, 24, 32},
            .frames = 25,
            .frames_at = 16.0},
+          {.id = "unfolding",
+           .title = "the first half second of default",
+           .why = "To look at: two levels, no order.",
+           .overrides = {{"t_end", 0.5}},
+           .values = {8, 16},
+           .frames = 25},
           {.id = "york1997",
            .title = "york1997, 64 points a cell: tables 5 and 6",
            .why = "York's own four meshes.",

@@ -45,6 +45,38 @@ const Case& find_case(const std::string& name) {
   throw unknown_name("case", name, names);
 }
 
+namespace {
+
+UsageError cannot_work(const std::string& key, const Settings& s, const std::string& allowed, const std::string& with,
+                       const std::string& why) {
+  const std::string value = to_text(s[key]);
+  return UsageError(key, value, allowed, {}, key + "=" + value + " cannot work with " + with + ": " + why);
+}
+
+// Choices of coupled scenes that follow from each other, or exclude each other.
+void settle_membranes(Settings& s, const std::string& owner) {
+  if (!s.has("membrane.strain")) return;
+  const bool ordered = s.text("normals") == "connectivity";
+  if (!s.is_set("membrane.strain")) s.set("membrane.strain", ordered ? "segments" : "accumulated", owner);
+  if (!ordered && s.text("membrane.strain") == "segments") {
+    throw cannot_work("normals", s, "connectivity with membrane.strain=segments", "membrane.strain=segments",
+                      "segments are the connectivity of points; accumulated strain needs none");
+  }
+  const IntegratorEntry* integrator = find_integrator(s.text("integrator"));
+  if (s.text("membrane.loss") == "gas" && integrator && !integrator->make()->returns_transfer_loss()) {
+    throw cannot_work("membrane.loss", s, "booked with integrator=" + integrator->name,
+                      "integrator=" + integrator->name, "it gives no loss back as heat");
+  }
+  const std::string& shape = s.text("shape");
+  if (s.number("membrane.relaxation") > 0 && s.text("transfer") == "apic" &&
+      (shape == "linear" || shape == "gimp" || shape == "contiguous-gimp")) {
+    throw cannot_work("membrane.relaxation", s, "0 with shape=" + shape + ", transfer=apic",
+                      "shape=" + shape + ", transfer=apic", "moving points would change their affine inertia");
+  }
+}
+
+}  // namespace
+
 Settings Case::settings(const std::string& scheme, const std::vector<Override>& overrides,
                         const std::vector<std::string>& typed) const {
   const auto known = scheme_names();
@@ -56,6 +88,7 @@ Settings Case::settings(const std::string& scheme, const std::vector<Override>& 
   for (const auto& [key, value] : points_and_end(scheme)) settings.set(key, value, name());
   for (const auto& [key, value] : overrides) settings.set(key, value, name());
   for (const std::string& assignment : typed) settings.set_text(assignment, name());
+  settle_membranes(settings, name());
   derive(settings, scheme);
   if (!settings.is_set("cfl") && !settings.is_set("dt")) {
     throw UsageError("cfl", "none", "(0, inf)", {"cfl", "dt"}, "neither cfl nor dt is set: set one of them");

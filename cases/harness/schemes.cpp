@@ -99,8 +99,12 @@ void add_coupling_keys(std::vector<Key>& keys) {
                   .low = 1,
                   .high = 1e3,
                   .description = "points per cell along the membrane"});
-  keys.push_back(choice("membrane.strain", "segments", {"accumulated", "segments"},
-                        "the stretch of the segments between points, or summed from rates at the points"));
+  keys.push_back(
+      {.name = "membrane.strain",
+       .value = std::monostate{},
+       .choices = {"accumulated", "segments"},
+       .description = "the stretch of the segments between points, which is what follows if not set, or summed "
+                      "from rates at the points, which is what follows from normals without connectivity"});
   keys.push_back(
       choice("membrane.loss", "gas", {"booked", "gas"},
              "what maps and strains take from membranes heats the gas at their nodes, or is booked as lost"));

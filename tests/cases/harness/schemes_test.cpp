@@ -35,6 +35,7 @@ std::map<std::string, std::string> definition(Kind kind) {
   for (const Key& key : kind_keys(kind)) {
     if (!free_to_choose(key.name)) defined[key.name] = to_text(key.value);
   }
+  if (kind == Kind::coupled) defined["membrane.strain"] = "segments";  // follows from normals=connectivity
   return defined;
 }
 
@@ -86,11 +87,29 @@ TEST(Schemes, DefaultOfGasAndMembranes) {
     EXPECT_EQ(to_text(settings[key]), to_text(gas[key])) << key;
   }
   EXPECT_EQ(settings.number("cfl"), 0.9);
-  EXPECT_EQ(settings.text("membrane.strain"), "segments");
   EXPECT_EQ(settings.text("membrane.loss"), "gas");
   EXPECT_EQ(settings.number("membrane.relaxation"), 0.5);
   EXPECT_EQ(settings.text("normals"), "connectivity");
   EXPECT_FALSE(settings.has("split"));
+}
+
+// What cannot work together is refused, naming both choices; nothing is silently replaced.
+TEST(Schemes, MembraneChoicesFollowOrExcludeEachOther) {
+  const Case& bag = find_case("membrane-expansion");
+  EXPECT_EQ(bag.settings("default", {}).text("membrane.strain"), "segments");
+  EXPECT_EQ(bag.settings("default", {}, {"normals=modern"}).text("membrane.strain"), "accumulated");
+  const auto refuses = [&](const std::vector<std::string>& typed, const std::string& first, const std::string& second) {
+    try {
+      bag.settings("default", {}, typed);
+      ADD_FAILURE() << first << " with " << second << " is accepted";
+    } catch (const UsageError& error) {
+      EXPECT_NE(std::string(error.what()).find(first), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find(second), std::string::npos) << error.what();
+    }
+  };
+  refuses({"normals=modern", "membrane.strain=segments"}, "normals=modern", "membrane.strain=segments");
+  refuses({"integrator=musl"}, "membrane.loss=gas", "integrator=musl");
+  refuses({"integrator=musl", "membrane.loss=booked", "shape=gimp"}, "membrane.relaxation=0.5", "shape=gimp");
 }
 
 TEST(Schemes, DefaultOfMembranes) {
