@@ -14,6 +14,8 @@ Simulation::Simulation(Scene scene, const std::string& integrator, StepControl c
   const IntegratorEntry* entry = find_integrator(integrator);
   if (!entry) throw std::invalid_argument("no integrator " + integrator);
   integrator_ = entry->make();
+  copy_integrator_ = entry->copy;
+  set_parameters(*integrator_, control_.parameters);
   if (const std::string why = integrator_->refusal(scene_.shape, scene_.transfer); !why.empty()) {
     throw std::invalid_argument("integrator " + integrator + " cannot work with shape " + scene_.shape +
                                 " and transfer " + scene_.transfer + ": " + why);
@@ -64,7 +66,7 @@ long Simulation::points() const {
 }
 
 Checkpoint Simulation::save() const {
-  Checkpoint checkpoint{time_, step_, {}, {}, {}, ledger_};
+  Checkpoint checkpoint{time_, step_, {}, {}, {}, ledger_, copy_integrator_(*integrator_)};
   for (const Body& body : scene_.bodies) {
     checkpoint.points.push_back(body.points);
     checkpoint.ids.push_back(body.id);
@@ -85,6 +87,7 @@ void Simulation::restore(const Checkpoint& checkpoint) {
     scene_.bodies[b].split_from = checkpoint.split_from[b];
   }
   ledger_ = checkpoint.ledger;
+  integrator_ = copy_integrator_(*checkpoint.integrator);
   time_ = checkpoint.time;
   step_ = checkpoint.step;
   engine_->points_changed(time_);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@ struct StepControl {
   double cfl = 0.3;          // > 0
   std::optional<double> dt;  // s, > 0; overrides cfl
   int threads = 1;           // >= 1; no result depends on it
+  std::map<std::string, double> parameters = {};  // of the integrator, by name; those of others may stand here too
 };
 
 // Everything a run is at one instant. Copy it to save a run; restoring it continues bitwise as if never interrupted.
@@ -27,6 +29,7 @@ struct Checkpoint {
   std::vector<Columns> points;  // of each body
   std::vector<std::vector<int>> ids, split_from;
   Ledger ledger;
+  std::shared_ptr<const TimeIntegrator> integrator;  // with what it keeps from step to step
 };
 
 class Simulation {
@@ -57,6 +60,7 @@ class Simulation {
   Scene scene_;
   Ledger ledger_;
   StepControl control_;
+  std::function<std::unique_ptr<TimeIntegrator>(const TimeIntegrator&)> copy_integrator_;
   std::unique_ptr<TimeIntegrator> integrator_;
   std::unique_ptr<Engine> engine_;
   double time_ = 0, last_dt_ = 0;

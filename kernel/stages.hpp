@@ -110,6 +110,8 @@ class Stages {
   virtual State state() const = 0;
   virtual void set_state(const State& state) = 0;
   virtual State rate() = 0;
+  // The same, with zeros for everything but velocities.
+  virtual State velocities_of(State state) const = 0;
 };
 
 }  // namespace plumbline

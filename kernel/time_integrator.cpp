@@ -23,6 +23,18 @@ const IntegratorEntry* find_integrator(const std::string& name) {
   return nullptr;
 }
 
+void set_parameters(TimeIntegrator& integrator, const std::map<std::string, double>& chosen) {
+  for (const IntegratorParameter& parameter : integrator.parameters()) {
+    const auto found = chosen.find(parameter.name);
+    if (found == chosen.end()) continue;
+    if (!(found->second >= parameter.low && found->second <= parameter.high)) {
+      throw std::invalid_argument(parameter.name + " = " + std::to_string(found->second) + " is not within [" +
+                                  std::to_string(parameter.low) + ", " + std::to_string(parameter.high) + "]");
+    }
+    *parameter.value = found->second;
+  }
+}
+
 RegisterIntegrator::RegisterIntegrator(IntegratorEntry entry) {
   if (find_integrator(entry.name)) throw std::logic_error("integrator " + entry.name + " is registered twice");
   auto& all = registered();

@@ -26,6 +26,7 @@ FORMAT_VERSION = 1
 OLDEST_FORMAT_VERSION = 1
 KINDS = ("run", "study", "verdicts")
 BENCH_FILE = "bench.json"
+STABILITY_FILE = "stability.json"
 GATE_COLUMNS = (
     "case",
     "id",
@@ -154,7 +155,8 @@ class Result:
 class Folder:
     """All result files of one folder by kind, each list sorted by file name; `damaged`: (name, reason).
 
-    `bench`: the JSON object of `plumbline bench`, if the folder has one under the name BENCH_FILE.
+    `bench`: the JSON object of `plumbline bench`, if the folder has one under the name BENCH_FILE; `stability`: that of
+    `plumbline stability` under STABILITY_FILE.
     """
 
     runs: list = field(default_factory=list)
@@ -162,6 +164,7 @@ class Folder:
     verdicts: list = field(default_factory=list)
     damaged: list = field(default_factory=list)
     bench: dict = field(default_factory=dict)
+    stability: dict = field(default_factory=dict)
 
 
 def load(path):
@@ -191,25 +194,146 @@ def load_folder(path):
             lists[result.kind].append(result)
         except (ResultsError, OSError) as error:
             folder.damaged.append((file.name, str(error)))
-    try:
-        folder.bench = load_bench(path / BENCH_FILE)
-    except FileNotFoundError:
-        pass  # speed is not measured with every set of results
-    except (ResultsError, OSError) as error:
-        folder.damaged.append((BENCH_FILE, str(error)))
+    folder.bench = _load_if_there(load_bench, path / BENCH_FILE, folder)
+    folder.stability = _load_if_there(load_stability, path / STABILITY_FILE, folder)
     return folder
+
+
+def _load_if_there(read, path, folder):
+    """Speed and stability are not measured with every set of results."""
+    try:
+        return read(path)
+    except FileNotFoundError:
+        return {}
+    except (ResultsError, OSError) as error:
+        folder.damaged.append((path.name, str(error)))
+        return {}
 
 
 def load_bench(path):
     """The JSON object that `plumbline bench --json` wrote. Raises DamagedFile or FileNotFoundError."""
-    try:
-        bench = json.loads(pathlib.Path(path).read_text(encoding="utf-8"), parse_constant=_refuse_constant)
-    except ValueError as error:
-        raise DamagedFile(f"not valid JSON: {_first_line(error)}") from error
+    bench = _json_file(path)
     kernels = bench.get("kernels") if isinstance(bench, dict) else None
     if not isinstance(kernels, list) or not all(isinstance(kernel, dict) for kernel in kernels):
         raise DamagedFile("not an output of plumbline bench: there is no list of kernels")
     return bench
+
+
+def load_stability(path):
+    """The JSON object that `plumbline stability --json` wrote. Raises DamagedFile or FileNotFoundError.
+
+    Parts that a problem lacks, or gives as null, come back empty; numbers may be None.
+    """
+    stability = _json_file(path)
+    if not isinstance(stability, dict) or not isinstance(stability.get("problems"), list):
+        raise DamagedFile("not an output of plumbline stability: there is no list of problems")
+    for number, problem in enumerate(stability["problems"]):
+        place = f"problems[{number}]"
+        stability["problems"][number] = problem = _filled(problem, _STABILITY_PARTS["problem"], place)
+        if not isinstance(problem.get("problem"), str):
+            raise DamagedFile(f"{place} has no name")
+        for part, kind in (("configurations", "configuration"), ("maps", "map"), ("safe", "safe")):
+            problem[part] = [
+                _filled(entry, _STABILITY_PARTS[kind], f"{place}.{part}[{index}]")
+                for index, entry in enumerate(problem[part])
+            ]
+        for index, entry in enumerate(problem["maps"]):
+            _check_map(entry, f"{place}.maps[{index}]")
+    return stability
+
+
+# What the parts of a document of `plumbline stability` are made of; a matrix is checked with the axes of its map.
+_STABILITY_PARTS = {
+    "problem": {"configurations": "parts", "maps": "parts", "safe": "parts", "equations": "texts"},
+    "configuration": {
+        "settings": "object",
+        "scanned": "object",
+        "differences": "object",
+        "orders": "object",
+        "predicted": "objects",
+        "observed": "objects",
+        "growth": "objects",
+        "observed_growth": "objects",
+    },
+    "map": {
+        "x": "object",
+        "y": "object",
+        "values": "matrix",
+        "closed_form": "matrix",
+        "observed": "objects",
+        "closed_form_curve": "objects",
+    },
+    "safe": {},
+}
+_NUMBERS = frozenset(
+    "closed_form low high dt per_step steps threshold size error reach degrees_of_freedom order theory ppc limit offset "
+    "regular edge edge_depth x y".split()
+)
+
+
+def _filled(entry, parts, place):
+    """The object with all its parts there and of their kind."""
+    if not isinstance(entry, dict):
+        raise DamagedFile(f"{place} is no object")
+    entry = dict(entry)
+    for name, kind in parts.items():
+        if kind == "matrix":
+            continue
+        value = entry.get(name)
+        value = ({} if kind == "object" else []) if value is None else value
+        if not isinstance(value, dict if kind == "object" else list):
+            raise DamagedFile(f"{place}.{name} should be {'an object' if kind == 'object' else 'a list'}")
+        for number, item in enumerate(value if kind == "objects" else []):
+            _check_numbers(item, f"{place}.{name}[{number}]")
+        if kind == "texts" and not all(isinstance(item, str) for item in value):
+            raise DamagedFile(f"{place}.{name} should be a list of texts")
+        entry[name] = value
+    _check_numbers({key: value for key, value in entry.items() if key not in parts}, place)
+    for name in ("scanned", "differences"):
+        _check_numbers(entry.get(name, {}), f"{place}.{name}")
+    for name, order in entry.get("orders", {}).items():
+        _check_numbers(order, f"{place}.orders.{name}")
+    return entry
+
+
+def _check_numbers(entry, place):
+    if not isinstance(entry, dict):
+        raise DamagedFile(f"{place} is no object")
+    for name, value in entry.items():
+        if name in _NUMBERS and not _number_or_none(value):
+            raise DamagedFile(f"{place}.{name} is no number")
+
+
+def _number_or_none(value):
+    return value is None or (isinstance(value, (int, float)) and not isinstance(value, bool))
+
+
+def _check_map(entry, place):
+    """Rows and columns of the values are those of the axes."""
+    for axis in ("x", "y"):
+        values = entry[axis].get("values")
+        if not isinstance(values, list) or not values or not all(isinstance(v, (int, float, str)) for v in values):
+            raise DamagedFile(f"{place}.{axis} has no list of values")
+    columns, rows = (len(entry[axis]["values"]) for axis in ("x", "y"))
+    for name in ("values", "closed_form"):
+        matrix = entry.get(name)
+        if matrix is None and name == "closed_form":
+            continue
+        whole = (
+            isinstance(matrix, list)
+            and len(matrix) == rows
+            and all(isinstance(row, list) and len(row) == columns for row in matrix)
+            and all(_number_or_none(value) for row in matrix for value in row)
+        )
+        if not whole:
+            raise DamagedFile(f"{place}.{name} is not a matrix of {rows} rows and {columns} columns of numbers")
+
+
+def _json_file(path):
+    try:
+        return json.loads(pathlib.Path(path).read_text(encoding="utf-8"), parse_constant=_refuse_constant)
+    except ValueError as error:
+        raise DamagedFile(f"not valid JSON: {_first_line(error)}") from error
 
 
 def write_csv(header, rows, target):

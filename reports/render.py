@@ -22,6 +22,7 @@ import pictures
 import plumbline_results
 import profiles
 import speed
+import stability
 import svg
 import tables
 import text
@@ -45,10 +46,9 @@ def render(folder):
     environment.globals.update(series_mark=svg.series_mark)
     results = {result.name: result for result in folder.runs}
     pages = [case_page(case, results) for case in cases.values()]
-    style = (HERE / "templates" / "style.css").read_text(encoding="utf-8")
-    return environment.get_template("page.html").render(
-        style=jinja2.utils.markupsafe.Markup(style), pages=pages, **front_page(folder, cases)
-    )
+    front = front_page(folder, cases)
+    style = (HERE / "templates" / "style.css").read_text(encoding="utf-8") + front["stability"].get("style", "")
+    return environment.get_template("page.html").render(style=_markup(style), pages=pages, **front)
 
 
 def front_page(folder, cases):
@@ -74,6 +74,7 @@ def front_page(folder, cases):
             if case.measure
         ],
         "speed": speed_part(folder.bench),
+        "stability": stability_part(folder.stability, cases),
         "file_count": len(folder.runs) + len(folder.studies) + len(folder.verdicts),
     }
 
@@ -83,6 +84,28 @@ def speed_part(bench):
     if not bench:
         return None
     return {**speed.page(bench), "figures": _ready((speed.cost_by_size(bench), speed.memory_by_size(bench)))}
+
+
+def stability_part(document, cases):
+    """What the section on stability shows; only the gates of the laboratory where nothing else is there."""
+    verdicts = {
+        name.removeprefix(stability.CASE_PREFIX): {**tables.case_row(case), "anchor": anchor(name)}
+        for name, case in cases.items()
+        if name.startswith(stability.CASE_PREFIX)
+    }
+    if not document:
+        return {"verdicts": list(verdicts.values())}
+    part = stability.page(document, verdicts)
+    for problem, shown in zip(document["problems"], part["problems"]):
+        shown["growth"] = next(iter(_ready([stability.growth(problem, f"{shown['anchor']}-growth")])), None)
+        shown["parts"] = stability.map_parts(problem)
+    kinds = [found["growth"] for shown in part["problems"] for found in shown["parts"]]
+    return {
+        **part,
+        "has_maps": bool(kinds),
+        "has_limit_maps": not all(kinds),
+        "style": stability.filter_rules(part["safe"]),
+    }
 
 
 def anchor(name):

@@ -7,6 +7,7 @@ from collections import Counter
 import figures
 import plumbline_results
 import speed
+import stability
 import text
 from cases import GREEN, URGENCY, VERDICTS, most_urgent_first
 
@@ -521,7 +522,7 @@ def commands(folder):
 
 
 def write_folder(folder, cases, target):
-    """Every table of every file, of the bench, and over all files, as CSV; returns how many were written."""
+    """Every table of every file, of speed and stability, and over all files, as CSV; returns how many were written."""
     target = pathlib.Path(target)
     target.mkdir(parents=True, exist_ok=True)
     gates = [plumbline_results.gate_row(gate) for case in cases.values() for gate in case.all_gates]
@@ -536,6 +537,10 @@ def write_folder(folder, cases, target):
     if folder.bench:
         plumbline_results.write_csv(speed.CSV_COLUMNS, speed.csv_rows(folder.bench), target / "bench.csv")
         written += 1
+    if folder.stability:
+        for name, (columns, rows) in stability.csv_tables(folder.stability).items():
+            plumbline_results.write_csv(columns, rows, target / f"{name}.csv")
+            written += 1
     for result in folder.runs + folder.studies + folder.verdicts:
         for name in result.table_names():
             result.to_csv(name, target / f"{result.name.removesuffix('.h5')}.{name}.csv")

@@ -122,6 +122,7 @@ StepControl step_control(const Settings& settings) {
   } else {
     control.cfl = settings.number("cfl");
   }
+  control.parameters = integrator_parameters(settings);
   return control;
 }
 

@@ -21,6 +21,20 @@ std::vector<std::string> integrator_names() {
   return all;
 }
 
+// What registered integrators let their users choose. An integrator that is not chosen has no use for its keys.
+void add_integrator_keys(std::vector<Key>& keys) {
+  for (const IntegratorEntry& entry : integrators()) {
+    const auto integrator = entry.make();
+    for (const IntegratorParameter& parameter : integrator->parameters()) {
+      keys.push_back({.name = parameter.name,
+                      .value = *parameter.value,
+                      .low = parameter.low,
+                      .high = parameter.high,
+                      .description = parameter.description});
+    }
+  }
+}
+
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Key number(std::string name, double value, std::string unit, double low, double high, bool open,
@@ -179,7 +193,19 @@ std::vector<Key> kind_keys(Kind kind) {
   }
   if (gas) add_gas_keys(kind, keys);
   if (kind == Kind::coupled) add_coupling_keys(keys);
+  add_integrator_keys(keys);
   return keys;
+}
+
+std::map<std::string, double> integrator_parameters(const Settings& settings) {
+  std::map<std::string, double> chosen;
+  const IntegratorEntry* entry = find_integrator(settings.text("integrator"));
+  const auto integrator = entry ? entry->make() : nullptr;
+  if (!integrator) return chosen;
+  for (const IntegratorParameter& parameter : integrator->parameters()) {
+    if (settings.has(parameter.name)) chosen[parameter.name] = settings.number(parameter.name);
+  }
+  return chosen;
 }
 
 void apply_choices(const Settings& settings, Scene& scene) {

@@ -1,6 +1,7 @@
 // Schemes: every numerical choice by one name. `default` is one definition per kind of scene; no case may change it.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ std::vector<Key> kind_keys(Kind kind);
 // Puts the choices of the settings' kind into the scene: shape, transfer and its order; of solids the contact, with a
 // velocity field for each body; of coupled scenes all beside points and step, with the fields that the bodies name.
 void apply_choices(const Settings& settings, Scene& scene);
+
+// The values chosen for the parameters of the settings' integrator, by name.
+std::map<std::string, double> integrator_parameters(const Settings& settings);
 
 // What a scheme sets among them; empty for `default`.
 std::vector<Override> scheme_choices(const std::string& scheme, Kind kind);

@@ -39,8 +39,10 @@ std::string Key::allowed() const {
   if (!choices.empty()) return fmt::format("one of {}", fmt::join(choices, ", "));
   const std::string range = fmt::format("{}{}, {}{}", low_open || std::isinf(low) ? "(" : "[", low, high,
                                         high_open || std::isinf(high) ? ")" : "]");
-  return fmt::format("{}{}{}{}", integer ? "whole number in " : "", range, unit == "1" ? "" : " " + unit,
-                     optional ? ", or none" : "");
+  std::string others;
+  for (const std::string& word : words) others += ", or " + word;
+  if (optional) others += ", or none";
+  return fmt::format("{}{}{}{}", integer ? "whole number in " : "", range, unit == "1" ? "" : " " + unit, others);
 }
 
 bool Settings::has(std::string_view key) const {
@@ -58,7 +60,8 @@ namespace {
 bool acceptable(const Key& key, const Value& value) {
   if (std::holds_alternative<std::monostate>(value)) return key.optional;
   if (const std::string* name = std::get_if<std::string>(&value)) {
-    return std::find(key.choices.begin(), key.choices.end(), *name) != key.choices.end();
+    const std::vector<std::string>& taken = key.choices.empty() ? key.words : key.choices;
+    return std::find(taken.begin(), taken.end(), *name) != taken.end();
   }
   const double x = std::get<double>(value);
   if (!key.choices.empty() || !std::isfinite(x)) return false;
@@ -108,7 +111,8 @@ void Settings::set_text(const std::string& assignment, const std::string& owner)
   } else if (text == "none") {
     set(key, std::monostate{}, owner);
   } else {
-    if (found != keys_.end() && found->choices.empty()) {
+    const bool word = found != keys_.end() && std::find(found->words.begin(), found->words.end(), text) != found->words.end();
+    if (found != keys_.end() && found->choices.empty() && !word) {
       throw UsageError(key, text, found->allowed(), {},
                        fmt::format("{} = '{}' is not a number: {}", key, text, found->allowed()));
     }

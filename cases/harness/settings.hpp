@@ -24,6 +24,7 @@ struct Key {
   bool optional = false;                  // may be "none"
   std::vector<std::string> choices = {};  // of a name
   std::string description = {};
+  std::vector<std::string> words = {};  // that a number may be given by: "auto"
 
   std::string allowed() const;  // for people: "(0, inf) s", "one of linear, quadratic, cubic"
 };

@@ -53,11 +53,18 @@ std::string integrator_scheme(const Case& entry, const std::string& integrator) 
 }
 
 StudyPlan integrator_plan(const Case& entry, const std::string& integrator) {
-  return {.id = "integrator/" + integrator,
-          .title = "default scheme with integrator " + integrator,
-          .why = "No expectation: identities only.",
-          .overrides = {{"integrator", integrator}},
-          .values = {entry.default_levels().front()}};
+  StudyPlan plan{.id = "integrator/" + integrator,
+                 .title = "default scheme with integrator " + integrator,
+                 .why = "No expectation: identities only.",
+                 .overrides = {{"integrator", integrator}},
+                 .values = {entry.default_levels().front()}};
+  const IntegratorEntry* found = find_integrator(integrator);
+  const Settings settings = entry.settings("default", {});
+  if (!found || found->make()->refusal(settings.text("shape"), settings.text("transfer")).empty()) return plan;
+  plan.title += " and transfer flip";
+  plan.overrides.emplace_back("transfer", "flip");
+  if (settings.has("split")) plan.overrides.emplace_back("split", 0.0);
+  return plan;
 }
 
 namespace {

@@ -102,13 +102,8 @@ void Mechanics<G, S, T>::relax_chain(std::size_t b, MotionSums& sums) {
   if (!own_field_) own_field_.emplace(grid_);
   Field& field = *own_field_;
   Located& at = located_[b];
-  std::fill(field.touched.begin(), field.touched.end(), std::pair<int, int>{0, 0});
-  touch(at, field);
-  walls_.include_mirrors(field.touched);
-  field.for_touched(grid_, [&](std::size_t i) {
-    field.mass[i] = 0;
-    field.force[i].setZero();
-  });
+  touch_alone(at, field);
+  field.for_touched(grid_, [&](std::size_t i) { field.force[i].setZero(); });
   const Places places = this->places(body, at);
   const double* mass = body.points(column::mass);
   for_chunks_writing_nodes(at, [&](const Chunk& chunk) {
@@ -158,11 +153,17 @@ template <class G, class S, class T>
 void Mechanics<G, S, T>::shift_chain(Body& body, MotionSums& sums) const {
   const int n = body.points.points();
   const std::size_t about = dim == 2 ? 2 : 0;
+  const double* mass = body.points(column::mass);
+  double *position[dim], *velocity[dim];
+  for (int d = 0; d < dim; ++d) {
+    position[d] = body.points(column::position, d);
+    velocity[d] = body.points(column::velocity, d);
+  }
   for (int p = 0; p < n; ++p) {
     double step[dim];
     for (int d = 0; d < dim; ++d) step[d] = chain_shift_[static_cast<std::size_t>(d * n + p)];
     for (int d = 0; d < dim; ++d) {
-      const double cells = grid_.logical(body.points(column::position, d)[p], d);
+      const double cells = grid_.logical(position[d][p], d);
       for (int side = 0; side < 2; ++side) {
         if (grid_.wall(d, side) == Wall::free || std::abs(cells - side * grid_.cells(d)) > on_side) continue;
         for (int e = 0; e < dim; ++e) {
@@ -170,12 +171,11 @@ void Mechanics<G, S, T>::shift_chain(Body& body, MotionSums& sums) const {
         }
       }
     }
-    for (int d = 0; d < dim; ++d) body.points(column::position, d)[p] += step[d];  // [Coupling 2]
+    for (int d = 0; d < dim; ++d) position[d][p] += step[d];  // [Coupling 2]
     for (int k = 0; k < rotations; ++k) {
       const int a = rotation_axis<dim>(k, 0), c = rotation_axis<dim>(k, 1);
-      sums.moved[about + static_cast<std::size_t>(k)] += body.points(column::mass)[p] *
-                                                         (step[a] * body.points(column::velocity, c)[p] -
-                                                          step[c] * body.points(column::velocity, a)[p]);
+      sums.moved[about + static_cast<std::size_t>(k)] += mass[p] *
+                                                         (step[a] * velocity[c][p] - step[c] * velocity[a][p]);
     }
   }
 }
@@ -190,10 +190,8 @@ void Mechanics<G, S, T>::smooth_strain(std::size_t b, double dt) {
   if (!own_field_) own_field_.emplace(grid_);
   Field& field = *own_field_;
   Located& at = located_[b];
-  std::fill(field.touched.begin(), field.touched.end(), std::pair<int, int>{0, 0});
-  touch(at, field);
-  walls_.include_mirrors(field.touched);
-  field.for_touched(grid_, [&](std::size_t i) { field.mass[i] = field.heat[i] = 0; });
+  touch_alone(at, field);
+  field.for_touched(grid_, [&](std::size_t i) { field.heat[i] = 0; });
   const Places places = this->places(body, at);
   const double *mass = body.points(column::mass), *strain = body.points(column::strain);
   for_chunks_writing_nodes(at, [&](const Chunk& chunk) {

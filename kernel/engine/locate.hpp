@@ -279,6 +279,15 @@ void Mechanics<G, S, T>::touch(const Located& at, Field& field) const {
   }
 }
 
+// The same of one body's points alone, with no mass yet.
+template <class G, class S, class T>
+void Mechanics<G, S, T>::touch_alone(const Located& at, Field& field) const {
+  std::fill(field.touched.begin(), field.touched.end(), std::pair<int, int>{0, 0});
+  touch(at, field);
+  walls_.include_mirrors(field.touched);
+  field.for_touched(grid_, [&](std::size_t i) { field.mass[i] = 0; });
+}
+
 template <class G, class S, class T>
 void Mechanics<G, S, T>::locate_points() {
   for (Field& field : fields_) std::fill(field.touched.begin(), field.touched.end(), std::pair<int, int>{0, 0});

@@ -52,6 +52,7 @@ class Mechanics final : public Engine {
   State state() const override;
   void set_state(const State& state) override;
   State rate() override;
+  State velocities_of(State state) const override;
 
   void initialise() override;
   Totals totals() const override;
@@ -234,6 +235,7 @@ class Mechanics final : public Engine {
   static bool in_order(const Body& body, const Located& at);
   bool sort_points(Body& body, Located& at);
   void touch(const Located& at, Field& field) const;
+  void touch_alone(const Located& at, Field& field) const;
   void keep_places(Body& body, Located& at) const;
   void solve_velocity(Field& field, std::vector<Vec>& velocity) const;
   const std::vector<Vec>& straining_velocity(Field& field, NodalVelocity which) const;

@@ -48,6 +48,17 @@ void Mechanics<G, S, T>::set_state(const State& state) {
 }
 
 template <class G, class S, class T>
+State Mechanics<G, S, T>::velocities_of(State state) const {
+  auto next = state.values.begin();
+  for_state_columns([&](std::size_t b, const ColumnId& id) {
+    const auto end = next + static_cast<std::ptrdiff_t>(scene_.bodies[b].points.values(id).size());
+    if (&id != &column::velocity) std::fill(next, end, 0.0);
+    next = end;
+  });
+  return state;
+}
+
+template <class G, class S, class T>
 State Mechanics<G, S, T>::rate() {
   if (!transfer_.increments) {
     throw std::logic_error("rates of change want the transfer flip: other transfers filter velocities once a step");

@@ -340,10 +340,7 @@ void Mechanics<G, S, T>::map_own_mass(Body& body, Located& at, Field& field) {
     place(body, at);
     at.bins.build(at.lowest, grid_.stride(dim - 1), block_height, false);
   }
-  std::fill(field.touched.begin(), field.touched.end(), std::pair<int, int>{0, 0});
-  touch(at, field);
-  walls_.include_mirrors(field.touched);
-  field.for_touched(grid_, [&](std::size_t i) { field.mass[i] = 0; });
+  touch_alone(at, field);
   const bool frozen = std::exchange(moved_, false);
   for_chunks_writing_nodes(at,
                            [&](const Chunk& chunk) { scatter_mass_and_momentum<true, false>(body, at, chunk, field); });

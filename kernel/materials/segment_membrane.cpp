@@ -18,6 +18,24 @@ struct SegmentMembrane::Band {
   double strain = 0, hoop_strain = 0, energy = 0;
 };
 
+struct SegmentMembrane::Chain {
+  int points, dim;
+  const double *position[3] = {}, *velocity[3] = {};  // velocity: of the nodes at the points
+  const double *rest, *rest_radius;
+
+  explicit Chain(const Columns& of)
+      : points(of.points()),
+        dim(of.components(column::position)),
+        rest(of(column::rest_length)),
+        rest_radius(of.has(column::rest_radius) ? of(column::rest_radius) : nullptr) {
+    for (int d = 0; d < dim; ++d) {
+      position[d] = of(column::position, d);
+      velocity[d] = of(column::strain_rate, d);
+    }
+  }
+  int after(int p) const { return p + 1 < points ? p + 1 : 0; }
+};
+
 SegmentMembrane::BandState SegmentMembrane::band(double strain, double hoop) const {
   const double nu = poissons_ratio, e = youngs_modulus, stiff = e / (1 - nu * nu);
   const double along = strain + nu * hoop, around = hoop + nu * strain;
@@ -29,19 +47,17 @@ SegmentMembrane::BandState SegmentMembrane::band(double strain, double hoop) con
   return {};
 }
 
-auto SegmentMembrane::band_of(const Columns& points, int p, double ahead) const -> Band {
-  const int dim = points.components(column::position), after = p + 1 < points.points() ? p + 1 : 0;
-  const double rest = points(column::rest_length)[p];
+auto SegmentMembrane::band_of(const Chain& chain, int p, double ahead) const -> Band {
+  const int after = chain.after(p);
+  const double rest = chain.rest[p];
   Band b;
   std::array<double, 3> direction{};
   double length = 0, radius = 0;
-  for (int d = 0; d < dim; ++d) {
-    const double* x = points(column::position, d);
-    double from = x[p], to = x[after];
+  for (int d = 0; d < chain.dim; ++d) {
+    double from = chain.position[d][p], to = chain.position[d][after];
     if (ahead != 0) {
-      const double* v = points(column::strain_rate, d);
-      from += ahead * v[p];
-      to += ahead * v[after];
+      from += ahead * chain.velocity[d][p];
+      to += ahead * chain.velocity[d][after];
     }
     if (d == 0) radius = 0.5 * (from + to);
     const double edge = to - from;
@@ -53,11 +69,10 @@ auto SegmentMembrane::band_of(const Columns& points, int p, double ahead) const 
   double pull = tension(b.strain), outward = 0;
   b.energy = 0.5 * rest * pull * b.strain;  // [Segments 1]
   if (revolved) {
-    const double rest_radius = points(column::rest_radius)[p];
-    b.hoop_strain = radius / rest_radius - 1;
+    b.hoop_strain = radius / chain.rest_radius[p] - 1;
     const BandState state = band(b.strain, b.hoop_strain);
-    b.energy = section * rest * rest_radius * state.energy;
-    pull = section * rest_radius * state.along;
+    b.energy = section * rest * chain.rest_radius[p] * state.energy;
+    pull = section * chain.rest_radius[p] * state.along;
     outward = -0.5 * section * rest * state.around;  // half to each end [Segments 3]
   }
   for (std::size_t d = 0; d < 3; ++d) {
@@ -107,24 +122,24 @@ std::vector<double> SegmentMembrane::rates(const Columns& points, const Material
 
 // What of the stored energy the forces' work does not account for is the segment's own loss, or gain.
 double SegmentMembrane::advance(Columns& points, PointRange range, const MaterialContext&, double dt) const {
-  const int dim = points.components(column::position), n = points.points();
+  const Chain chain(points);
   double* strain = points(column::strain);
   double* hoop_strain = revolved ? points(column::hoop_strain) : nullptr;
   double* loss = points.has(column::transfer_loss) ? points(column::transfer_loss) : nullptr;
+  const double* force[6] = {};
+  for (int d = 0; d < 2 * chain.dim; ++d) force[d] = points(column::segment_force, d);
   double stored = 0;
   for (int p = range.first; p < range.last; ++p) {
     if (!has_segment(points, p)) continue;
-    const double before = stored_energy(points, {p, p + 1});
-    const Band now = band_of(points, p, 0);
+    const double before = energy_of(chain, p, strain[p], revolved ? hoop_strain[p] : 0.0);
+    const Band now = band_of(chain, p, 0);
     strain[p] = now.strain;
     if (revolved) hoop_strain[p] = now.hoop_strain;
     stored += now.energy - before;
     if (!loss) continue;
     double work = 0;
-    for (int d = 0; d < dim; ++d) {
-      const double* v = points(column::strain_rate, d);
-      work -= dt * (points(column::segment_force, d)[p] * v[p] +
-                    points(column::segment_force, dim + d)[p] * v[p + 1 < n ? p + 1 : 0]);
+    for (int d = 0; d < chain.dim; ++d) {
+      work -= dt * (force[d][p] * chain.velocity[d][p] + force[chain.dim + d][p] * chain.velocity[d][chain.after(p)]);
     }
     loss[p] += work - (now.energy - before);  // [Coupling 1]
   }
@@ -132,12 +147,13 @@ double SegmentMembrane::advance(Columns& points, PointRange range, const Materia
 }
 
 void SegmentMembrane::evaluate_stress(Columns& points, PointRange range, const MaterialContext& context) const {
-  const int dim = points.components(column::position), n = points.points();
+  const Chain chain(points);
+  const int dim = chain.dim, n = chain.points;
   const double* volume = points(column::volume);
   double *stress[3] = {}, *force[6] = {};
   for (int d = 0; d < dim; ++d) stress[d] = points(column::stress, d);
   for (int d = 0; d < 2 * dim; ++d) force[d] = points(column::segment_force, d);
-  const auto segment = [&](int p) { return has_segment(points, p) ? band_of(points, p, context.ahead) : Band{}; };
+  const auto segment = [&](int p) { return has_segment(points, p) ? band_of(chain, p, context.ahead) : Band{}; };
   Band before = range.first > 0 || closed ? segment(range.first > 0 ? range.first - 1 : n - 1) : Band{};
   for (int p = range.first; p < range.last; ++p) {
     const Band own = segment(p);
@@ -152,19 +168,19 @@ void SegmentMembrane::evaluate_stress(Columns& points, PointRange range, const M
 }
 
 double SegmentMembrane::point_forces(const Columns& points, std::vector<double>& forces) const {
-  const int dim = points.components(column::position), n = points.points();
-  const double *mass = points(column::mass), *rest = points(column::rest_length);
-  const double* radius = revolved ? points(column::rest_radius) : nullptr;
+  const Chain chain(points);
+  const int dim = chain.dim, n = chain.points;
+  const double *mass = points(column::mass), *rest = chain.rest, *radius = revolved ? chain.rest_radius : nullptr;
   forces.assign(static_cast<std::size_t>(dim * n), 0.0);
   double fastest = 0, stiffness_before = 0;
   Band before;
   if (closed) {
-    before = band_of(points, n - 1, 0);
+    before = band_of(chain, n - 1, 0);
     stiffness_before = section * youngs_modulus / rest[n - 1];
   }
   for (int p = 0; p < n; ++p) {
     const bool starts = has_segment(points, p);
-    const Band own = starts ? band_of(points, p, 0) : Band{};
+    const Band own = starts ? band_of(chain, p, 0) : Band{};
     const double stiff = youngs_modulus / (1 - poissons_ratio * poissons_ratio) * section;
     double stiffness = starts ? stiff * (radius ? radius[p] : 1.0) / rest[p] : 0.0;
     if (starts && radius) stiffness += stiff * rest[p] / (4 * radius[p]);
@@ -180,23 +196,26 @@ double SegmentMembrane::point_forces(const Columns& points, std::vector<double>&
 }
 
 void SegmentMembrane::describe(Columns& points) const {
+  const Chain chain(points);
   for (int p = 0; p < points.points(); ++p) {
     if (!has_segment(points, p)) continue;
-    const Band now = band_of(points, p, 0);
+    const Band now = band_of(chain, p, 0);
     points(column::strain)[p] = now.strain;
     if (revolved) points(column::hoop_strain)[p] = now.hoop_strain;
   }
 }
 
+double SegmentMembrane::energy_of(const Chain& chain, int p, double strain, double hoop_strain) const {
+  return revolved ? section * chain.rest[p] * chain.rest_radius[p] * band(strain, hoop_strain).energy
+                  : 0.5 * chain.rest[p] * tension(strain) * strain;  // [Segments 1]
+}
+
 double SegmentMembrane::stored_energy(const Columns& points, PointRange range) const {
-  const double *strain = points(column::strain), *rest = points(column::rest_length);
-  const double *hoop = revolved ? points(column::hoop_strain) : nullptr,
-               *radius = revolved ? points(column::rest_radius) : nullptr;
+  const Chain chain(points);
+  const double *strain = points(column::strain), *hoop = revolved ? points(column::hoop_strain) : nullptr;
   double stored = 0;
   for (int p = range.first; p < range.last; ++p) {
-    if (!has_segment(points, p)) continue;
-    stored += revolved ? section * rest[p] * radius[p] * band(strain[p], hoop[p]).energy
-                       : 0.5 * rest[p] * tension(strain[p]) * strain[p];  // [Segments 1]
+    if (has_segment(points, p)) stored += energy_of(chain, p, strain[p], hoop ? hoop[p] : 0.0);
   }
   return stored;
 }

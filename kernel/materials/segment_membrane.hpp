@@ -54,7 +54,9 @@ struct SegmentMembrane final : Material {
 
  private:
   struct Band;
-  Band band_of(const Columns& points, int p, double ahead) const;
+  struct Chain;  // the columns of the points, looked up once a range
+  Band band_of(const Chain& chain, int p, double ahead) const;
+  double energy_of(const Chain& chain, int p, double strain, double hoop_strain) const;  // J
 };
 
 namespace column {

@@ -12,6 +12,7 @@ namespace plumbline {
 // colour on one side alone: without points inside the membrane these methods see the same colour on both.
 class ColourGradient : public NormalsMethod {
  public:
+  bool sees_others() const override { return true; }
   void find(const NormalsInput& input, std::span<double> normal_x, std::span<double> normal_y) override;
 
  protected:

@@ -8,26 +8,23 @@ MembraneTangents::MembraneTangents(const std::string& method) {
   bool known = false;
   for (const Choice& choice : normals_methods()) known = known || choice.name == method;
   if (!known) throw std::invalid_argument("no method of normals " + method);
-  if (method != "connectivity") methods_name_ = method;
+  if (method != "connectivity") method_ = method;
 }
 
 void MembraneTangents::find(const GridSpec& grid, std::vector<Body>& bodies) {
   if (!given() || grid.dim != 2) return;
-  methods_.resize(bodies.size());
-  for (int d = 0; d < 2; ++d) gas_[d].clear();
-  const bool colours = methods_name_ == "york-simple" || methods_name_ == "york-quadratic" ||
-                       methods_name_ == "york-cubic";
-  for (const Body& body : bodies) {
-    if (!colours || body.chain) continue;
+  while (methods_.size() < bodies.size()) methods_.push_back(make_normals(method_));
+  for (auto& component : gas_) component.clear();
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (!methods_[b]->sees_others() || bodies[b].chain) continue;
     for (int d = 0; d < 2; ++d) {
-      const double* x = body.points(column::position, d);
-      gas_[d].insert(gas_[d].end(), x, x + body.points.points());
+      const double* x = bodies[b].points(column::position, d);
+      gas_[d].insert(gas_[d].end(), x, x + bodies[b].points.points());
     }
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     Columns& points = bodies[b].points;
     if (!bodies[b].chain || !points.has(column::tangent)) continue;
-    if (!methods_[b]) methods_[b] = make_normals(methods_name_);
     const auto n = static_cast<std::size_t>(points.points());
     double *tx = points(column::tangent), *ty = points(column::tangent, 1);
     for (auto& normal : normal_) normal.resize(n);

@@ -24,6 +24,8 @@ struct NormalsInput {
 class NormalsMethod {
  public:
   virtual ~NormalsMethod() = default;
+  // Whether it looks at NormalsInput::other_x and other_y.
+  virtual bool sees_others() const { return false; }
   // Unit normals of the membrane's points, of either sign. Where the method has no direction (no neighbours, no gradient)
   // the previous normal stays, or (0, 0) without one. The output may be the previous normals themselves.
   virtual void find(const NormalsInput& input, std::span<double> normal_x, std::span<double> normal_y) = 0;

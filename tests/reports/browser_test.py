@@ -41,6 +41,13 @@ CROWDED_LABELS = """(() => [...document.querySelectorAll('.plot > svg')].flatMap
     Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 4)
     .map(([other]) => words + ' | ' + other + ' in ' + drawing.getAttribute('aria-label')));
 }))()"""
+CROWDED_TICKS = """(() => [...document.querySelectorAll('.map-frame, .map-bar')].flatMap(frame => {
+  const boxes = [...frame.querySelectorAll('span')]
+    .map(label => [label.textContent, label.getBoundingClientRect()]).filter(([, box]) => box.width);
+  return boxes.flatMap(([words, a], index) => boxes.slice(index + 1).filter(([, b]) =>
+    Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 &&
+    Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 3).map(([other]) => words + ' | ' + other));
+}))()"""
 
 
 @pytest.fixture(scope="module")
@@ -104,6 +111,38 @@ def test_levels_can_be_hidden(browser, page):
     browser.evaluate("document.querySelectorAll('.pick-coarsest').forEach(box => box.click())")
     assert browser.evaluate(shown) == 0
     assert browser.evaluate(shown.replace("coarsest", "finest")) > 0
+
+
+def test_a_choice_filters_the_safe_courant_numbers(browser, page):
+    browser.open(page, *SIZES["desk"], "light")
+    shown = (
+        "[...document.querySelectorAll('.safe tbody tr')]"
+        ".filter(row => getComputedStyle(row).display != 'none').map(row => row.cells[0].textContent)"
+    )
+    every = browser.evaluate(shown)
+    integrators = browser.evaluate("[...document.querySelectorAll('[name=only-i]')].map(box => box.parentNode.textContent.trim())")
+    assert integrators[0] == "all" and len(integrators) > 3
+    for number, name in enumerate(integrators):
+        browser.evaluate(f"document.querySelectorAll('[name=only-i]')[{number}].click()")
+        kept = [words for words in every if number == 0 or words.split(" · ")[0] == name]
+        assert kept and browser.evaluate(shown) == kept
+
+
+@pytest.mark.parametrize("size", list(SIZES))
+def test_a_map_opens_to_a_figure_with_axes(browser, page, size):
+    browser.open(page, *SIZES[size], "light")
+    browser.evaluate("document.querySelectorAll('#stability-maps .more').forEach(group => group.open = true)")
+    wide = "document.querySelector('.map svg').getBoundingClientRect().width"
+    labels = (
+        "[...document.querySelectorAll('.map-frame .tick, .map-frame .axis')]"
+        ".filter(label => label.getBoundingClientRect().width).length"
+    )
+    small = browser.evaluate(wide)
+    assert browser.evaluate(labels) == 0 and small < 200
+    browser.evaluate("document.querySelectorAll('.map > summary').forEach(summary => summary.click())")
+    assert browser.evaluate(wide) > 1.4 * small and browser.evaluate(labels) > 20
+    assert browser.evaluate(CROWDED_TICKS) == []
+    assert browser.evaluate(OUTSIDE) == []
 
 
 def test_keyboard_reaches_what_scrolls(browser, page):

@@ -5,8 +5,10 @@
 The layout is that of the real result files. The Sod profile is the exact solution smeared over a few cells.
 """
 
+import cmath
 import hashlib
 import json
+import math
 import pathlib
 import sys
 
@@ -515,6 +517,212 @@ def write_bench(folder):
     (folder / "bench.json").write_text(json.dumps(bench_document()), encoding="utf-8")
 
 
+def bar_radius(integrator, place, wave, dt):
+    """Spectral radius of one point a cell at `place`, frozen, of a periodic bar: closed form of the two-point step."""
+    s = math.sin(wave / 2) ** 2
+    x, h = 4 * dt**2 * s, 1 - 4 * place * (1 - place) * s
+    trace, product = (2 - x, 1 - x * (1 - h)) if integrator == "usl" else (2 - x * h, 1.0)
+    root = cmath.sqrt(trace**2 / 4 - product)
+    return max(abs(trace / 2 + root), abs(trace / 2 - root))
+
+
+def bar_limit(integrator, place, ppc=1):
+    """The limit that belongs to it; with more points a cell an invented one that varies less with their place."""
+    n = place * (1 - place)
+    if integrator == "usl":
+        alone = 1 / math.sqrt(1 + 4 * n)
+    else:
+        alone = 4 * math.sqrt(n) if n >= 1 / 8 else 1 / abs(1 - 2 * place)
+    mean = 0.76 if integrator == "usl" else 1.62
+    return mean + (alone - mean) / ppc**2
+
+
+def _bar_configuration(integrator, place, transfer="flip"):
+    limit = bar_limit(integrator, place)
+    steps = [0.1 * (number + 1) for number in range(30)]
+    waves = [math.pi * (number + 1) / 32 for number in range(32)]
+
+    def largest(dt):
+        found = max((bar_radius(integrator, place, wave, dt), wave) for wave in waves)
+        return {"dt": dt, "per_step": found[0] + 3e-13, "wave_number": [found[1]]}
+
+    return {
+        "integrator": integrator,
+        "settings": {"shape": "linear", "transfer": transfer, "ppc": 1, "N": place, "positions": "frozen"},
+        "unit": "h/c",
+        "predicted": [{"low": 0, "high": limit * (1 + 3e-8)}],
+        "closed_form": limit,
+        "observed": [{"low": 0.998 * limit, "high": 1.001 * limit}],
+        "always": None,
+        "growth": [largest(dt) for dt in steps],
+        "observed_growth": [{"dt": dt, "per_step": 0.99 * largest(dt)["per_step"] + 0.01} for dt in (1.05 * limit, 1.2 * limit)],
+        "scanned": {"low": 0.1, "high": 3, "steps": 30},
+        "threshold": 1e-6,
+        "differences": {"size": 1e-3, "error": 1e-13},
+        "reach": 2,
+        "degrees_of_freedom": 4,
+        "sampled": "stable on the sampled set: 12 offsets, 1 point a cell",
+    }
+
+
+def _growing_configuration(integrator, transfer, rate, always):
+    """What grows however small the step is."""
+    return {
+        **_bar_configuration("usf", 0.3, transfer),
+        "integrator": integrator,
+        "predicted": [],
+        "closed_form": None,
+        "observed": [],
+        "always": always,
+        "growth": [{"dt": 0.05 * n, "per_step": math.exp(rate * 0.05 * n), "wave_number": [0.7]} for n in range(1, 40)],
+        "observed_growth": [],
+    }
+
+
+def bar_maps(integrators=("usf", "musl", "usl"), shapes=("linear",), transfers=("flip",), across=40, up=30):
+    """A map of limits and one of growth for each combination, with observed limits."""
+    found = []
+    places = [(number + 0.5) / across for number in range(across)]
+    waves = [math.pi * (number + 1) / across for number in range(across)]
+    steps = [3 * (number + 1) / up for number in range(up)]
+    for shape in shapes:
+        for integrator in integrators:
+            for transfer in transfers:
+                name = f"bar/{integrator}/{shape}/{transfer}"
+                common = {"integrator": integrator, "shape": shape, "transfer": transfer, "unit": "h/c"}
+                limits = [[bar_limit(integrator, place, ppc) for place in places] for ppc in (1, 2, 3, 4)]
+                found.append(
+                    {
+                        **common,
+                        "id": f"{name}/limit",
+                        "title": f"Largest stable step, {integrator}",
+                        "kind": "limit",
+                        "x": {"name": "N", "label": "place of the points in their cell", "values": places},
+                        "y": {"name": "ppc", "label": "points per cell", "values": [1, 2, 3, 4]},
+                        "values": limits,
+                        "closed_form": [limits[0], *([None] * across for _ in range(3))],
+                        "observed": [
+                            {"x": places[index], "y": ppc, "low": 0.997 * limits[ppc - 1][index], "high": limits[ppc - 1][index]}
+                            for index in range(3, across, 9)
+                            for ppc in (1, 3)
+                        ],
+                    }
+                )
+                radii = [[bar_radius(integrator, 0.3, wave, dt) for wave in waves] for dt in steps]
+                closed = [{"x": wave, "y": _closed_step(integrator, wave)} for wave in waves]
+                found.append(
+                    {
+                        **common,
+                        "id": f"{name}/growth",
+                        "title": f"Growth, {integrator}",
+                        "kind": "growth",
+                        "x": {"name": "theta", "label": "wave number times cell size", "values": waves},
+                        "y": {"name": "dt", "label": "step in h/c", "values": steps},
+                        "values": radii,
+                        "closed_form_curve": closed,
+                        "observed": [
+                            {"x": None, "y": None, "low": 0.99 * min(c["y"] for c in closed), "high": 1.01 * min(c["y"] for c in closed)},
+                            *(
+                                {"x": waves[index], "y": closed[index]["y"], "low": 0.98 * closed[index]["y"], "high": 1.01 * closed[index]["y"]}
+                                for index in range(across // 2, across, 6)
+                            ),
+                        ],
+                    }
+                )
+    return found
+
+
+def _closed_step(integrator, wave):
+    """Where the spectral radius of a wave passes 1 [points at N = 0.3]."""
+    s = math.sin(wave / 2) ** 2
+    h = 1 - 0.84 * s
+    return math.sqrt(4 / (4 * s * (2 - h))) if integrator == "usl" else 1 / math.sqrt(s * h)
+
+
+def _safe(integrator, shape, transfer, ppc, limit, **more):
+    offset, edge = (0.0, 0.99 * limit) if limit else (None, None)
+    entry = {"integrator": integrator, "shape": shape, "transfer": transfer, "ppc": ppc, "limit": limit, "offset": offset}
+    return {**entry, "regular": limit and 1.2 * limit, "edge": edge, "edge_depth": 1e-4 if limit else None, "always": None, **more}
+
+
+def stability_document(maps=None):
+    """What `plumbline stability all --maps` writes, with nulls and empty lists wherever there may be some."""
+    bar = [_bar_configuration(name, place) for name in ("usf", "musl", "usl") for place in (0.1, 0.3, 0.5)]
+    bar.append(_growing_configuration("usl", "apic", 1e-3, None))
+    bar.append(_growing_configuration("forward_euler", "flip", 0.4, "unstable"))
+    safe = [
+        _safe("usf", "linear", "flip", 1, 1.0),
+        _safe("usf", "linear", "flip", 2, 1.414, regular=1.735),
+        _safe("musl", "quadratic", "flip", 2, 2.24),
+        _safe("usl", "linear", "flip", 2, 0.7071, edge=0.0141),
+        _safe("usl", "linear", "apic", 2, None, always="unstable"),
+        _safe("implicit_midpoint", "linear", "flip", 2, None, always="stable"),
+        _safe("rk4", "linear", "flip", 2, None),
+    ]
+    oscillator = {
+        "problem": "oscillator",
+        "title": "A linear oscillator",
+        "source": None,
+        "statement": "One mass on one spring.",
+        "equations": ["a = −ω² u"],
+        "configurations": [
+            {
+                **_bar_configuration("usf", 0.5),
+                "integrator": name,
+                "settings": {},
+                "unit": "1/omega",
+                "predicted": [{"low": 0, "high": high}],
+                "closed_form": high,
+                "always": always,
+                "observed": observed,
+                "orders": {"position": {"order": order, "low": order - 0.01, "high": order + 0.01, "theory": theory}},
+            }
+            for name, high, always, observed, order, theory in (
+                ("usf", 2.0, None, [{"low": 1.9995, "high": 2.0001}], 1.004, 1),
+                ("rk4", 2.8284271, None, [{"low": 2.82, "high": None}], 3.997, 4),
+                ("implicit_midpoint", None, "stable", [], 2.001, None),
+            )
+        ],
+        "safe": [],
+    }
+    bare = {
+        "integrator": None,
+        "settings": {},
+        "predicted": [{"low": None, "high": 0.7}, {"low": 0.9, "high": None}],
+        "closed_form": None,
+        "observed": [{"low": None, "high": None}],
+        "always": None,
+        "growth": [{"dt": None, "per_step": None}, {"dt": 0.8, "per_step": 1.02}],
+        "observed_growth": None,
+        "scanned": None,
+        "threshold": None,
+        "sampled": None,
+    }
+    return {
+        "problems": [
+            {
+                "problem": "bar",
+                "title": "A periodic bar",
+                "source": "York, SAND97-1893, chapter 8",
+                "statement": "Small waves on a periodic bar.\n\nThe points do not move; `N` is their place in the cell.",
+                "equations": ["σ = E ∂u/∂x", "ρ ∂²u/∂t² = ∂σ/∂x"],
+                "configurations": bar,
+                "maps": bar_maps() if maps is None else maps,
+                "safe": safe,
+            },
+            oscillator,
+            {"problem": "gas", "title": None, "statement": None, "configurations": [bare], "maps": None, "safe": None},
+            {"problem": "contact"},
+        ],
+        "provenance": {**PROVENANCE, "command": "plumbline stability all --maps"},
+    }
+
+
+def write_stability(folder, document=None):
+    document = stability_document() if document is None else document
+    (folder / "stability.json").write_text(json.dumps(document, allow_nan=False), encoding="utf-8")
+
+
 def sod_dt_study(folder):
     levels = []
     for level, dt in enumerate((2e-4, 1e-4, 5e-5, 2.5e-5, 1.25e-5)):
@@ -765,6 +973,7 @@ def write_all(folder, damaged=True):
         )
     }
     write_bench(folder)
+    write_stability(folder)
     sod_study(
         folder,
         "default",

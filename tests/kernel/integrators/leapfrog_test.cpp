@@ -57,6 +57,7 @@ class Oscillator final : public Stages {
   State state() const override { return {}; }
   void set_state(const State&) override {}
   State rate() override { return {}; }
+  State velocities_of(State state) const override { return state; }
 
  private:
   double pull(double by_strain) const { return -omega * omega * (by_place * located_ + (1 - by_place) * by_strain); }

@@ -66,6 +66,7 @@ class Spring final : public Stages {
   State state() const override { return {}; }
   void set_state(const State&) override {}
   State rate() override { return {}; }
+  State velocities_of(State state) const override { return state; }
 
  private:
   double pull(double place) const { return -omega * omega * place; }

@@ -39,6 +39,7 @@ class RecordingStages final : public Stages {
   State state() const override { return {}; }
   void set_state(const State&) override { calls.push_back("set_state"); }
   State rate() override { return {}; }
+  State velocities_of(State state) const override { return state; }
 
  private:
   static std::string number(double dt) { return dt == 1.0 ? "dt" : dt == 0.5 ? "dt/2" : std::to_string(dt); }

@@ -1,0 +1,172 @@
+#include "cases/laboratory/problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cases/harness/errors.hpp"
+#include "cases/harness/pool.hpp"
+#include "kernel/time_integrator.hpp"
+
+namespace plumbline {
+namespace {
+
+std::vector<const StabilityProblem*>& registered() {
+  static std::vector<const StabilityProblem*> all;
+  return all;
+}
+
+}  // namespace
+
+const std::vector<const StabilityProblem*>& stability_problems() { return registered(); }
+
+const StabilityProblem& find_stability_problem(const std::string& name) {
+  std::vector<std::string> names;
+  for (const StabilityProblem* problem : registered()) {
+    if (problem->name() == name) return *problem;
+    names.push_back(problem->name());
+  }
+  throw unknown_name("stability problem", name, names);
+}
+
+RegisterStabilityProblem::RegisterStabilityProblem(const StabilityProblem* entry) {
+  auto& all = registered();
+  const auto place = std::upper_bound(all.begin(), all.end(), entry,
+                                      [](const auto* a, const auto* b) { return a->name() < b->name(); });
+  all.insert(place, entry);
+}
+
+Settings stability_settings(const StabilityProblem& problem, const std::string& scheme,
+                            const std::vector<Override>& overrides, const std::vector<std::string>& typed) {
+  if (const auto known = scheme_names(); std::find(known.begin(), known.end(), scheme) == known.end()) {
+    throw unknown_name("scheme", scheme, known);
+  }
+  const std::vector<std::string> of_runs{"cells", "cfl", "dt", "split", "points"};
+  const auto is_of_runs = [&](const std::string& key) {
+    return std::find(of_runs.begin(), of_runs.end(), key) != of_runs.end();
+  };
+  std::vector<Key> all;
+  for (Key& key : kind_keys(problem.kind())) {
+    if (!is_of_runs(key.name)) all.push_back(std::move(key));
+  }
+  all.push_back({.name = "positions",
+                 .value = "moving",
+                 .choices = {"frozen", "moving"},
+                 .description = "whether points are put back to where they were after each step"});
+  for (Key& key : problem.keys()) all.push_back(std::move(key));
+  Settings settings(std::move(all));
+  const std::string owner = "stability problem " + problem.name();
+  for (const auto& [key, value] : scheme_choices(scheme, problem.kind())) {
+    if (settings.has(key)) settings.set(key, value, owner);
+  }
+  for (const auto& [key, value] : problem.choices(scheme)) settings.set(key, value, owner);
+  for (const auto& [key, value] : overrides) settings.set(key, value, owner);
+  for (const std::string& assignment : typed) settings.set_text(assignment, owner);
+  const IntegratorEntry* entry = find_integrator(settings.text("integrator"));
+  const std::string &shape = settings.text("shape"), &transfer = settings.text("transfer");
+  if (const std::string why = entry->make()->refusal(shape, transfer); !why.empty()) {
+    throw UsageError("integrator", entry->name, "another integrator, shape or transfer", {},
+                     "integrator=" + entry->name + " cannot work with shape=" + shape + ", transfer=" + transfer + ": " +
+                         why);
+  }
+  return settings;
+}
+
+Experiment experiment_of(const StabilityProblem& problem, const Settings& settings) {
+  Experiment experiment;
+  experiment.patch = [&problem, settings](const Extent& extent) { return problem.patch(settings, extent); };
+  experiment.integrator = {settings.text("integrator"), integrator_parameters(settings)};
+  experiment.positions = settings.text("positions") == "frozen" ? Positions::frozen : Positions::moving;
+  return experiment;
+}
+
+Configuration examine(const StabilityProblem& problem, const std::string& scheme, const Settings& settings,
+                      bool with_runs) {
+  const Experiment experiment = experiment_of(problem, settings);
+  Configuration found{scheme,       settings, problem.unit(), problem.scan(settings), {}, {}, problem.closed_form(settings),
+                      problem.statement().sampled};
+  found.predicted = predict(experiment, found.scan);
+  if (with_runs) found.observed = observe(experiment, found.scan, problem.watch(settings), found.predicted.reach);
+  return found;
+}
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+void draw_limits(const StabilityProblem& problem, const MapPlan& plan, int threads, StabilityMap& map) {
+  const std::size_t columns = plan.x.values.size(), rows = plan.y.values.size();
+  map.values.assign(rows, std::vector<double>(columns, 0));
+  map.closed_form.assign(rows, std::vector<double>(columns, none));
+  for_all(columns * rows, threads, [&](std::size_t k) {
+    const std::size_t i = k % columns, j = k / columns;
+    std::vector<Override> overrides = plan.overrides;
+    overrides.emplace_back(plan.x.key, plan.x.values[i]);
+    overrides.emplace_back(plan.y.key, plan.y.values[j]);
+    const Settings settings = stability_settings(problem, plan.scheme, overrides);
+    map.values[j][i] = predict(experiment_of(problem, settings), problem.scan(settings), 1e-5).limit();
+    if (const auto closed = problem.closed_form(settings)) map.closed_form[j][i] = closed->limit;
+  });
+  const auto has = [](const auto& row) { return std::any_of(row.begin(), row.end(), [](double v) { return v == v; }); };
+  if (std::none_of(map.closed_form.begin(), map.closed_form.end(), has)) map.closed_form.clear();
+  map.observed.resize(plan.observe.size());
+  for_all(plan.observe.size(), threads, [&](std::size_t k) {
+    const auto [x, y] = plan.observe[k];
+    std::vector<Override> overrides = plan.overrides;
+    overrides.emplace_back(plan.x.key, x);
+    overrides.emplace_back(plan.y.key, y);
+    const Settings settings = stability_settings(problem, plan.scheme, overrides);
+    const Configuration here = examine(problem, plan.scheme, settings, true);
+    const auto& brackets = here.observed->brackets;
+    map.observed[k] = {x, y, brackets.empty() ? none : brackets.front().low,
+                       brackets.empty() ? none : brackets.front().high};
+  });
+}
+
+void draw_growth(const StabilityProblem& problem, const MapPlan& plan, int threads, StabilityMap& map) {
+  const Settings settings = stability_settings(problem, plan.scheme, plan.overrides);
+  const Experiment experiment = experiment_of(problem, settings);
+  map.values.assign(plan.y.values.size(), {});
+  for_all(plan.y.values.size(), threads, [&](std::size_t j) {
+    map.values[j] = radii_over_waves(experiment, plan.y.values[j], plan.x.values);
+  });
+  if (plan.observe.empty()) return;
+  const Configuration seen = examine(problem, plan.scheme, settings, true);
+  for (const Bracket& bracket : seen.observed->brackets) map.observed.push_back({none, none, bracket.low, bracket.high});
+}
+
+}  // namespace
+
+StabilityMap draw_map(const StabilityProblem& problem, const MapPlan& plan, int threads) {
+  StabilityMap map;
+  map.plan = plan;
+  map.unit = problem.unit();
+  const Settings settings = stability_settings(problem, plan.scheme, plan.overrides);
+  map.integrator = settings.text("integrator");
+  map.shape = settings.text("shape");
+  map.transfer = settings.text("transfer");
+  if (map.transfer == "xpic" || map.transfer == "fmpm") map.transfer += to_text(settings["transfer_order"]);
+  map.id = problem.name() + "/" + plan.scheme + "/" + map.integrator + "/" + map.shape + "/" + map.transfer + "/" +
+           plan.kind + "-" + plan.x.key + "-" + plan.y.key;
+  if (plan.kind == "limit") draw_limits(problem, plan, threads, map);
+  if (plan.kind == "growth") draw_growth(problem, plan, threads, map);
+  return map;
+}
+
+std::vector<Override> Method::overrides() const {
+  return {{"integrator", integrator}, {"shape", shape}, {"transfer", transfer}};
+}
+
+std::vector<Method> methods(const std::vector<std::string>& shapes, const std::vector<std::string>& transfers) {
+  std::vector<Method> all;
+  for (const IntegratorEntry& entry : integrators()) {
+    for (const std::string& shape : shapes) {
+      for (const std::string& transfer : transfers) {
+        if (entry.make()->refusal(shape, transfer).empty()) all.push_back({entry.name, shape, transfer});
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace plumbline

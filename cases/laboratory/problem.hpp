@@ -1,0 +1,112 @@
+// A problem of the stability laboratory: one self-registering file with statement, keys, and the patch that is stepped.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/harness/case.hpp"
+#include "cases/laboratory/limits.hpp"
+
+namespace plumbline {
+
+struct ProblemStatement {
+  std::string name, title, source;
+  std::string statement;               // paragraphs separated by blank lines
+  std::vector<std::string> equations;  // Unicode text
+  std::string sampled;                 // over what "stable" has been sampled, and over what not
+};
+
+struct ClosedForm {
+  double limit = 0;  // in the problem's unit; infinite: none
+  std::string source;
+};
+
+// Along which key a map goes, or the wave number ("theta"), or the step ("dt").
+struct Axis {
+  std::string key, label;
+  std::vector<double> values;
+};
+
+// A map over two axes of one choice of settings. "limit": the largest step below which all are stable. "growth": the
+// spectral radius over the wave number (x) and the step (y).
+struct MapPlan {
+  std::string kind = "limit";
+  std::string title = {};
+  std::string scheme = "default";
+  std::vector<Override> overrides = {};
+  Axis x = {}, y = {};
+  std::vector<std::pair<double, double>> observe = {};  // limit maps: at these places runs look for the limit, too
+};
+
+class StabilityProblem {
+ public:
+  virtual ~StabilityProblem() = default;
+  virtual ProblemStatement statement() const = 0;
+  virtual Kind kind() const = 0;              // which schemes, and which keys beside its own
+  virtual std::vector<Key> keys() const = 0;  // its own
+  // What it sets beside the scheme: points, positions, and all that a problem of a single method fixes.
+  virtual std::vector<Override> choices(const std::string& scheme) const = 0;
+  // Of one period and its margins. Ignores the extent where nothing repeats.
+  virtual Patch patch(const Settings& settings, const Extent& extent) const = 0;
+  virtual Scan scan(const Settings&) const { return {}; }    // in units of the patch's time
+  virtual Watch watch(const Settings&) const { return {}; }  // of runs
+  virtual std::optional<ClosedForm> closed_form(const Settings&) const { return std::nullopt; }
+  virtual std::string unit() const { return "h/c"; }
+  virtual std::vector<MapPlan> maps(Tier) const { return {}; }
+  std::string name() const { return statement().name; }
+};
+
+const std::vector<const StabilityProblem*>& stability_problems();        // in the order of their names
+const StabilityProblem& find_stability_problem(const std::string& name);  // UsageError with the nearest names
+
+struct RegisterStabilityProblem {
+  explicit RegisterStabilityProblem(const StabilityProblem* entry);
+};
+#define PLUMBLINE_STABILITY_PROBLEM(Type) \
+  static const Type the_##Type;           \
+  static const ::plumbline::RegisterStabilityProblem register_##Type { &the_##Type }
+
+// The resolved choices: the keys of the kind but for those of runs (cells, cfl, dt, split), `positions`, and the problem's
+// own. typed: "key=value" as given by --set. Throws UsageError, also for choices that cannot work together.
+Settings stability_settings(const StabilityProblem& problem, const std::string& scheme,
+                            const std::vector<Override>& overrides, const std::vector<std::string>& typed = {});
+
+// How the laboratory steps it.
+Experiment experiment_of(const StabilityProblem& problem, const Settings& settings);
+
+// What was found for one choice of settings.
+struct Configuration {
+  std::string scheme;
+  Settings settings;
+  std::string unit;
+  Scan scan;
+  Prediction predicted;
+  std::optional<Observation> observed;
+  std::optional<ClosedForm> closed_form;
+  std::string sampled;
+};
+Configuration examine(const StabilityProblem& problem, const std::string& scheme, const Settings& settings,
+                      bool with_runs);
+
+struct StabilityMap {
+  MapPlan plan;
+  std::string id, integrator, shape, transfer, unit;
+  std::vector<std::vector<double>> values;       // a row per y; limits: 0 where no step is stable
+  std::vector<std::vector<double>> closed_form;  // the same, NaN where there is none; empty without any
+  struct Observed {
+    double x, y, low, high;
+  };
+  std::vector<Observed> observed;
+};
+StabilityMap draw_map(const StabilityProblem& problem, const MapPlan& plan, int threads);
+
+// Every registered integrator, shape and transfer that work together.
+struct Method {
+  std::string integrator, shape, transfer;
+  std::vector<Override> overrides() const;
+};
+std::vector<Method> methods(const std::vector<std::string>& shapes, const std::vector<std::string>& transfers);
+
+}  // namespace plumbline

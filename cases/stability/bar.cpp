@@ -1,0 +1,89 @@
+// An elastic bar without ends.
+#include <cmath>
+#include <numbers>
+
+#include "cases/laboratory/bar_patch.hpp"
+#include "cases/laboratory/problem.hpp"
+#include "reference/bar_stability.hpp"
+
+namespace plumbline {
+namespace {
+
+std::vector<double> spread(double low, double high, int count) {
+  std::vector<double> all;
+  for (int k = 0; k < count; ++k) all.push_back(low + (high - low) * k / (count - 1));
+  return all;
+}
+
+std::optional<reference::StressUpdate> stress_update(const std::string& integrator) {
+  if (integrator == "usf") return reference::StressUpdate::first;
+  if (integrator == "usl") return reference::StressUpdate::last;
+  if (integrator == "musl") return reference::StressUpdate::modified_last;
+  if (integrator == "usavg") return reference::StressUpdate::averaged;
+  return std::nullopt;
+}
+
+class Bar final : public StabilityProblem {
+ public:
+  ProblemStatement statement() const override {
+    return {.name = "bar",
+            .title = "Elastic bar without ends",
+            .source = "York 1997, SAND97-1893, chapter 8; closed forms: kernel/README.md, \"Stability\"",
+            .statement =
+                "Waves of every length in a linear elastic bar that goes on for ever, `ppc` points a cell, each at the "
+                "same place `N` of its share of the cell. York analysed one point a cell at N = 0 and N = 1/2, with "
+                "positions held.",
+            .equations = {"C = c Δt / h", "usf, musl, N(1 − N) ≥ 1/8: C = 4 √(N (1 − N))",
+                          "usf, musl, else: C = 1 / |1 − 2N|", "usl: C = 1 / √(1 + 4N (1 − N))"},
+            .sampled = "all wave numbers, one place of the points in their cells, all points alike"};
+  }
+  Kind kind() const override { return Kind::solid; }
+  std::vector<Key> keys() const override {
+    return {{.name = "N",
+             .value = 0.5,
+             .low = 0,
+             .high = 1,
+             .low_open = true,
+             .high_open = true,
+             .description = "place of the points in their shares of a cell; with one point a cell its local weight"}};
+  }
+  std::vector<Override> choices(const std::string&) const override {
+    return {{"shape", "linear"}, {"transfer", "flip"}, {"integrator", "musl"}, {"positions", "frozen"}, {"ppc", 1.0}};
+  }
+  Patch patch(const Settings& settings, const Extent& extent) const override {
+    return bar_patch({settings.text("shape"), settings.text("transfer"), settings.integer("transfer_order")},
+                     settings.integer("ppc"), settings.number("N"), extent);
+  }
+  std::optional<ClosedForm> closed_form(const Settings& s) const override {
+    if (s.integer("ppc") != 1 || s.text("shape") != "linear" || s.text("transfer") != "flip") return std::nullopt;
+    if (s.text("positions") != "frozen") return std::nullopt;
+    const auto update = stress_update(s.text("integrator"));
+    if (!update) return std::nullopt;
+    return ClosedForm{reference::frozen_courant_limit(*update, s.number("N")).value,
+                      "reference bar-stability, York 1997 chapter 8"};
+  }
+  std::vector<MapPlan> maps(Tier tier) const override {
+    std::vector<MapPlan> all;
+    const bool full = tier == Tier::full;
+    for (const Method& method : methods(full ? std::vector<std::string>{"linear", "quadratic", "cubic", "gimp"}
+                                             : std::vector<std::string>{"linear", "quadratic"},
+                                        {"pic", "flip", "apic"})) {
+      all.push_back({.kind = "limit",
+                     .title = "largest stable step",
+                     .overrides = method.overrides(),
+                     .x = {"N", "place of the points in their share of a cell", spread(0.02, 0.98, full ? 25 : 9)},
+                     .y = {"ppc", "points per cell", {1, 2, 3, 4}}});
+      all.push_back({.kind = "growth",
+                     .title = "spectral radius",
+                     .overrides = method.overrides(),
+                     .x = {"theta", "wave number", spread(std::numbers::pi / 40, std::numbers::pi, full ? 40 : 20)},
+                     .y = {"dt", "step", spread(0.1, 3, full ? 30 : 15)}});
+    }
+    return all;
+  }
+};
+
+PLUMBLINE_STABILITY_PROBLEM(Bar);
+
+}  // namespace
+}  // namespace plumbline

@@ -1,0 +1,36 @@
+#include "kernel/integrators/method_of_lines.hpp"
+
+namespace plumbline {
+namespace {
+
+// Forces of the start of the step balance a mean of the accelerations of both its ends. rho_b is the spectral radius of an
+// oscillator where its two roots meet; beyond it they part, and one leaves the unit circle soon after.
+class GeneralizedAlpha final : public MethodOfLines {
+  std::vector<IntegratorParameter> parameters() override {
+    return {{"rho_b", &rho_b_, 0, 1, "of generalized-alpha: what is left of the fastest oscillation after a step"}};
+  }
+  std::vector<State*> memory() override { return {&acceleration_}; }
+
+  void step(Stages& mpm, double dt) override {
+    const double r = rho_b_, alpha_m = (2 * r - 1) / (1 + r), gamma = 1.5 - alpha_m;  // [Hulbert-Chung 16]
+    const double beta = (5 - 3 * r) / ((1 + r) * (1 + r) * (2 - r));                  // [Hulbert-Chung 16]
+    const State start = mpm.state(), force = mpm.velocities_of(mpm.rate());
+    if (acceleration_.values.size() != force.values.size()) acceleration_ = force;
+    const State next = 1 / (1 - alpha_m) * (force + -alpha_m * acceleration_);
+    // Positions and strains move with the velocity whose mean over the step is Newmark's.
+    mpm.set_state(start + dt * ((0.5 - beta) * acceleration_ + beta * next));
+    const State moved = mpm.rate();
+    mpm.set_state(start + dt * (moved + -1.0 * mpm.velocities_of(moved)) +
+                  dt * ((1 - gamma) * acceleration_ + gamma * next));
+    acceleration_ = next;
+  }
+
+  double rho_b_ = 0.8;
+  State acceleration_;
+};
+
+PLUMBLINE_INTEGRATOR(GeneralizedAlpha, "generalized-alpha", "explicit generalized-alpha with chosen damping rho_b",
+                     "Hulbert, Chung 1996, doi 10.1016/S0045-7825(96)01036-5");
+
+}  // namespace
+}  // namespace plumbline
