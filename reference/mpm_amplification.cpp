@@ -111,7 +111,8 @@ class Greatest {
     look(0, 1);
   }
   Bounded value() {
-    for (int i = 0; i < most && open_.top().highest - found_ > 1e-14 * found_; ++i) {
+    // Where rounding is most of what may be hidden, halving shows no more.
+    for (int i = 0; i < most && open_.top().highest - found_ > 1e-13 * found_ + 4 * open_.top().rounded; ++i) {
       const Interval widest = open_.top();
       open_.pop();
       const double middle = 0.5 * (widest.left + widest.right);
@@ -124,10 +125,10 @@ class Greatest {
 
  private:
   struct Interval {
-    double left, right, highest;
+    double left, right, highest, rounded;
     bool operator<(const Interval& other) const { return highest < other.highest; }
   };
-  static constexpr int most = 100000;
+  static constexpr int most = 20000;
 
   Bounded probe(double s) {
     const Bounded here = waves_.burden(Bounded(s));
@@ -138,7 +139,7 @@ class Greatest {
     const double middle = 0.5 * (left + right), radius = 0.5 * (right - left) * rounding::inflate;
     const Bounded slope = waves_.burden(Slope({middle, radius}, 1)).slope, here = probe(middle);
     const double most_here = highest(here) + (std::abs(slope.value) + slope.bound) * radius * rounding::inflate;
-    open_.push({left, right, std::isfinite(most_here) ? most_here : rounding::infinity});
+    open_.push({left, right, std::isfinite(most_here) ? most_here : rounding::infinity, here.bound});
   }
 
   const Waves& waves_;
@@ -210,7 +211,7 @@ WorstOffset worst_rigid_offset(const MapScheme& scheme, int per_cell) {
   WorstOffset worst{0, limit(0)};
   auto look = [&](double offset) {
     const Bounded here = limit(offset);
-    if (here.value < worst.limit.value) worst = {offset, here};
+    if (certainly_below(here, worst.limit)) worst = {offset, here};
   };
   for (int i = 1; i < samples; ++i) look(i * step);
   for (double width = step / 2; width > 1e-9 / per_cell; width /= 2) {

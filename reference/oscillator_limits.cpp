@@ -23,8 +23,8 @@ SquareMatrix taylor(double omega_dt, int order) {
 
 // u' = u + w v - w^2 ((1/2 - beta) u + beta u'), v' = v - w (u + u')/2, v in units of the frequency.
 SquareMatrix newmark(double w, double beta) {
-  const double share = 1 / (1 + beta * w * w), own = share * (1 - (0.5 - beta) * w * w), other = share * w;
-  return rows({own, other, -w * (1 + own) / 2, 1 - w * other / 2}, 2);
+  const double share = 1 / (1 + beta * w * w), own = share * (1 - (0.5 - beta) * w * w);
+  return rows({own, share * w, -share * w * (1 - (0.25 - beta) * w * w), own}, 2);
 }
 
 SquareMatrix generalized_alpha(double w, double r) {
@@ -80,6 +80,11 @@ SquareMatrix oscillator_amplification(OscillatorMethod method, double omega_dt, 
   }
   check_within("rho_b", rho_b, 0, 1);
   return generalized_alpha(w, rho_b);
+}
+
+// No entry is a difference of numbers larger than the largest entry, but of some twenty of its roundings.
+Bounded oscillator_growth(OscillatorMethod method, double omega_dt, double rho_b) {
+  return spectral_radius(oscillator_amplification(method, omega_dt, rho_b), 40 * rounding::unit);
 }
 
 Bounded generalized_alpha_bifurcation_limit(double rho_b) {

@@ -29,6 +29,9 @@ int oscillator_order(OscillatorMethod method);
 /// `omega_dt` or `rho_b`.
 SquareMatrix oscillator_amplification(OscillatorMethod method, double omega_dt, double rho_b = 1);
 
+/// Spectral radius of that matrix, its entries' rounding counted. Throws as above.
+Bounded oscillator_growth(OscillatorMethod method, double omega_dt, double rho_b = 1);
+
 /// The explicit generalized-alpha method (G. M. Hulbert, J. Chung, 1996, doi 10.1016/S0045-7825(96)01036-5), undamped:
 ///   d' = d + dt v + dt^2 ((1/2 - beta) a + beta a'),  v' = v + dt ((1 - gamma) a + gamma a'),
 ///   (1 - alpha_m) a' + alpha_m a = -w^2 d,

@@ -70,8 +70,8 @@ EigenPairs eigen_pairs(const SquareMatrix& matrix) {
   return pairs;
 }
 
-// |A V - V L| with its own rounding.
-double residual(const SquareMatrix& matrix, const EigenPairs& pairs) {
+// |A V - V L| with its own rounding and that of A.
+double residual(const SquareMatrix& matrix, const EigenPairs& pairs, double entry_error) {
   double square = 0;
   const std::size_t n = size_of(matrix);
   for (std::size_t j = 0; j < n; ++j) {
@@ -85,15 +85,15 @@ double residual(const SquareMatrix& matrix, const EigenPairs& pairs) {
       square += gsl_complex_abs2(sum);
     }
   }
-  const double rounded = 4 * static_cast<double>(n) * rounding::unit * frobenius(matrix) * frobenius(*pairs.vectors);
-  return std::sqrt(square) + rounded;
+  const double wrong = 4 * static_cast<double>(n) * rounding::unit + entry_error;
+  return std::sqrt(square) + wrong * frobenius(matrix) * frobenius(*pairs.vectors);
 }
 
 // Every eigenvalue is within |V^-1 (A V - V L)| of a computed one, and of n discs that overlap as many belong to each
 // union as it has discs. Infinite where the vectors say too little.
-double bauer_fike(const SquareMatrix& matrix, const EigenPairs& pairs) {
+double bauer_fike(const SquareMatrix& matrix, const EigenPairs& pairs, double entry_error) {
   const std::size_t n = size_of(matrix);
-  const double left = residual(matrix, pairs), vectors = frobenius(*pairs.vectors);
+  const double left = residual(matrix, pairs, entry_error), vectors = frobenius(*pairs.vectors);
   const Owned<gsl_matrix_complex> factors(gsl_matrix_complex_alloc(n, n)), inverse(gsl_matrix_complex_alloc(n, n));
   gsl_matrix_complex_memcpy(factors.get(), pairs.vectors.get());
   const Owned<gsl_permutation> order(gsl_permutation_alloc(n));
@@ -110,8 +110,8 @@ double bauer_fike(const SquareMatrix& matrix, const EigenPairs& pairs) {
 }
 
 // The computed eigenvalues are those of a matrix within ten roundings a row of this one.
-double elsner(const SquareMatrix& matrix) {
-  const double size = matrix.size, norm = frobenius(matrix), shift = 10 * size * rounding::unit * norm;
+double elsner(const SquareMatrix& matrix, double entry_error) {
+  const double size = matrix.size, norm = frobenius(matrix), shift = (10 * size * rounding::unit + entry_error) * norm;
   return std::pow(2 * norm + shift, 1 - 1 / size) * std::pow(shift, 1 / size);
 }
 
@@ -131,13 +131,13 @@ std::vector<std::complex<double>> eigenvalues(const SquareMatrix& matrix) {
   return all;
 }
 
-Bounded spectral_radius(const SquareMatrix& matrix) {
+Bounded spectral_radius(const SquareMatrix& matrix, double entry_error) {
   const EigenPairs pairs = eigen_pairs(matrix);
   const double radius = largest(*pairs.values);
-  return {radius, std::min(bauer_fike(matrix, pairs), elsner(matrix)) + 4 * rounding::unit * radius};
+  return {radius, std::min(bauer_fike(matrix, pairs, entry_error), elsner(matrix, entry_error)) + 4 * rounding::unit * radius};
 }
 
-Bounded spectral_radius(const ComplexMatrix& matrix) {
+Bounded spectral_radius(const ComplexMatrix& matrix, double entry_error) {
   const int n = matrix.size;
   SquareMatrix real(2 * n);
   for (int i = 0; i < n; ++i) {
@@ -147,7 +147,7 @@ Bounded spectral_radius(const ComplexMatrix& matrix) {
       real(i, j + n) = -matrix(i, j).imag();
     }
   }
-  return spectral_radius(real);
+  return spectral_radius(real, entry_error);
 }
 
 }  // namespace plumbline::reference

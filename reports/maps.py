@@ -53,8 +53,9 @@ class Axis:
             half = 0.501 * (self.values[1] - self.values[0])
             chosen = [value for value in chosen if self.values[0] - half <= value <= self.values[-1] + half]
         else:
-            every = numpy.unique(numpy.linspace(0, len(self.values) - 1, min(most, len(self.values))).round().astype(int))
-            chosen = [self.values[index] for index in every]
+            last = len(self.values) - 1
+            every = numpy.linspace(0, last, min(most, last + 1)).round().astype(int)
+            chosen = [self.values[index] for index in numpy.unique(every)]
         return [(_share(self.place(value), len(self.values)), _label(value)) for value in chosen]
 
     @property
@@ -172,7 +173,8 @@ def draw(entry, scale, unit):
     values = numpy.array([[math.nan if value is None else value for value in row] for row in entry["values"]], float)
     values, closed, x, y = _ascending(values, entry)
     level = 1 + scale.threshold if scale.growth else UNIT_LEVEL
-    title = " · ".join(str(entry[key]) for key in ("integrator", "transfer") if entry.get(key)) or entry.get("id") or ""
+    choices = [str(entry[key]) for key in ("integrator", "transfer") if entry.get(key)]
+    title = " · ".join(choices) or entry.get("id") or ""
     words = _words(values, y, scale, unit)
     drawn = Map(
         title=title,
@@ -321,7 +323,8 @@ def _words(values, y, scale, unit):
     if not scale.growth:
         low, high = (text.number(float(value), 4) for value in (known.min(), known.max()))
         missing = values.size - len(known)
-        return (low if low == high else f"{low} … {high}") + f" {unit}" + (f", {missing} undetermined" if missing else "")
+        reach = low if low == high else f"{low} … {high}"
+        return f"{reach} {unit}".strip() + (f", {missing} undetermined" if missing else "")
     stable = values - 1 <= scale.threshold
     if not stable.any():
         return "grows everywhere"
@@ -330,7 +333,7 @@ def _words(values, y, scale, unit):
         return "stable everywhere"
     if grows[0] == 0:
         return "grows at the smallest step"
-    return f"stable to {_label(y.values[grows[0] - 1])} {unit}"
+    return f"stable to {_label(y.values[grows[0] - 1])} {unit}".strip()
 
 
 # --- cuts -----------------------------------------------------------------------------------------

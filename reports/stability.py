@@ -23,6 +23,8 @@ MOST_LINES = 6  # of one panel of growth
 MOST_PANELS = 12
 FEW_MAPS = 12  # that are shown unfolded
 EDGE_COLLAPSE = 0.5  # a free edge is named apart where it bears less than this share of what the inside bears
+STEADY_RANGE = 10  # times the smallest step, over which growth of a power of the step is told from rounding
+STEADY_POWERS = (0.8, 6)  # rounding of a double eigenvalue goes as the root of the step at most; a limit is a jump
 UNITS = {"1/omega": "1/ω"}
 _FIRST_CHOICES = ("shape", "transfer", "ppc", "N")
 CONFIGURATION_COLUMNS = (
@@ -70,6 +72,7 @@ def page(stability, verdicts):
         "verdicts": list(verdicts.values()),
         "safe": safe,
         "lead": _lead(safe["rows"]),
+        "explain": any(problem["rows"] for problem in problems),
         "problems": problems,
         "orders": [row for problem in stability["problems"] for row in _order_rows(problem)],
         "file": STABILITY_FILE,
@@ -152,7 +155,8 @@ def _where(decided, entry):
 
 
 def _depth(entry):
-    return f"depth {text.number(entry.get('edge_depth'), 2)}" if entry.get("edge_depth") is not None else "depth not stated"
+    depth = entry.get("edge_depth")
+    return "depth not stated" if depth is None else f"depth {text.number(depth, 2)}"
 
 
 def _safe_words(entries, grows, stable, where):
@@ -198,24 +202,26 @@ def _lead(rows):
     found = [row for row in rows if row["value"] is not None]
     bearing = [row for row in found if row["value"] >= 1]
     growing = [row for row in rows if row["none"]]
+    grow = f", and {text.plural(len(growing), 'grows', 'grow')} at every step, however small." if growing else "."
     words = [
         f"Of {text.plural(len(rows), 'combination')} of integrator, shape and transfer, {text.count(len(bearing))} "
-        f"{'bears' if len(bearing) == 1 else 'bear'} a Courant number of 1 at the worst place of the points that was sampled"
-        + (f", and {text.count(len(growing))} {'grows' if len(growing) == 1 else 'grow'} at every step, however small." if growing else ".")
+        f"{'bears' if len(bearing) == 1 else 'bear'} a Courant number of 1 at the worst place of the points that was "
+        f"sampled{grow}"
     ]
     finite = [row for row in found if math.isfinite(row["value"])]
     if len(finite) > 1:
-        best, worst = (f"{row['safe']} ({' · '.join(part for part in row['key'][1:] if part)})" for row in (finite[0], finite[-1]))
+        best, worst = (
+            f"{row['safe']} ({' · '.join(part for part in row['key'][1:] if part)})" for row in (finite[0], finite[-1])
+        )
         words.append(f"The largest safe number with a limit is {best}, the smallest {worst}.")
     return " ".join(words)
 
 
 def filter_rules(safe):
     """Style rules by which a choice of the table hides the rows without it."""
+    names = [f"{choice['prefix']}{number}" for choice in safe["choices"] for number in range(len(choice["values"]))]
     return "\n".join(
-        f".safe:has(.only-{choice['prefix']}{number}:checked) tbody tr:not(.{choice['prefix']}{number}) {{ display: none; }}"
-        for choice in safe["choices"]
-        for number in range(len(choice["values"]))
+        f".safe:has(.only-{name}:checked) tbody tr:not(.{name}) {{ display: none; }}" for name in names
     )
 
 
@@ -250,7 +256,6 @@ def _problem(problem, anchor):
         "growing": _growing_rows(configurations, own),
         "method": _method(configurations),
         "map_count": len(problem["maps"]),
-        "threshold": text.number(_threshold(configurations), 2),
     }
 
 
@@ -294,6 +299,7 @@ def _row(configuration, choices):
     above, above_at = _just_above(configuration["growth"], limits)
     seen, seen_at = _just_above(configuration["observed_growth"], limits)
     small = grows_at_small_steps(configuration) or grows_steadily(configuration)
+    below = _most_below(configuration)
     return {
         "label": configuration.get("integrator") or text.MISSING,
         "choices": choices or "default",
@@ -307,9 +313,10 @@ def _row(configuration, choices):
         "observed": observed,
         "above": text.number(above, 3) if above is not None else text.MISSING,
         "above_at": text.number(above_at, 4) if above is not None else "",
-        "seen": text.number(seen, 3) if seen is not None else "",
+        "seen": text.number(seen, 2) if seen is not None else "",
         "seen_at": text.number(seen_at, 3) if seen is not None else "",
-        "below": text.number(_most_below(configuration), 2),
+        "below": text.number(below, 1),
+        "contradicts": below is not None and below > _own_threshold(configuration),
         "sampled": "",
     }
 
@@ -329,7 +336,8 @@ def intervals(configuration):
 
 def _scanned(configuration):
     """How far was looked, where an interval has no end."""
-    open_end = configuration.get("always") == "stable" or any(e.get("high") is None for e in configuration["predicted"])
+    ends_known = all(entry.get("high") is not None for entry in configuration["predicted"])
+    open_end = configuration.get("always") == "stable" or not ends_known
     high = configuration["scanned"].get("high")
     return f"scanned to {text.number(high)}" if open_end and high is not None else ""
 
@@ -345,21 +353,16 @@ def _observed(entry, limits):
 
 def _just_above(growth, limits):
     """(what one step adds, the step) of the first sample above the lowest limit that grows."""
-    known = sorted((g["dt"], g["per_step"]) for g in growth if g.get("dt") is not None and g.get("per_step") is not None)
-    for dt, rate in known:
-        if limits and dt > limits[0] and rate > 1:
-            return rate - 1, dt
+    for dt, added in zip(*_curve(growth)):
+        if limits and dt > limits[0] and added > 0:
+            return added, dt
     return None, None
 
 
 def _most_below(configuration):
     """The largest growth per step, minus one, inside the stable intervals; None where nothing is called stable."""
-    inside = [
-        g["per_step"] - 1
-        for g in configuration["growth"]
-        if g.get("dt") is not None and g.get("per_step") is not None and _is_stable(configuration, g["dt"])
-    ]
-    return max(inside, default=None)
+    known = zip(*_curve(configuration["growth"]))
+    return max((added for dt, added in known if _is_stable(configuration, dt)), default=None)
 
 
 def _is_stable(configuration, dt):
@@ -373,8 +376,7 @@ def _is_stable(configuration, dt):
 
 def _small_steps(configuration):
     """[(step, what one step adds)] from the smallest step on."""
-    rows = [(g.get("dt"), g.get("per_step")) for g in configuration["growth"] or configuration["observed_growth"]]
-    return sorted((dt, rate - 1) for dt, rate in rows if dt is not None and rate is not None)
+    return list(zip(*_curve(configuration["growth"] or configuration["observed_growth"])))
 
 
 def grows_at_small_steps(configuration):
@@ -389,16 +391,19 @@ def grows_at_small_steps(configuration):
 
 
 def grows_steadily(configuration):
-    """Inside what is called stable, each step adds in proportion to its size, below what counts as growth.
+    """From the smallest step on, growth goes smoothly as a power of the step, at first below what counts as growth.
 
-    That is how growth of the equations in space shows, which no smaller step cures; rounding grows otherwise.
+    Then a limit is but the step at which it passes the threshold, and no smaller step is free of it.
     """
+    steps = _small_steps(configuration)
+    steps = [(dt, added) for dt, added in steps if 0 < dt <= STEADY_RANGE * steps[0][0]]
     floor = max(_own_threshold(configuration) / 1000, 100 * (configuration["differences"].get("error") or 0))
-    inside = [(dt, added) for dt, added in _small_steps(configuration) if _is_stable(configuration, dt)][:5]
-    if len(inside) < 3 or any(added < floor or dt <= 0 for dt, added in inside):
+    if len(steps) < 3 or steps[-1][0] < 2.9 * steps[0][0] or any(added < floor for _, added in steps):
         return False
-    rates = [added / dt for dt, added in inside]
-    return max(rates) < 1.5 * min(rates)
+    powers = [math.log(b[1] / a[1]) / math.log(b[0] / a[0]) for a, b in zip(steps, steps[1:]) if b[0] > a[0]]
+    whole = math.log(steps[-1][1] / steps[0][1]) / math.log(steps[-1][0] / steps[0][0])
+    low, high = STEADY_POWERS
+    return _is_stable(configuration, steps[0][0]) and whole >= low and 0.5 <= min(powers) and max(powers) <= high
 
 
 def _own_threshold(configuration):
@@ -436,7 +441,9 @@ def _rate(dt, added):
 def _waves(configuration):
     first = min((g for g in configuration["growth"] if g.get("dt") is not None), key=lambda g: g["dt"], default={})
     waves = first.get("wave_number")
-    return text.exact([round(wave, 4) for wave in waves if isinstance(wave, (int, float))]) if isinstance(waves, list) else ""
+    if not isinstance(waves, list):
+        return ""
+    return ", ".join(text.number(wave, 4) for wave in waves if isinstance(wave, (int, float)))
 
 
 def _summary(rows):
@@ -481,7 +488,8 @@ def _method(configurations):
         if not known:
             continue
         most = name.startswith("error") or len(known) == 1
-        words.append(name + (text.number(known[-1]) if most else f"{text.number(known[0])} … {text.number(known[-1])}"))
+        least = "" if most else f"{text.number(known[0])} … "
+        words.append(name + least + text.number(known[-1]))
     return "; ".join(words).capitalize()
 
 
@@ -545,11 +553,15 @@ def growth(problem, prefix):
     caption = (
         f"Largest growth of a perturbation in one step over the size of the step. In the shaded band, within "
         f"{text.number(threshold, 2)} of 1, growth is not told from rounding; the vertical axis is linear there and "
-        "logarithmic beyond. Rings: growth measured in runs. Vertical lines: predicted limits, dotted; closed form, broken."
+        "logarithmic beyond. Rings: growth measured in runs. Vertical lines: predicted limits, dotted; closed form, "
+        "broken."
         + (f" Drawn are {len(chosen)} of {len(names)} choices, evenly chosen" if left else "")
         + (f"; {text.plural(folded, 'further integrator')} in the table." if folded else "." if left else "")
     )
-    keys = [Key(name or "default", f"var(--s{number % len(svg.SERIES) + 1})", _mark(number)) for number, name in enumerate(chosen)]
+    keys = [
+        Key(name or "default", f"var(--s{number % len(svg.SERIES) + 1})", _mark(number))
+        for number, name in enumerate(chosen)
+    ]
     rows = -(-len(shown) // columns)
     drawing = svg.draw(
         paint,
@@ -575,7 +587,9 @@ def _evenly(count, most):
 
 
 def _curve(entries):
-    known = sorted((g["dt"], g["per_step"] - 1) for g in entries if g.get("dt") is not None and g.get("per_step") is not None)
+    """(steps from the smallest on, what one step adds) of the samples that have both."""
+    pairs = [(entry.get("dt"), entry.get("per_step")) for entry in entries]
+    known = sorted((dt, rate - 1) for dt, rate in pairs if dt is not None and rate is not None)
     return [dt for dt, _ in known], [added for _, added in known]
 
 
@@ -602,9 +616,13 @@ def _growth_axes(panels, drawn, threshold):
         panel.set_yscale("symlog", linthresh=threshold, linscale=0.7)
         panel.set_ylim(bottom, top)
         panel.yaxis.set_major_locator(FixedLocator(_symmetric_ticks(bottom, top, threshold)))
-        panel.yaxis.set_major_formatter(FuncFormatter(lambda value, _: tick(value) if value > 0 else "0" if value == 0 else "−" + tick(-value)))
+        panel.yaxis.set_major_formatter(FuncFormatter(lambda value, _: _signed_tick(value)))
         panel.yaxis.set_minor_locator(NullLocator())
         plain_axis(panel.xaxis)
+
+
+def _signed_tick(value):
+    return "0" if not value else ("−" if value < 0 else "") + tick(abs(value))
 
 
 def _symmetric_ticks(bottom, top, threshold):
@@ -623,13 +641,15 @@ def _symmetric_ticks(bottom, top, threshold):
 def map_parts(problem):
     """[{title, growth, unit, ticks and picture of the scale, groups by shape}] by kind and unit; limits first."""
     parts = []
-    kinds = dict.fromkeys((entry.get("kind") == "growth", unit(entry.get("unit"))) for entry in problem["maps"])
-    for grows, measured_in in sorted(kinds):
-        chosen = [m for m in problem["maps"] if (m.get("kind") == "growth", unit(m.get("unit"))) == (grows, measured_in)]
+    kinds = {}
+    for entry in problem["maps"]:
+        kinds.setdefault((entry.get("kind") == "growth", unit(entry.get("unit"))), []).append(entry)
+    for (grows, measured_in), chosen in sorted(kinds.items(), key=lambda kind: kind[0]):
         scale = maps.scale_of(chosen, grows, _threshold(problem["configurations"]))
         groups = {}
         for entry in chosen:
             groups.setdefault(str(entry.get("shape") or "any shape"), []).append(maps.draw(entry, scale, measured_in))
+        every = [drawn for found in groups.values() for drawn in found]
         parts.append(
             {
                 "growth": grows,
@@ -645,10 +665,10 @@ def map_parts(problem):
                     }
                     for number, (shape, drawn) in enumerate(groups.items())
                 ],
-                "observed": any(drawn.observed for found in groups.values() for drawn in found),
-                "closed": any(drawn.closed or any(cut.closed for cut in drawn.cuts) for found in groups.values() for drawn in found),
-                "spans": any(drawn.spans for found in groups.values() for drawn in found),
-                "missing": any(value is None for entry in chosen for row in entry["values"] for value in row),
+                "observed": any(drawn.observed for drawn in every),
+                "closed": any(drawn.closed or any(cut.closed for cut in drawn.cuts) for drawn in every),
+                "spans": any(drawn.spans for drawn in every),
+                "missing": any(drawn.unknown for drawn in every),
             }
         )
     return parts
@@ -732,7 +752,8 @@ def _csv_row(problem, c):
 
 def _pairs(entries):
     """'0 1.833; 2.1 2.4' of intervals, with an empty end where there is none."""
-    return "; ".join(" ".join("" if end is None else repr(end) for end in (e.get("low"), e.get("high"))) for e in entries)
+    pairs = [(entry.get("low"), entry.get("high")) for entry in entries]
+    return "; ".join(" ".join("" if end is None else repr(end) for end in pair) for pair in pairs)
 
 
 def _map_rows(problem, entry):

@@ -1,4 +1,5 @@
 #include "cases/commands/command.hpp"
+#include "cases/laboratory/problem.hpp"
 #include "kernel/materials/material.hpp"
 #include "reference/registry.hpp"
 
@@ -55,6 +56,10 @@ Json document() {
     all["references"].push_back({{"name", r->name()}, {"title", r->title()}, {"source", r->source()}});
   }
   all["problems"] = Json::array();
+  for (const StabilityProblem* problem : stability_problems()) {
+    const ProblemStatement s = problem->statement();
+    all["problems"].push_back({{"name", s.name}, {"title", s.title}, {"source", s.source}});
+  }
   return all;
 }
 
@@ -90,7 +95,7 @@ void print(const Output& out, const Json& all) {
 }  // namespace
 
 Command add_list(CLI::App& app, Invocation& invocation) {
-  CLI::App* sub = app.add_subcommand("list", "cases, schemes, integrators, shapes, transfers, materials, references");
+  CLI::App* sub = app.add_subcommand("list", "cases, schemes, integrators, shapes, transfers, materials, references, stability problems");
   sub->footer("Example: plumbline list --json -");
   add_json(*sub, invocation.options);
   return {sub, [&invocation] {

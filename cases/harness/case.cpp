@@ -4,6 +4,7 @@
 #include <array>
 
 #include "cases/harness/errors.hpp"
+#include "cases/laboratory/safe_step.hpp"
 #include "kernel/splitting.hpp"
 
 namespace plumbline {
@@ -75,6 +76,15 @@ void settle_membranes(Settings& s, const std::string& owner) {
   }
 }
 
+// cfl=auto becomes the number that it stands for; a fixed step has no use for it.
+void settle_step(const Case& entry, Settings& settings) {
+  if (!std::holds_alternative<std::string>(settings["cfl"])) return;
+  settings.set("cfl", 0.5, entry.name());
+  if (settings.is_set("dt")) return;
+  const int dim = entry.problem(settings)->scene().grid.dim;
+  settings.set("cfl", safe_courant_number(settings, entry.kind(), dim), entry.name());
+}
+
 }  // namespace
 
 Settings Case::settings(const std::string& scheme, const std::vector<Override>& overrides,
@@ -108,6 +118,7 @@ Settings Case::settings(const std::string& scheme, const std::vector<Override>& 
                        "split > 0 cannot work with shape=" + shape + ", transfer=" + transfer + ": " + why);
     }
   }
+  settle_step(*this, settings);
   return settings;
 }
 

@@ -53,12 +53,15 @@ Patch bar_patch(const MapChoice& maps, int ppc, double place, const Extent& exte
   return patch;
 }
 
-Patch bar_edge_patch(const MapChoice& maps, int ppc, double depth, int cells) {
+Patch bar_edge_patch(const MapChoice& maps, int ppc, double depth, int cells, FarEnd far_end) {
   Patch patch;
   patch.scene.grid = grid_of(1, cells + 2);
+  if (far_end == FarEnd::wall) patch.scene.grid.walls[0][0] = Wall::symmetry;
   choose(maps, patch.scene);
+  const double last = cells + depth;
+  const int count = far_end == FarEnd::free ? cells * ppc : static_cast<int>(std::ceil(last * ppc));
   std::vector<double> places;
-  for (int k = 0; k < cells * ppc; ++k) places.push_back(cells + depth - static_cast<double>(k) / ppc);
+  for (int k = 0; k < count; ++k) places.push_back(last - static_cast<double>(k) / ppc);
   patch.scene.bodies.push_back(bar(places, ppc));
   patch.places.emplace_back(places.size());
   for (std::size_t p = 0; p < places.size(); ++p) patch.places[0][p].member = static_cast<int>(p);

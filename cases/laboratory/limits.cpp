@@ -55,40 +55,73 @@ class Predictor {
 
 }  // namespace
 
-Prediction predict(const Experiment& experiment, const Scan& scan, double width) {
-  Predictor predictor(experiment);
+namespace {
+
+struct Between {
+  double low, high;
+  bool low_stable;
+};
+
+// Where the radius passes `threshold`. `growing`: a wave of the unstable side.
+double crossing(const GrowthOfStep& growth, Between ends, WaveNumber growing, double threshold, double width) {
+  while (ends.high - ends.low > width * ends.high) {
+    const double middle = 0.5 * (ends.low + ends.high);
+    const Growth worst = growth(middle, {growing});
+    const bool here = worst.per_step <= threshold;
+    if (!here) growing = worst.theta;
+    (here == ends.low_stable ? ends.low : ends.high) = middle;
+  }
+  return 0.5 * (ends.low + ends.high);
+}
+
+// The radius leaves one a little before it passes stable_radius: by as much as stable_radius - 1 over its slope, which half
+// that rise tells. Rises as a root does, of two eigenvalues that meet, come out the same to their square.
+double limit_of(const GrowthOfStep& growth, const Between& ends, const WaveNumber& growing, double width) {
+  constexpr double close = 1e-4;  // slower rises are no limit's
+  const double limit = crossing(growth, ends, growing, stable_radius, width);
+  const double half_way = 1 + (stable_radius - 1) / 2;
+  const Between near{ends.low_stable ? limit * (1 - close) : limit, ends.low_stable ? limit : limit * (1 + close),
+                     ends.low_stable};
+  if (width > close * close) return limit;
+  if (growth(ends.low_stable ? near.low : near.high, {growing}).per_step > half_way) return limit;
+  return 2 * crossing(growth, near, growing, half_way, width) - limit;
+}
+
+}  // namespace
+
+Prediction predict(const GrowthOfStep& growth, const Scan& scan, double width) {
   Prediction prediction;
   const std::vector<double> steps = scan.values();
-  std::vector<bool> stable(steps.size());
-  for (std::size_t k = steps.size(); k-- > 0;) {
-    const Amplification a = predictor.at(steps[k]);
-    const WorstWave worst = worst_wave(a, predictor.directions());
-    prediction.growth.insert(prediction.growth.begin(), {steps[k], worst.radius, worst.theta});
-    stable[k] = worst.radius <= stable_radius;
-    if (k + 1 < steps.size()) continue;
-    prediction.differences = a.differences();
-    prediction.tail = a.tail();
-    prediction.unknowns = a.unknowns();
-  }
+  prediction.growth.resize(steps.size());
+  for (std::size_t k = steps.size(); k-- > 0;) prediction.growth[k] = growth(steps[k], {});
+  const auto stable = [&](std::size_t k) { return prediction.growth[k].per_step <= stable_radius; };
   const auto limit_between = [&](std::size_t k, bool low_stable) {
-    double low = steps[k], high = steps[k + 1];
-    WaveNumber growing = prediction.growth[low_stable ? k + 1 : k].theta;
-    while (high - low > width * high) {
-      const double middle = 0.5 * (low + high);
-      const WorstWave worst = worst_wave(predictor.at(middle), predictor.directions(), {growing});
-      const bool here = worst.radius <= stable_radius;
-      if (!here) growing = worst.theta;
-      (here == low_stable ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
+    const WaveNumber growing = prediction.growth[low_stable ? k + 1 : k].theta;
+    return limit_of(growth, {steps[k], steps[k + 1], low_stable}, growing, width);
   };
   for (std::size_t k = 0; k < steps.size(); ++k) {
-    if (!stable[k]) continue;
+    if (!stable(k)) continue;
     StableInterval interval{k == 0 ? 0 : limit_between(k - 1, false), infinite};
-    while (k + 1 < steps.size() && stable[k + 1]) ++k;
+    while (k + 1 < steps.size() && stable(k + 1)) ++k;
     if (k + 1 < steps.size()) interval.high = limit_between(k, true);
     prediction.stable.push_back(interval);
   }
+  return prediction;
+}
+
+Prediction predict(const Experiment& experiment, const Scan& scan, double width) {
+  Predictor predictor(experiment);
+  std::optional<Amplification> largest;  // the scan's largest step comes first
+  const auto growth = [&](double dt, const std::vector<WaveNumber>& hints) -> Growth {
+    const Amplification a = predictor.at(dt);
+    if (!largest) largest = a;
+    const WorstWave worst = worst_wave(a, predictor.directions(), hints);
+    return {dt, worst.radius, worst.theta};
+  };
+  Prediction prediction = predict(growth, scan, width);
+  prediction.differences = largest->differences();
+  prediction.tail = largest->tail();
+  prediction.unknowns = largest->unknowns();
   prediction.reach = predictor.reach();
   return prediction;
 }
@@ -252,11 +285,15 @@ Run run_perturbed(const Experiment& experiment, const Watch& watch, int reach, d
 }
 
 Observation observe(const Experiment& experiment, const Scan& scan, const Watch& watch, int reach) {
+  return observe([&](double dt) { return run_perturbed(experiment, watch, reach, dt); }, scan, watch);
+}
+
+Observation observe(const std::function<Run(double dt)>& run_at, const Scan& scan, const Watch& watch) {
   Observation observation;
   const std::vector<double> steps = scan.values();
   std::vector<bool> unstable;
   for (const double dt : steps) {
-    const Run run = run_perturbed(experiment, watch, reach, dt);
+    const Run run = run_at(dt);
     observation.growth.push_back({dt, run.growth, {}});
     unstable.push_back(run.unstable);
   }
@@ -267,7 +304,7 @@ Observation observe(const Experiment& experiment, const Scan& scan, const Watch&
     double low = steps[k], high = steps[k + 1];
     while (high - low > watch.width * high) {
       const double middle = 0.5 * (low + high);
-      const bool here = run_perturbed(experiment, watch, reach, middle).unstable;
+      const bool here = run_at(middle).unstable;
       (here == unstable[k] ? low : high) = middle;
     }
     observation.brackets.push_back({low, high, !unstable[k]});

@@ -55,6 +55,11 @@ struct Experiment {
 // std::runtime_error where a step reaches further than Experiment::most_reach, or its state does not repeat.
 Prediction predict(const Experiment& experiment, const Scan& scan, double width = 1e-9);
 
+// The same of any step by its growth alone: the largest spectral radius at a step, and the wave that has it. `hints`: waves
+// that grow at steps nearby.
+using GrowthOfStep = std::function<Growth(double dt, const std::vector<WaveNumber>& hints)>;
+Prediction predict(const GrowthOfStep& growth, const Scan& scan, double width = 1e-9);
+
 // Spectral radii at one step (units of the scene's time) of waves along the first direction of the lattice.
 std::vector<double> radii_over_waves(const Experiment& experiment, double dt, const std::vector<double>& thetas);
 
@@ -92,5 +97,8 @@ struct Run {
   bool unstable = false;
 };
 Run run_perturbed(const Experiment& experiment, const Watch& watch, int reach, double dt);
+
+// Scan and bisection of any kind of run.
+Observation observe(const std::function<Run(double dt)>& run, const Scan& scan, const Watch& watch);
 
 }  // namespace plumbline

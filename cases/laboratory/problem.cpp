@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "cases/harness/errors.hpp"
 #include "cases/harness/pool.hpp"
@@ -36,6 +37,21 @@ RegisterStabilityProblem::RegisterStabilityProblem(const StabilityProblem* entry
   all.insert(place, entry);
 }
 
+namespace {
+
+bool is_of_integrators(const std::string& key) {
+  if (key == "integrator") return true;
+  for (const IntegratorEntry& entry : integrators()) {
+    const auto integrator = entry.make();
+    for (const IntegratorParameter& parameter : integrator->parameters()) {
+      if (parameter.name == key) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
 Settings stability_settings(const StabilityProblem& problem, const std::string& scheme,
                             const std::vector<Override>& overrides, const std::vector<std::string>& typed) {
   if (const auto known = scheme_names(); std::find(known.begin(), known.end(), scheme) == known.end()) {
@@ -47,12 +63,14 @@ Settings stability_settings(const StabilityProblem& problem, const std::string& 
   };
   std::vector<Key> all;
   for (Key& key : kind_keys(problem.kind())) {
-    if (!is_of_runs(key.name)) all.push_back(std::move(key));
+    if (problem.has_grid() ? !is_of_runs(key.name) : is_of_integrators(key.name)) all.push_back(std::move(key));
   }
-  all.push_back({.name = "positions",
-                 .value = "moving",
-                 .choices = {"frozen", "moving"},
-                 .description = "whether points are put back to where they were after each step"});
+  if (problem.has_grid()) {
+    all.push_back({.name = "positions",
+                   .value = "moving",
+                   .choices = {"frozen", "moving"},
+                   .description = "whether points are put back to where they were after each step"});
+  }
   for (Key& key : problem.keys()) all.push_back(std::move(key));
   Settings settings(std::move(all));
   const std::string owner = "stability problem " + problem.name();
@@ -62,6 +80,7 @@ Settings stability_settings(const StabilityProblem& problem, const std::string& 
   for (const auto& [key, value] : problem.choices(scheme)) settings.set(key, value, owner);
   for (const auto& [key, value] : overrides) settings.set(key, value, owner);
   for (const std::string& assignment : typed) settings.set_text(assignment, owner);
+  if (!problem.has_grid()) return settings;
   const IntegratorEntry* entry = find_integrator(settings.text("integrator"));
   const std::string &shape = settings.text("shape"), &transfer = settings.text("transfer");
   if (const std::string why = entry->make()->refusal(shape, transfer); !why.empty()) {
@@ -80,13 +99,26 @@ Experiment experiment_of(const StabilityProblem& problem, const Settings& settin
   return experiment;
 }
 
+Patch StabilityProblem::patch(const Settings&, const Extent&) const {
+  throw std::logic_error("the stability problem " + name() + " has neither a patch nor a step of its own");
+}
+
+Prediction StabilityProblem::predicted(const Settings& settings, double width) const {
+  return predict(experiment_of(*this, settings), scan(settings), width);
+}
+
+Observation StabilityProblem::observed(const Settings& settings, int reach) const {
+  return observe(experiment_of(*this, settings), scan(settings), watch(settings), reach);
+}
+
 Configuration examine(const StabilityProblem& problem, const std::string& scheme, const Settings& settings,
                       bool with_runs) {
-  const Experiment experiment = experiment_of(problem, settings);
   Configuration found{scheme,       settings, problem.unit(), problem.scan(settings), {}, {}, problem.closed_form(settings),
                       problem.statement().sampled};
-  found.predicted = predict(experiment, found.scan);
-  if (with_runs) found.observed = observe(experiment, found.scan, problem.watch(settings), found.predicted.reach);
+  found.predicted = problem.predicted(settings, 1e-9);
+  if (!with_runs) return found;
+  found.observed = problem.observed(settings, found.predicted.reach);
+  found.orders = problem.orders(settings);
   return found;
 }
 
@@ -104,7 +136,7 @@ void draw_limits(const StabilityProblem& problem, const MapPlan& plan, int threa
     overrides.emplace_back(plan.x.key, plan.x.values[i]);
     overrides.emplace_back(plan.y.key, plan.y.values[j]);
     const Settings settings = stability_settings(problem, plan.scheme, overrides);
-    map.values[j][i] = predict(experiment_of(problem, settings), problem.scan(settings), 1e-5).limit();
+    map.values[j][i] = problem.predicted(settings, 1e-5).limit();
     if (const auto closed = problem.closed_form(settings)) map.closed_form[j][i] = closed->limit;
   });
   const auto has = [](const auto& row) { return std::any_of(row.begin(), row.end(), [](double v) { return v == v; }); };
@@ -143,8 +175,8 @@ StabilityMap draw_map(const StabilityProblem& problem, const MapPlan& plan, int 
   map.unit = problem.unit();
   const Settings settings = stability_settings(problem, plan.scheme, plan.overrides);
   map.integrator = settings.text("integrator");
-  map.shape = settings.text("shape");
-  map.transfer = settings.text("transfer");
+  map.shape = problem.has_grid() ? settings.text("shape") : "none";
+  map.transfer = problem.has_grid() ? settings.text("transfer") : "none";
   if (map.transfer == "xpic" || map.transfer == "fmpm") map.transfer += to_text(settings["transfer_order"]);
   map.id = problem.name() + "/" + plan.scheme + "/" + map.integrator + "/" + map.shape + "/" + map.transfer + "/" +
            plan.kind + "-" + plan.x.key + "-" + plan.y.key;

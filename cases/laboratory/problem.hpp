@@ -1,6 +1,7 @@
 // A problem of the stability laboratory: one self-registering file with statement, keys, and the patch that is stepped.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,20 +41,33 @@ struct MapPlan {
   std::vector<std::pair<double, double>> observe = {};  // limit maps: at these places runs look for the limit, too
 };
 
+// Order of accuracy in the step, the mesh held, with its 95 % confidence interval.
+struct MeasuredOrder {
+  double order = 0, low = 0, high = 0;
+};
+
 class StabilityProblem {
  public:
   virtual ~StabilityProblem() = default;
   virtual ProblemStatement statement() const = 0;
   virtual Kind kind() const = 0;              // which schemes, and which keys beside its own
+  // Whether points and grid take part. If not, the keys are its own and those of integrators, every integrator will do, and
+  // there is no patch().
+  virtual bool has_grid() const { return true; }
   virtual std::vector<Key> keys() const = 0;  // its own
   // What it sets beside the scheme: points, positions, and all that a problem of a single method fixes.
   virtual std::vector<Override> choices(const std::string& scheme) const = 0;
   // Of one period and its margins. Ignores the extent where nothing repeats.
-  virtual Patch patch(const Settings& settings, const Extent& extent) const = 0;
+  virtual Patch patch(const Settings& settings, const Extent& extent) const;
   virtual Scan scan(const Settings&) const { return {}; }    // in units of the patch's time
   virtual Watch watch(const Settings&) const { return {}; }  // of runs
   virtual std::optional<ClosedForm> closed_form(const Settings&) const { return std::nullopt; }
   virtual std::string unit() const { return "h/c"; }
+  // What the step says, limits to a relative `width`; and what runs show. Of the patch, unless a problem knows better.
+  virtual Prediction predicted(const Settings& settings, double width) const;
+  virtual Observation observed(const Settings& settings, int reach) const;
+  // Of each quantity whose error against an exact solution was measured over a sequence of steps.
+  virtual std::map<std::string, MeasuredOrder> orders(const Settings&) const { return {}; }
   virtual std::vector<MapPlan> maps(Tier) const { return {}; }
   std::string name() const { return statement().name; }
 };
@@ -86,6 +100,7 @@ struct Configuration {
   std::optional<Observation> observed;
   std::optional<ClosedForm> closed_form;
   std::string sampled;
+  std::map<std::string, MeasuredOrder> orders = {};  // by quantity; measured in runs
 };
 Configuration examine(const StabilityProblem& problem, const std::string& scheme, const Settings& settings,
                       bool with_runs);

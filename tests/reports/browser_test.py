@@ -120,10 +120,11 @@ def test_a_choice_filters_the_safe_courant_numbers(browser, page):
         ".filter(row => getComputedStyle(row).display != 'none').map(row => row.cells[0].textContent)"
     )
     every = browser.evaluate(shown)
-    integrators = browser.evaluate("[...document.querySelectorAll('[name=only-i]')].map(box => box.parentNode.textContent.trim())")
+    boxes = "[...document.querySelectorAll('[name=only-i]')]"
+    integrators = browser.evaluate(f"{boxes}.map(box => box.parentNode.textContent.trim())")
     assert integrators[0] == "all" and len(integrators) > 3
     for number, name in enumerate(integrators):
-        browser.evaluate(f"document.querySelectorAll('[name=only-i]')[{number}].click()")
+        browser.evaluate(f"{boxes}[{number}].click()")
         kept = [words for words in every if number == 0 or words.split(" · ")[0] == name]
         assert kept and browser.evaluate(shown) == kept
 

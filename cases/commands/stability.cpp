@@ -1,0 +1,201 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "cases/commands/command.hpp"
+#include "cases/harness/pool.hpp"
+#include "cases/laboratory/stability_documents.hpp"
+#include "kernel/time_integrator.hpp"
+
+namespace plumbline {
+namespace {
+
+struct StabilityOptions {
+  std::vector<std::string> problems, over;
+  bool no_runs = false, maps = false;
+  std::string tier = "quick";
+};
+
+// What to examine of one problem.
+struct Chosen {
+  std::string scheme;
+  std::vector<Override> overrides;
+  std::vector<std::string> typed;
+};
+
+// "key=v1,v2,...": the key with each of its values.
+std::vector<std::string> assignments(const std::string& over) {
+  const std::size_t equals = over.find('=');
+  if (equals == std::string::npos || equals == 0 || equals + 1 == over.size()) {
+    throw UsageError("--over", over, "key=value,value,...", {},
+                     fmt::format("--over wants key=value,value,..., got '{}'", over));
+  }
+  std::vector<std::string> all;
+  std::size_t start = equals + 1;
+  while (start <= over.size()) {
+    const std::size_t comma = std::min(over.find(',', start), over.size());
+    all.push_back(over.substr(0, equals + 1) + over.substr(start, comma - start));
+    start = comma + 1;
+  }
+  return all;
+}
+
+// The chosen schemes and integrators; where neither is named and all problems are asked for, every scheme, and every
+// integrator that the problem's own choices allow, or that FLIP allows.
+std::vector<Chosen> choices_of(const StabilityProblem& problem, const CommonOptions& options, bool all) {
+  std::vector<Chosen> found;
+  if (!all || !options.schemes.empty() || !options.integrators.empty()) {
+    for (const SchemeChoice& chosen : chosen_schemes(options)) found.push_back({chosen.scheme, chosen.overrides, {}});
+    return found;
+  }
+  for (const IntegratorEntry& entry : integrators()) {
+    for (const char* transfer : {"", "flip"}) {
+      std::vector<Override> overrides{{"integrator", entry.name}};
+      if (*transfer) overrides.emplace_back("transfer", transfer);
+      try {
+        stability_settings(problem, "default", overrides);
+      } catch (const UsageError&) {
+        continue;
+      }
+      found.push_back({"default", overrides, {}});
+      break;
+    }
+  }
+  if (problem.has_grid()) found.push_back({"york1997", {}, {}});
+  return found;
+}
+
+std::vector<std::pair<std::string, Settings>> settings_of(const StabilityProblem& problem, const CommonOptions& options,
+                                                          const StabilityOptions& own, bool all) {
+  std::vector<std::vector<std::string>> typed{options.settings};
+  for (const std::string& over : own.over) {
+    std::vector<std::vector<std::string>> product;
+    for (const auto& before : typed) {
+      for (const std::string& assignment : assignments(over)) {
+        product.push_back(before);
+        product.back().push_back(assignment);
+      }
+    }
+    typed = std::move(product);
+  }
+  std::vector<std::pair<std::string, Settings>> found;
+  for (const Chosen& chosen : choices_of(problem, options, all)) {
+    for (const auto& assignments_made : typed) {
+      found.emplace_back(chosen.scheme,
+                         stability_settings(problem, chosen.scheme, chosen.overrides, assignments_made));
+    }
+  }
+  return found;
+}
+
+std::string text_of(const StableInterval& interval) {
+  return std::isinf(interval.high) ? fmt::format("{:.6g} ... end of the scan", interval.low)
+                                   : fmt::format("{:.6g} ... {:.8g}", interval.low, interval.high);
+}
+
+void print(const Output& out, const StabilityProblem& problem, const Configuration& found) {
+  std::string chosen;
+  for (const Key& key : problem.keys()) chosen += fmt::format(" {}={}", key.name, to_text(found.settings[key.name]));
+  std::string method = found.settings.text("integrator");
+  for (const char* key : {"shape", "transfer", "ppc"}) {
+    if (found.settings.has(key)) method += fmt::format(" {}", to_text(found.settings[key]));
+  }
+  out.line("{}:{} [{}]", method, chosen, found.scheme);
+  std::string stable;
+  for (const StableInterval& interval : found.predicted.stable) stable += (stable.empty() ? "" : ", ") + text_of(interval);
+  if (found.predicted.always_unstable()) stable = "no step of the scan";
+  out.line("  predicted stable  {} ({}){}", stable, found.unit,
+           found.closed_form ? fmt::format("; closed form {:.8g}", found.closed_form->limit) : "");
+  if (found.observed) {
+    std::string seen;
+    for (const Bracket& b : found.observed->brackets) {
+      seen += fmt::format("{}{} between {:.6g} and {:.6g}", seen.empty() ? "" : ", ",
+                          b.stable_below ? "lost" : "regained", b.low, b.high);
+    }
+    if (found.observed->always_stable) seen = "stable at every step of the scan";
+    if (found.observed->always_unstable) seen = "unstable at every step of the scan";
+    out.line("  observed          {}", seen);
+  }
+  const auto& growth = found.predicted.growth;
+  if (!growth.empty() && growth.front().per_step > stable_radius) {
+    out.line("  grows at the smallest step of the scan, {:.4g}: {:.6g} a step, rate {:.3g} in units of 1/time",
+             growth.front().dt, growth.front().per_step, std::log(growth.front().per_step) / growth.front().dt);
+  }
+  for (const auto& [quantity, order] : found.orders) {
+    out.line("  order of {}: {:.4f} [{:.4f}, {:.4f}]", quantity, order.order, order.low, order.high);
+  }
+  if (!found.sampled.empty()) out.line("  sampled: {}", found.sampled);
+}
+
+// Every method with the transfers of one pass, and those that filter.
+Json safe_table(Tier tier, int threads) {
+  const bool full = tier == Tier::full;
+  std::vector<std::pair<Method, int>> rows;  // and points per cell
+  for (const Method& method : methods({"linear", "gimp", "quadratic", "cubic"}, {"pic", "flip", "apic", "xpic", "fmpm"})) {
+    for (const int ppc : full ? std::vector<int>{1, 2, 3, 4} : std::vector<int>{2}) rows.emplace_back(method, ppc);
+  }
+  std::vector<Json> found(rows.size());
+  for_all(rows.size(), threads, [&](std::size_t k) {
+    found[k] = to_json(safe_step_of_bar(rows[k].first, 2, {}, rows[k].second, full));
+  });
+  return Json(found);
+}
+
+Json examine_all(const Output& out, const StabilityProblem& problem, const CommonOptions& options,
+                 const StabilityOptions& own, bool all) {
+  const Tier tier = own.tier == "full" ? Tier::full : Tier::quick;
+  const auto chosen = settings_of(problem, options, own, all);
+  std::vector<std::optional<Configuration>> found(chosen.size());
+  for_all(chosen.size(), options.threads, [&](std::size_t k) {
+    found[k] = examine(problem, chosen[k].first, chosen[k].second, !own.no_runs);
+  });
+  out.line("{}: {} [{}]", problem.name(), problem.statement().title, problem.statement().source);
+  Json document = problem_document(problem);
+  for (const auto& configuration : found) {
+    print(out, problem, *configuration);
+    document["configurations"].push_back(to_json(*configuration));
+  }
+  if (!own.maps) return document;
+  document["maps"] = Json::array();
+  for (const MapPlan& plan : problem.maps(tier)) {
+    document["maps"].push_back(to_json(draw_map(problem, plan, options.threads)));
+  }
+  document["safe"] = problem.name() == "bar" ? safe_table(tier, options.threads) : Json::array();
+  out.line("  {} maps, {} rows of safe steps", document["maps"].size(), document["safe"].size());
+  return document;
+}
+
+int execute(const Invocation& invocation, const StabilityOptions& own) {
+  const bool all = own.problems == std::vector<std::string>{"all"};
+  std::vector<const StabilityProblem*> problems;
+  if (all) problems = stability_problems();
+  for (const std::string& name : all ? std::vector<std::string>{} : own.problems) {
+    problems.push_back(&find_stability_problem(name));
+  }
+  const Output out(invocation.options);
+  Json documents = Json::array();
+  for (const StabilityProblem* problem : problems) {
+    documents.push_back(examine_all(out, *problem, invocation.options, own, all));
+  }
+  Json document = problems.size() == 1 && !all ? documents.front() : Json{{"problems", documents}};
+  document["provenance"] = to_json(invocation.provenance());
+  write_json(invocation.options, document);
+  return 0;
+}
+
+}  // namespace
+
+Command add_stability(CLI::App& app, Invocation& invocation) {
+  CLI::App* sub = app.add_subcommand("stability", "limits of the time step: foretold by the step itself, and seen in runs");
+  sub->footer("Example: plumbline stability bar --integrator usl --over N=0.1,0.3,0.5");
+  auto options = std::make_shared<StabilityOptions>();
+  sub->add_option("problem", options->problems, "the problems, or all")->required();
+  sub->add_option("--over", options->over, "key=value,value,...: each of the values (repeatable)")->allow_extra_args(false);
+  sub->add_flag("--no-runs", options->no_runs, "foretell only");
+  sub->add_flag("--maps", options->maps, "the problem's maps, too, and of `bar` the table of safe steps");
+  sub->add_option("--tier", options->tier, "how fine the maps are")->check(CLI::IsMember({"quick", "full"}));
+  add_run_options(*sub, invocation.options);
+  return {sub, [&invocation, options] { return execute(invocation, *options); }};
+}
+
+}  // namespace plumbline

@@ -1,0 +1,16 @@
+// What the laboratory found, as JSON in the shapes of schema/plumbline.schema.json.
+#pragma once
+
+#include "cases/harness/documents.hpp"
+#include "cases/laboratory/safe_step.hpp"
+
+namespace plumbline {
+
+Json to_json(const Configuration& found);
+Json to_json(const StabilityMap& map);
+Json to_json(const SafeStep& safe);
+
+// Name, title, source, statement and equations of a problem, with its configurations to be filled in.
+Json problem_document(const StabilityProblem& problem);
+
+}  // namespace plumbline

@@ -1,0 +1,82 @@
+// The free end of an elastic bar.
+#include <cmath>
+
+#include "cases/laboratory/bar_patch.hpp"
+#include "cases/laboratory/problem.hpp"
+
+namespace plumbline {
+namespace {
+
+std::vector<double> falling(double from, double ratio, int count) {
+  std::vector<double> all;
+  for (int k = 0; k < count; ++k) all.push_back(from * std::pow(ratio, k));
+  return {all.rbegin(), all.rend()};
+}
+
+class BarEdge final : public StabilityProblem {
+ public:
+  ProblemStatement statement() const override {
+    return {.name = "bar-edge",
+            .title = "Free end of an elastic bar",
+            .source = "York 1997, SAND97-1893, chapter 8, for bars without ends; matrices: reference/mpm_amplification.hpp",
+            .statement =
+                "A linear elastic bar that leans on a wall and has one free end, `ppc` points a cell. Its last point lies "
+                "`depth` cells deep in a cell that no other point need touch. The node beyond it carries nearly no mass "
+                "where that point has hardly entered, and still takes its share of the force.\n\n"
+                "Steps that strain their points with the nodal velocity before it went back to the points and was "
+                "mapped again (usl) throw that node about: their limit falls to zero with the depth. After a second "
+                "map, or where stress comes first, the velocity of the node is that of the point beside it.",
+            .equations = {"C = c Δt / h", "usf, musl, usavg: C = 2 / √λ_max(S M⁻¹ Gᵀ V E G M⁻¹ Sᵀ m)",
+                          "usl, linear: C → √(2 depth) for depth → 0"},
+            .sampled = "all modes of a bar of 16 cells; one free end; one depth of its last point, all points alike"};
+  }
+  Kind kind() const override { return Kind::solid; }
+  std::vector<Key> keys() const override {
+    return {{.name = "depth",
+             .value = 0.25,
+             .low = 0,
+             .high = 1,
+             .low_open = true,
+             .description = "of the last point in its cell, in cells"},
+            {.name = "length",
+             .value = 24.0,
+             .low = 2,
+             .high = 200,
+             .integer = true,
+             .description = "of the bar, in cells"},
+            {.name = "far_end",
+             .value = "wall",
+             .choices = {"wall", "free"},
+             .description = "the other end: on a plane of symmetry, or free, too"}};
+  }
+  std::vector<Override> choices(const std::string&) const override {
+    return {{"shape", "linear"}, {"transfer", "flip"}, {"integrator", "musl"}, {"positions", "frozen"}, {"ppc", 2.0}};
+  }
+  Patch patch(const Settings& settings, const Extent&) const override {
+    return bar_edge_patch({settings.text("shape"), settings.text("transfer"), settings.integer("transfer_order")},
+                          settings.integer("ppc"), settings.number("depth"),
+                          settings.integer("length"),
+                          settings.text("far_end") == "wall" ? FarEnd::wall : FarEnd::free);
+  }
+  Scan scan(const Settings&) const override { return {.low = 1e-3, .high = 4, .steps = 36}; }
+  std::vector<MapPlan> maps(Tier tier) const override {
+    std::vector<MapPlan> all;
+    const bool full = tier == Tier::full;
+    for (const Method& method : methods(full ? std::vector<std::string>{"linear", "gimp", "quadratic", "cubic"}
+                                             : std::vector<std::string>{"linear", "quadratic"},
+                                        full ? std::vector<std::string>{"pic", "flip", "apic"}
+                                             : std::vector<std::string>{"flip"})) {
+      all.push_back({.kind = "limit",
+                     .title = "largest stable step",
+                     .overrides = method.overrides(),
+                     .x = {"depth", "depth of the last point in its cell", falling(1, 0.25, full ? 8 : 4)},
+                     .y = {"ppc", "points per cell", full ? std::vector<double>{1, 2, 3, 4} : std::vector<double>{1, 2}}});
+    }
+    return all;
+  }
+};
+
+PLUMBLINE_STABILITY_PROBLEM(BarEdge);
+
+}  // namespace
+}  // namespace plumbline

@@ -1,0 +1,171 @@
+#include "cases/stability/oscillator.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include "kernel/inadmissible.hpp"
+
+namespace plumbline {
+
+OneMass::OneMass(double displacement, double velocity, double damping)
+    : u_(displacement),
+      v_(velocity),
+      damping_(damping),
+      force_(force(displacement, velocity)),
+      damper_velocity_(velocity) {}
+
+void OneMass::carry(const Eigen::Vector3d& carried) {
+  u_ = carried[0];
+  v_ = carried[1];
+  force_ = carried[2];
+}
+
+void OneMass::map_mass_and_momentum() {
+  start_ = end_ = remapped_ = v_;
+  current_ = NodalVelocity::start;
+}
+
+void OneMass::advance_momentum(double dt) {
+  end_ = start_ + dt * nodal_force_;
+  current_ = NodalVelocity::end;
+}
+
+void OneMass::move_points(double /*dt*/, NodalVelocity /*carrying*/) { v_ = end_; }
+
+void OneMass::drift_points(double /*dt*/) {}
+
+void OneMass::kick_points(double /*dt*/) { v_ = end_; }
+
+void OneMass::map_momentum() {
+  remapped_ = v_;
+  current_ = NodalVelocity::remapped;
+}
+
+double OneMass::nodal(NodalVelocity which) const {
+  switch (which == NodalVelocity::current ? current_ : which) {
+    case NodalVelocity::end:
+      return end_;
+    case NodalVelocity::midpoint:
+      return 0.5 * (start_ + end_);
+    case NodalVelocity::remapped:
+      return remapped_;
+    default:
+      return start_;
+  }
+}
+
+void OneMass::strain_points(double dt, NodalVelocity velocity) { u_ += dt * nodal(velocity); }
+
+void OneMass::evaluate_stress(NodalVelocity velocity) {
+  damper_velocity_ = nodal(velocity);
+  force_ = force(u_, damper_velocity_);
+}
+
+void OneMass::predict_stress(double ahead, NodalVelocity velocity) {
+  damper_velocity_ = nodal(velocity);
+  force_ = force(u_ + ahead * damper_velocity_, damper_velocity_);
+}
+
+// A damper may not push.
+bool OneMass::reverse_cooling() {
+  const double middle = nodal(NodalVelocity::midpoint);
+  if (damping_ == 0 || damper_velocity_ * middle >= 0) return false;
+  force_ += 2 * damping_ * (damper_velocity_ - middle);
+  damper_velocity_ = middle;
+  return true;
+}
+
+void OneMass::set_state(const State& state) {
+  u_ = state.values.at(0);
+  v_ = state.values.at(1);
+}
+
+State OneMass::rate() {
+  map_mass_and_momentum();
+  evaluate_stress(NodalVelocity::start);
+  return {{v_, force_}};
+}
+
+State OneMass::velocities_of(State state) const {
+  state.values.at(0) = 0;
+  return state;
+}
+
+namespace {
+
+std::unique_ptr<TimeIntegrator> make(const IntegratorChoice& choice) {
+  const IntegratorEntry* entry = find_integrator(choice.name);
+  if (!entry) throw std::invalid_argument("no integrator " + choice.name);
+  auto integrator = entry->make();
+  set_parameters(*integrator, choice.parameters);
+  return integrator;
+}
+
+}  // namespace
+
+Eigen::MatrixXd step_matrix(const IntegratorChoice& choice, double damping, double dt) {
+  const auto integrator = make(choice);
+  OneMass mass(1, 0, damping);
+  integrator->step(mass, dt);
+  std::vector<double*> remembered;
+  for (State* state : integrator->memory()) {
+    for (double& value : state->values) remembered.push_back(&value);
+  }
+  const auto size = static_cast<Eigen::Index>(3 + remembered.size());
+  Eigen::MatrixXd matrix(size, size);
+  for (Eigen::Index k = 0; k < size; ++k) {
+    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(size, k);
+    mass.carry(unit.head<3>());
+    for (Eigen::Index j = 3; j < size; ++j) *remembered[static_cast<std::size_t>(j - 3)] = unit[j];
+    integrator->step(mass, dt);
+    matrix.col(k).head<3>() = mass.carried();
+    for (Eigen::Index j = 3; j < size; ++j) matrix(j, k) = *remembered[static_cast<std::size_t>(j - 3)];
+  }
+  return matrix;
+}
+
+double spectral_radius(const Eigen::MatrixXd& matrix) {
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(matrix, false);
+  return solver.eigenvalues().cwiseAbs().maxCoeff();
+}
+
+Run run_oscillator(const IntegratorChoice& choice, double damping, const Watch& watch, double dt) {
+  const auto integrator = make(choice);
+  OneMass mass(0.6, 0.8, damping);
+  Run result;
+  double before = 1;
+  int since = 0;
+  for (int done = 1; done <= watch.steps; ++done) {
+    integrator->step(mass, dt);
+    const double size = std::hypot(mass.displacement(), mass.velocity());
+    result.amplified = std::max(result.amplified, size);
+    if (done > since && before > 0) result.growth = std::pow(size / before, 1.0 / (done - since));
+    result.unstable = !(size <= watch.grown);
+    if (result.unstable || size == 0) return result;
+    if (done == 1 || done == 2 * watch.steps / 3) {
+      before = size;
+      since = done;
+    }
+  }
+  result.unstable = result.growth > 1 + watch.slowest && result.amplified > watch.grown_slowly;
+  return result;
+}
+
+Eigen::Vector2d oscillation(const IntegratorChoice& choice, double damping, const Eigen::Vector2d& start, double t,
+                            int steps) {
+  const auto integrator = make(choice);
+  OneMass mass(start[0], start[1], damping);
+  for (int k = 0; k < steps; ++k) integrator->step(mass, t / steps);
+  return {mass.displacement(), mass.velocity()};
+}
+
+Eigen::Vector2d exact_oscillation(double damping, const Eigen::Vector2d& start, double t) {
+  Eigen::Matrix2d rates;
+  rates << 0, 1, -1, -2 * damping;
+  return (t * rates).exp() * start;
+}
+
+}  // namespace plumbline

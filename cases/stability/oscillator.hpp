@@ -1,0 +1,73 @@
+// A mass on a spring behind the stages of a step: what a time integrator does without maps between points and grid.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "cases/laboratory/limits.hpp"
+#include "kernel/stages.hpp"
+#include "kernel/time_integrator.hpp"
+
+namespace plumbline {
+
+// u'' = -u - 2 zeta u', frequency and mass one. One point on one node: its strain is its displacement u, its stress the
+// force of spring and damper. The node has the point's velocity, whatever the transfer, so nothing is lost in maps; where
+// the point stands matters to nobody.
+class OneMass final : public Stages {
+ public:
+  OneMass(double displacement, double velocity, double damping);
+
+  double displacement() const { return u_; }
+  double velocity() const { return v_; }
+
+  // All that one step hands to the next: displacement, velocity, and the force as it was last evaluated.
+  Eigen::Vector3d carried() const { return {u_, v_, force_}; }
+  void carry(const Eigen::Vector3d& carried);
+
+  void locate_points() override {}
+  void map_mass_and_momentum() override;
+  void map_forces() override { nodal_force_ = force_; }
+  void advance_momentum(double dt) override;
+  void move_points(double dt, NodalVelocity carrying) override;
+  void drift_points(double dt) override;
+  void kick_points(double dt) override;
+  void map_momentum() override;
+  void strain_points(double dt, NodalVelocity velocity) override;
+  void evaluate_stress(NodalVelocity velocity) override;
+  void predict_stress(double ahead, NodalVelocity velocity) override;
+  bool reverse_cooling() override;
+  void return_transfer_loss() override {}
+  State state() const override { return {{u_, v_}}; }  // (u, u')
+  void set_state(const State& state) override;
+  State rate() override;
+  State velocities_of(State state) const override;
+
+ private:
+  double nodal(NodalVelocity which) const;
+  double force(double displacement, double velocity) const { return -displacement - 2 * damping_ * velocity; }
+
+  double u_, v_, damping_;
+  double force_, damper_velocity_;
+  double nodal_force_ = 0, start_ = 0, end_ = 0, remapped_ = 0;
+  NodalVelocity current_ = NodalVelocity::start;
+};
+
+// One step of an integrator on it as a matrix: of displacement, velocity, force, and what the integrator remembers, each
+// changed by one. The integrator has taken a step of the same dt before. dt > 0 in units of 1/omega.
+Eigen::MatrixXd step_matrix(const IntegratorChoice& integrator, double damping, double dt);
+
+// Largest modulus of an eigenvalue.
+double spectral_radius(const Eigen::MatrixXd& matrix);
+
+// From a displaced mass on its way, until it has grown beyond Watch::grown or Watch::steps have passed. Its size is
+// sqrt(u^2 + u'^2).
+Run run_oscillator(const IntegratorChoice& integrator, double damping, const Watch& watch, double dt);
+
+// Displacement and velocity after `steps` equal steps to t (1/omega), from (start.u, start.v).
+Eigen::Vector2d oscillation(const IntegratorChoice& integrator, double damping, const Eigen::Vector2d& start, double t,
+                            int steps);
+// The same without steps: the exponential of the equation's matrix.
+Eigen::Vector2d exact_oscillation(double damping, const Eigen::Vector2d& start, double t);
+
+}  // namespace plumbline
