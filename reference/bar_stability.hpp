@@ -14,9 +14,9 @@ namespace plumbline::reference {
 /// the updated points mapped to the nodes again (MUSL); half of it before and half after a second map (USAVG).
 enum class StressUpdate { first, last, modified_last, averaged };
 
-/// The Courant number above which some wave grows, 0 <= N <= 1: 4 sqrt(N (1 - N)), or 1/|1 - 2 N| where N (1 - N) < 1/8,
-/// [Stability 1], from 1 at N = 0 and 1 to 2 at N = 1/2; for StressUpdate::last 1/sqrt(1 + 4 N (1 - N)) [Stability 2].
-/// Throws ParameterError with the key `weight`.
+/// The Courant number above which some wave grows, 0 <= N <= 1: 4 sqrt(N (1 - N)), or 1/|1 - 2 N| where
+/// N (1 - N) < 1/8, [Stability 1], from 1 at N = 0 and 1 to 2 at N = 1/2; for StressUpdate::last
+/// 1/sqrt(1 + 4 N (1 - N)) [Stability 2]. Throws ParameterError with the key `weight`.
 Bounded frozen_courant_limit(StressUpdate update, double weight);
 
 /// Largest factor by which one step at this Courant number > 0 multiplies any wave, 1 up to the limit.

@@ -9,7 +9,9 @@ template <class Number>
 struct Dense {
   Dense() = default;
   Dense(int rows_, int columns_)
-      : rows(rows_), columns(columns_), entries(static_cast<std::size_t>(rows_ * columns_)) {}
+      : rows(rows_),
+        columns(columns_),
+        entries(static_cast<std::size_t>(rows_ * columns_)) {}
 
   Number& operator()(int row, int column) { return entries[static_cast<std::size_t>(row * columns + column)]; }
   const Number& operator()(int row, int column) const {

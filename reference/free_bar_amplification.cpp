@@ -89,8 +89,8 @@ Bar bar_of(const MapScheme& scheme, const std::vector<double>& points, double sp
     bar.uncertain = std::max(bar.uncertain, all[i].bound / all[i].value);
     bar.node.push_back(first + static_cast<int>(i));
   }
-  bar.weight = bar.gradient = bar.arm = bar.affine =
-      Real(static_cast<int>(points.size()), static_cast<int>(bar.mass.size()));
+  bar.weight = bar.gradient = bar.arm = bar.affine = Real(static_cast<int>(points.size()),
+                                                          static_cast<int>(bar.mass.size()));
   for (std::size_t p = 0; p < weights.size(); ++p) {
     for (std::size_t k = 0; k < PointWeights::nodes; ++k) {
       const int i = place[static_cast<std::size_t>(weights[p].first - first) + k], row = static_cast<int>(p);
@@ -104,8 +104,8 @@ Bar bar_of(const MapScheme& scheme, const std::vector<double>& points, double sp
   return bar;
 }
 
-// Q with M^power Q M^-power: 0 as it acts on velocities, 1/2 symmetric.
-Real sharpening(const MapScheme& scheme, const Bar& bar, double power) {
+// Q as it acts on nodal velocities.
+Real sharpening(const MapScheme& scheme, const Bar& bar) {
   const int nodes = static_cast<int>(bar.mass.size());
   const double theta = scheme.sharpening * blur(scheme.shape).value;
   Real q = selection<double>(nodes, nodes, 0);
@@ -113,9 +113,9 @@ Real sharpening(const MapScheme& scheme, const Bar& bar, double power) {
     for (int j = 0; j < nodes; ++j) {
       const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
       if (std::abs(bar.node[a] - bar.node[b]) != 1) continue;
-      const double own = bar.mass[a], other = bar.mass[b], share = theta * 2 * other / (own + other);
+      const double share = theta * 2 * bar.mass[b] / (bar.mass[a] + bar.mass[b]);
       q(i, i) += share;
-      q(i, j) -= share * std::pow(own / other, power);
+      q(i, j) -= share;
     }
   }
   return q;
@@ -134,26 +134,52 @@ Real mass_to(const Bar& bar, double power) {
   return diagonal(values);
 }
 
-// B of [Stability 4].
-Real kept(const MapScheme& scheme, const Bar& bar, double spacing) {
-  const Real scale = mass_to(bar, -0.5);
-  Real sum = adjoint(bar.weight) * bar.weight;
-  if (scheme.transfer == GridTransfer::apic) sum = sum + adjoint(bar.arm) * bar.affine;
-  return spacing * (scale * sum * scale);
+// T with B = M^-1/2 T' T M^-1/2 [Stability 4]: what points carry, one row for each, scaled.
+Real carried(const MapScheme& scheme, const Bar& bar, double spacing) {
+  const bool affine = scheme.transfer == GridTransfer::apic;
+  const int points = bar.weight.rows, nodes = bar.weight.columns;
+  Real rows(affine ? 2 * points : points, nodes);
+  for (int p = 0; p < points; ++p) {
+    double inertia = 0;
+    for (int i = 0; i < nodes; ++i) {
+      rows(p, i) = std::sqrt(spacing) * bar.weight(p, i);
+      if (bar.weight(p, i) > 0) inertia += bar.arm(p, i) * bar.arm(p, i) / bar.weight(p, i);
+    }
+    for (int i = 0; affine && i < nodes; ++i) rows(points + p, i) = std::sqrt(spacing * inertia) * bar.affine(p, i);
+  }
+  return rows;
 }
 
 // A function of a symmetric matrix whose eigenvalues are known to be between 0 and 1.
-Real weight_matrix(const MapScheme& scheme, const Real& b) {
+Real share_matrix(const MapScheme& scheme, const Real& b) {
   const SymmetricPairs pairs = symmetric_pairs(b);
   std::vector<double> values;
-  for (double value : pairs.values) values.push_back(stiffness_weight(scheme, std::clamp(value, 0.0, 1.0)));
+  for (double value : pairs.values) values.push_back(stiffness_share(scheme, std::clamp(value, 0.0, 1.0)));
   return pairs.vectors * diagonal(values) * adjoint(pairs.vectors);
 }
 
-// How much W can change with B: its derivative is at most the order of the filter, and Frobenius norms keep that.
+// How much that function can change with b: nothing, a half, and sums of the filters' m terms; Frobenius norms keep it.
 double steepest(const MapScheme& scheme) {
+  if (scheme.transfer == GridTransfer::flip) return 0;
   const bool filters = scheme.transfer == GridTransfer::xpic || scheme.transfer == GridTransfer::fmpm;
-  return filters ? scheme.order : 1;
+  return filters ? scheme.order * scheme.order : 1;
+}
+
+// W K without its zeros and with an error: as G Q M^-1 T' R T M^-1 Q' G', R a function of T M^-1 T', in which no light
+// node is far from 1; straining last G Q M^-1 Q' G'/2 less that.
+Real burden(const MapScheme& scheme, const Bar& bar, double spacing, double& wrong) {
+  // Ten roundings for each row of an eigenproblem or a product, of the matrices' own norms, and the masses' errors.
+  const double size = static_cast<double>(std::max(bar.mass.size(), bar.weight.entries.size() / bar.mass.size()));
+  const double ten = 10 * size * rounding::unit, input = ten + 2 * bar.uncertain;
+  const Real inverse = mass_to(bar, -1), rows = carried(scheme, bar, spacing);
+  const Real strains = std::sqrt(spacing) * (bar.gradient * sharpening(scheme, bar));
+  const Real across = strains * inverse * adjoint(rows), b = rows * inverse * adjoint(rows);
+  const Real shares = share_matrix(scheme, b), seen = across * shares * adjoint(across);
+  wrong = std::pow(frobenius(across), 2) * input * (steepest(scheme) * frobenius(b) + 2 * frobenius(shares));
+  if (scheme.update != StressUpdate::last) return seen;
+  const Real all = 0.5 * (strains * inverse * adjoint(strains));
+  wrong += input * frobenius(all);
+  return all - seen;
 }
 
 }  // namespace
@@ -179,26 +205,19 @@ SquareMatrix free_bar_amplification(const MapScheme& scheme, const std::vector<d
   check_bar(scheme, points, spacing);
   check_positive("courant", courant);
   const Bar bar = bar_of(scheme, points, spacing);
-  const GridMaps<double> maps{bar.weight,       bar.gradient,       bar.arm, bar.affine, mass_to(bar, -1),
-                              sharpening(scheme, bar, 0), spacing};
+  const GridMaps<double> maps{bar.weight, bar.gradient, bar.arm, bar.affine, mass_to(bar, -1), sharpening(scheme, bar),
+                              spacing};
   return LinearStep<double>(scheme, maps, courant).matrix();
 }
 
 Bounded free_bar_courant_limit(const MapScheme& scheme, const std::vector<double>& points, double spacing) {
   check_bar(scheme, points, spacing);
-  const Bar bar = bar_of(scheme, points, spacing);
-  const Real b = kept(scheme, bar, spacing), w = weight_matrix(scheme, b);
-  const Real strains = std::sqrt(spacing) * (bar.gradient * mass_to(bar, -0.5) * sharpening(scheme, bar, 0.5));
-  const Real burden = strains * w * adjoint(strains);
-  const std::vector<double> values = symmetric_pairs(burden).values;
+  double wrong = 0;
+  const Real matrix = burden(scheme, bar_of(scheme, points, spacing), spacing, wrong);
+  const std::vector<double> values = symmetric_pairs(matrix).values;
   const double largest = *std::max_element(values.begin(), values.end());  // [Stability 5]
   if (!(largest > 0)) return rounding::infinity;
-  // Ten roundings for each row of an eigenproblem or a product, of the matrices' own norms; masses enter B and K twice
-  // by their square roots, weights and gradients by as much.
-  const double size = static_cast<double>(std::max(bar.mass.size(), points.size())), ten = 10 * size * rounding::unit;
-  const double stretch = std::pow(frobenius(strains), 2), input = ten + 2 * bar.uncertain;
-  const double wrong =
-      stretch * input * (steepest(scheme) * frobenius(b) + 2 * frobenius(w)) + ten * frobenius(burden);
+  wrong += 10 * static_cast<double>(points.size()) * rounding::unit * frobenius(matrix);
   return Bounded(1) / sqrt(Bounded(largest, wrong));
 }
 

@@ -85,10 +85,14 @@ PointWeights point_weights(GridShape shape, double x, double box) {
 
 Bounded blur(GridShape shape) {
   switch (shape) {
-    case GridShape::linear: return Bounded(1) / 12;
-    case GridShape::boxes: return Bounded(1) / 12 + Bounded(1) / 96;
-    case GridShape::quadratic: return 0.125;
-    case GridShape::cubic: break;
+    case GridShape::linear:
+      return Bounded(1) / 12;
+    case GridShape::boxes:
+      return Bounded(1) / 12 + Bounded(1) / 96;
+    case GridShape::quadratic:
+      return 0.125;
+    case GridShape::cubic:
+      break;
   }
   return Bounded(1) / 6;
 }

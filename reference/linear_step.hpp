@@ -6,8 +6,8 @@
 
 namespace plumbline::reference {
 
-/// Rows are points, columns nodes: weights, gradients, weights times arms, and the weights that give C_p; the inverse of
-/// the nodal masses and the sharpening Q, nodes by nodes. `mass` is that of each point, and its volume.
+/// Rows are points, columns nodes: weights, gradients, weights times arms, and the weights that give C_p; the inverse
+/// of the nodal masses and the sharpening Q, nodes by nodes. `mass` is that of each point, and its volume.
 template <class Number>
 struct GridMaps {
   Dense<Number> weight, gradient, arm, affine, inverse_mass, sharpen;
@@ -18,7 +18,11 @@ template <class Number>
 class LinearStep {
  public:
   LinearStep(const MapScheme& scheme, const GridMaps<Number>& maps, double courant)
-      : scheme_(scheme), maps_(maps), dt_(courant), points_(maps.weight.rows), affine_(scheme.transfer == GridTransfer::apic) {
+      : scheme_(scheme),
+        maps_(maps),
+        dt_(courant),
+        points_(maps.weight.rows),
+        affine_(scheme.transfer == GridTransfer::apic) {
     const int size = points_ * (affine_ ? 3 : 2);
     velocity_ = selection<Number>(points_, size, 0);
     if (affine_) slope_ = selection<Number>(points_, size, points_);
@@ -63,10 +67,17 @@ class LinearStep {
     const Dense<Number> end = start + change;
     if (affine_) slope_ = maps_.affine * end;
     switch (scheme_.transfer) {
-      case GridTransfer::flip: velocity_ = velocity_ + maps_.weight * change; break;  // [York 3.22]
-      case GridTransfer::xpic: velocity_ = maps_.weight * (filtered(start) + change); break;
-      case GridTransfer::fmpm: velocity_ = maps_.weight * filtered(end); break;
-      default: velocity_ = maps_.weight * end;
+      case GridTransfer::flip:
+        velocity_ = velocity_ + maps_.weight * change;
+        break;  // [York 3.22]
+      case GridTransfer::xpic:
+        velocity_ = maps_.weight * (filtered(start) + change);
+        break;
+      case GridTransfer::fmpm:
+        velocity_ = maps_.weight * filtered(end);
+        break;
+      default:
+        velocity_ = maps_.weight * end;
     }
   }
   Square<Number> whole() const {

@@ -93,7 +93,9 @@ class Waves {
   // 1/C^2 of this wave.
   template <class Number>
   Number burden(const Number& s) const {
-    return stiffness(s) * stiffness_weight(scheme_, kept(s));  // [Stability 5]
+    const Number b = kept(s), part = b * stiffness_share(scheme_, b);
+    const bool last = scheme_.update == StressUpdate::last;
+    return stiffness(s) * (last ? Number(Bounded(0.5)) - part : part);  // [Stability 5]
   }
 
  private:
@@ -174,7 +176,8 @@ ComplexMatrix amplification_matrix(const MapScheme& scheme, const std::vector<do
   const Dense<Complex> column(count, 1), one = selection<Complex>(1, 1, 0);
   const double s = std::pow(std::sin(theta / 2), 2), mass = 1.0 / count;
   const double sharpen = 1 + 4 * scheme.sharpening * blur(scheme.shape).value * s;
-  GridMaps<Complex> maps{column, column, column, column, one, sharpen * one, mass};  // a node carries the mass of a cell
+  GridMaps<Complex> maps{column, column,        column, column,
+                         one,    sharpen * one, mass};  // a node carries the mass of a cell
   for (int p = 0; p < count; ++p) {
     const PointWeights at = point_weights(scheme.shape, points[static_cast<std::size_t>(p)], mass);
     for (std::size_t k = 0; k < reach; ++k) {
@@ -193,8 +196,9 @@ Bounded wave_growth(const MapScheme& scheme, const std::vector<double>& points, 
   check_positive("courant", courant);
   const Waves waves(scheme, points);
   const Bounded sine = sin(Bounded(theta) / 2), s = sine * sine, square = Bounded(courant) * courant;
-  const NodalFilter<Bounded> filter = nodal_filter(scheme, waves.kept(s));
-  const Bounded pull = square * waves.stiffness(s), pushed = filter.hands_on * pull;
+  const Bounded b = waves.kept(s), pull = square * waves.stiffness(s);
+  const NodalFilter<Bounded> filter = nodal_filter(scheme, b);
+  const Bounded pushed = b * filter.share * pull;
   const Bounded both = Bounded(1) + filter.keeps;
   if (scheme.update != StressUpdate::last) return larger_root(both - pushed, filter.keeps);
   return larger_root(both - pull, filter.keeps * (Bounded(1) - pull) + pushed);

@@ -1,21 +1,22 @@
 #pragma once
 // How large a step the material-point method bears on a linear elastic bar, for any places of the points, shapes,
-// transfers and the four orders of straining: by linear algebra alone. Units c = h = rho = 1, so that a step is a Courant
-// number; places of the points frozen, in cells.
+// transfers and the four orders of straining: by linear algebra alone. Units c = h = rho = 1, so that a step is a
+// Courant number C; places of the points frozen, in cells.
 //
 // With weights S_pi and gradients G_pi, nodal masses M = S'm and the scaled matrices
-//   B = M^-1/2 S' m S M^-1/2,  K = M^-1/2 G' V G M^-1/2                                              [Stability 4]
+//   B = M^-1/2 S' m S M^-1/2,  K = M^-1/2 G' V G M^-1/2                                             [Stability 4]
 // (affine transfers: B also has S1' m D^-1 S1, S1_pi = S_pi (x_i - x_p)), nodal velocities q and forces f follow a step
-// of their own, whatever else the points remember: q' = alpha q - C beta f, f' = f + C K q, in the order of the
-// integrator, with
-//   flip (alpha, beta) = (1, B), pic and apic (B, B), xpic (1 - (1 - B)^m, B), fmpm (1 - (1 - B)^m, 1 - (1 - B)^m).
+// of their own, whatever else the points remember: in the integrator's order f' = f + C K q, q' = alpha q - C beta f,
+//   flip (alpha, beta) = (1, B), pic and apic (B, B), xpic (1 - (1 - B)^m, B), fmpm twice 1 - (1 - B)^m.
 // All other eigenvalues of a step are 0 or 1. B is symmetric and between 0 and 1, alpha and beta are polynomials of it,
-// alpha >= beta. For an eigenvector z and an eigenvalue on the unit circle off the real axis the imaginary part of
-//   z* beta^-1 (lambda - 1)(lambda - alpha)/lambda z   or, straining last,   z* (lambda - 1)(lambda - alpha)/(lambda - alpha + beta) z
-// has the sign of the axis's side, so it cannot be the real -C^2 z* K z: waves can only become unstable through -1, and
-// the limit is
-//   1/C^2 = lambda_max(W K),  W = beta/(2 (1 + alpha)),  straining last W = (1 + alpha - beta)/(2 (1 + alpha)).  [Stability 5]
-// So the stable steps are an interval, and straining first, half and half, and last after a second map bear the same.
+// beta <= alpha <= 1. For an eigenvector z straining first, half and half, or last after a second map give
+//   a t^2 - (a + b - C^2 z*Kz) t + b = 0,  a = z* beta^-1 z,  b = z* beta^-1 alpha z <= a:
+// real coefficients, so a root can leave the unit disc through -1 alone. Straining last without a second map,
+//   z* (t - 1)(t - alpha)/(t - alpha + beta) z = -C^2 z*Kz,
+// whose left side has an imaginary part of one sign on either half of the unit circle (or is the above, where
+// alpha = beta = 1): again only -1 is left. There
+//   1/C^2 = lambda_max(W K),  W = beta/(2 (1 + alpha)), or (1 + alpha - beta)/(2 (1 + alpha))       [Stability 5]
+// is the limit, the stable steps are an interval, and the first three orders of straining bear the same.
 #include <vector>
 
 #include "reference/bar_stability.hpp"
@@ -28,8 +29,8 @@ enum class GridShape { linear, boxes, quadratic, cubic };
 
 /// What points take from the nodes. With P = M^-1 S'm S, w~ the updated and w the mapped velocity, a = (w~ - w)/C:
 /// pic S w~; flip v + C S a; apic S w~ and C_p = D^-1 S1 w~; xpic S (sum_{j<m} (1 - P)^j w + C a) (C. C. Hammerquist,
-/// J. A. Nairn, 2017, doi 10.1016/j.cma.2016.10.036); fmpm S sum_{j<m} (1 - P)^j w~ (J. A. Nairn, C. C. Hammerquist, 2021,
-/// doi 10.1016/j.cma.2021.113964). For m = 1 both are pic.
+/// J. A. Nairn, 2017, doi 10.1016/j.cma.2016.10.036); fmpm S sum_{j<m} (1 - P)^j w~ (J. A. Nairn, C. C. Hammerquist,
+/// 2021, doi 10.1016/j.cma.2021.113964). For m = 1 both are pic.
 enum class GridTransfer { pic, flip, apic, xpic, fmpm };
 
 /// `sharpening` > 0: accelerations and straining velocities go through
@@ -57,16 +58,16 @@ ComplexMatrix amplification_matrix(const MapScheme& scheme, const std::vector<do
 /// The largest magnitude of the two eigenvalues that nodes see. Throws as above.
 Bounded wave_growth(const MapScheme& scheme, const std::vector<double>& points, double theta, double courant);
 
-/// The limit over all waves. [Stability 5] as a function of sin^2(theta/2) is enclosed on intervals that are halved until
-/// none may hide a larger value. Throws as above.
+/// The limit over all waves. [Stability 5] as a function of sin^2(theta/2) is enclosed on intervals that are halved
+/// until none may hide a larger value. Throws as above.
 Bounded periodic_courant_limit(const MapScheme& scheme, const std::vector<double>& points);
 
 struct WorstOffset {
   double offset = 0;
   Bounded limit;
 };
-/// The regular layout shifted as a whole, where it bears least: sampled, the lowest samples refined. The bound is that of
-/// the limit at this offset. Throws as above, key `per_cell`.
+/// The regular layout shifted as a whole, where it bears least: sampled, the lowest sample refined. The bound is that
+/// of the limit at this offset. Throws as above, key `per_cell`.
 WorstOffset worst_rigid_offset(const MapScheme& scheme, int per_cell);
 
 // Finite bars with free ends, in a grid of unit cells without walls: a node takes part if it carries mass.

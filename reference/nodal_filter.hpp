@@ -1,34 +1,35 @@
 #pragma once
-// What a transfer keeps of a nodal velocity and what it hands on of a nodal change, as functions of the eigenvalue b of B
-// in mpm_amplification.hpp, and how much stiffness each order of straining then bears.
+// What a transfer keeps of a nodal velocity and what it hands on of a nodal change, as functions of the eigenvalue b of
+// B in mpm_amplification.hpp, and how much stiffness each order of straining then bears.
 #include "reference/mpm_amplification.hpp"
 
 namespace plumbline::reference {
 
+/// alpha, and beta = b share.
 template <class Number>
 struct NodalFilter {
-  Number keeps, hands_on;  // alpha, beta
+  Number keeps, share;
 };
 
 /// Number: anything with + - * of its own kind and a constructor from int.
 template <class Number>
 NodalFilter<Number> nodal_filter(const MapScheme& scheme, const Number& b) {
   const Number one(1);
-  if (scheme.transfer == GridTransfer::flip) return {one, b};
-  if (scheme.transfer == GridTransfer::pic || scheme.transfer == GridTransfer::apic) return {b, b};
-  Number lost = one;
-  for (int j = 0; j < scheme.order; ++j) lost = lost * (one - b);
-  const Number kept = one - lost;
-  return {kept, scheme.transfer == GridTransfer::fmpm ? kept : b};
+  if (scheme.transfer == GridTransfer::flip) return {one, one};
+  if (scheme.transfer == GridTransfer::pic || scheme.transfer == GridTransfer::apic) return {b, one};
+  Number lost = one, terms(0);  // (1 - b)^j and their sum
+  for (int j = 0; j < scheme.order; ++j) {
+    terms = terms + lost;
+    lost = lost * (one - b);
+  }
+  return {one - lost, scheme.transfer == GridTransfer::fmpm ? terms : one};
 }
 
-/// W of [Stability 5].
+/// beta/(2 b (1 + alpha)): W is b times this, or, straining last, a half less b times this. [Stability 5]
 template <class Number>
-Number stiffness_weight(const MapScheme& scheme, const Number& b) {
+Number stiffness_share(const MapScheme& scheme, const Number& b) {
   const NodalFilter<Number> filter = nodal_filter(scheme, b);
-  const Number whole = Number(1) + filter.keeps;
-  const Number part = scheme.update == StressUpdate::last ? whole - filter.hands_on : filter.hands_on;
-  return part / (Number(2) * whole);
+  return filter.share / (Number(2) * (Number(1) + filter.keeps));
 }
 
 }  // namespace plumbline::reference

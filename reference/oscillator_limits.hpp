@@ -41,10 +41,11 @@ Bounded oscillator_growth(OscillatorMethod method, double omega_dt, double rho_b
 /// Two limits, which meet at 2 for rho_b = 1:
 /// *bifurcation*, w dt = (1 + rho_b) sqrt(2 - rho_b) [Oscillator 2]: the radius falls from 1 to rho_b, a triple root
 /// -rho_b; beyond it one root is real and grows;
-/// *stability*, w dt = sqrt(12 (1 + rho_b)(2 - rho_b)/(10 - 5 rho_b + rho_b^2)) [Oscillator 3]: that root reaches -1, where
-/// a' = -a, v = (gamma - 1/2) dt a, d = (beta - gamma/2) dt^2 a and so (w dt)^2 = (1 - 2 alpha_m)/(beta - gamma/2).
-/// (The often quoted 12 (1 + rho_b)^3 (2 - rho_b)/(10 + 15 rho_b - rho_b^2 + rho_b^3 - rho_b^4) is the same at rho_b = 0
-/// and 1 only and up to 0.4 % too high between: over the same numerator this one has + rho_b^2 - 3 rho_b^3 + rho_b^4.)
+/// *stability*, w dt = sqrt(12 (1 + rho_b)(2 - rho_b)/(10 - 5 rho_b + rho_b^2)) [Oscillator 3]: that root reaches -1,
+/// where a' = -a, v = (gamma - 1/2) dt a, d = (beta - gamma/2) dt^2 a, so (w dt)^2 = (1 - 2 alpha_m)/(beta - gamma/2).
+/// (The form 12 (1 + rho_b)^3 (2 - rho_b)/(10 + 15 rho_b - rho_b^2 + rho_b^3 - rho_b^4), met in its place, is the same
+/// at rho_b = 0 and 1 alone and up to 0.4 % too high between: over its numerator the denominator of the method above is
+/// 10 + 15 rho_b + rho_b^2 - 3 rho_b^3 + rho_b^4.)
 /// Throw ParameterError with the key `rho_b`.
 Bounded generalized_alpha_bifurcation_limit(double rho_b);
 Bounded generalized_alpha_stability_limit(double rho_b);

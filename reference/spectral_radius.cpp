@@ -134,7 +134,8 @@ std::vector<std::complex<double>> eigenvalues(const SquareMatrix& matrix) {
 Bounded spectral_radius(const SquareMatrix& matrix, double entry_error) {
   const EigenPairs pairs = eigen_pairs(matrix);
   const double radius = largest(*pairs.values);
-  return {radius, std::min(bauer_fike(matrix, pairs, entry_error), elsner(matrix, entry_error)) + 4 * rounding::unit * radius};
+  return {radius,
+          std::min(bauer_fike(matrix, pairs, entry_error), elsner(matrix, entry_error)) + 4 * rounding::unit * radius};
 }
 
 Bounded spectral_radius(const ComplexMatrix& matrix, double entry_error) {

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "kernel/inadmissible.hpp"
+
 namespace plumbline {
 namespace {
 
@@ -50,14 +52,20 @@ Amplification::Amplification(const Patch& patch, const IntegratorChoice& integra
   StepMap map(patch.scene, patch.units, integrator, positions, dt);
   // Large changes round least, small ones see least of what is not linear, and least often cross a switch.
   constexpr double good_enough = 1e-9;
-  for (const double size : {1e-3, 1e-4, 1e-5, 1e-6}) {
+  for (const double size : {1e-3, 1e-4, 1e-5, 1e-6, 1e-8}) {
     Differences tried{size, 0};
-    Blocks blocks = differentiate(patch, map, tried);
+    Blocks blocks;
+    try {
+      blocks = differentiate(patch, map, tried);
+    } catch (const InadmissibleState&) {  // where nodes are all but massless, a large change moves points too far
+      continue;
+    }
     if (!blocks_.empty() && tried.error >= differences_.error) continue;
     differences_ = tried;
     blocks_ = std::move(blocks);
     if (tried.error <= good_enough) break;
   }
+  if (blocks_.empty()) throw std::runtime_error("no change of the state is small enough to be stepped");
   unknowns_ = static_cast<int>(blocks_.at({0, 0}).rows());
   drop_idle();
   int outermost = 0;

@@ -126,6 +126,12 @@ Prediction predict(const Experiment& experiment, const Scan& scan, double width)
   return prediction;
 }
 
+int reach_of_step(const Experiment& experiment, double dt) {
+  Predictor predictor(experiment);
+  predictor.at(dt);
+  return predictor.reach();
+}
+
 std::vector<double> radii_over_waves(const Experiment& experiment, double dt, const std::vector<double>& thetas) {
   Predictor predictor(experiment);
   const Amplification a = predictor.at(dt);

@@ -60,6 +60,9 @@ Prediction predict(const Experiment& experiment, const Scan& scan, double width 
 using GrowthOfStep = std::function<Growth(double dt, const std::vector<WaveNumber>& hints)>;
 Prediction predict(const GrowthOfStep& growth, const Scan& scan, double width = 1e-9);
 
+// How many periods a step of dt (units of the scene's time) reaches. Explicit steps reach a few, implicit ones all.
+int reach_of_step(const Experiment& experiment, double dt);
+
 // Spectral radii at one step (units of the scene's time) of waves along the first direction of the lattice.
 std::vector<double> radii_over_waves(const Experiment& experiment, double dt, const std::vector<double>& thetas);
 

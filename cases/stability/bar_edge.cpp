@@ -3,6 +3,7 @@
 
 #include "cases/laboratory/bar_patch.hpp"
 #include "cases/laboratory/problem.hpp"
+#include "cases/stability/map_scheme.hpp"
 
 namespace plumbline {
 namespace {
@@ -39,7 +40,7 @@ class BarEdge final : public StabilityProblem {
              .low_open = true,
              .description = "of the last point in its cell, in cells"},
             {.name = "length",
-             .value = 24.0,
+             .value = 16.0,
              .low = 2,
              .high = 200,
              .integer = true,
@@ -57,6 +58,22 @@ class BarEdge final : public StabilityProblem {
                           settings.integer("ppc"), settings.number("depth"),
                           settings.integer("length"),
                           settings.text("far_end") == "wall" ? FarEnd::wall : FarEnd::free);
+  }
+  // Known where both ends are free; a bar that leans on a wall is half of one of twice the length.
+  std::optional<ClosedForm> closed_form(const Settings& s) const override {
+    const auto scheme = map_scheme(s);
+    const int ppc = s.integer("ppc");
+    if (!scheme || s.text("far_end") != "free" || s.number("depth") * ppc > 1) return std::nullopt;
+    const auto points = reference::edge_points(ppc, s.integer("length"), s.number("depth"));
+    return ClosedForm{reference::free_bar_courant_limit(*scheme, points, 1.0 / ppc).value,
+                      "largest eigenvalue of a symmetric matrix, reference/mpm_amplification.hpp"};
+  }
+  // A strain that no velocity has made throws the light node beyond the end about by its share over its mass, once.
+  Watch watch(const Settings& s) const override {
+    Watch watch;
+    watch.grown /= s.number("depth");
+    watch.grown_slowly /= s.number("depth");
+    return watch;
   }
   Scan scan(const Settings&) const override { return {.low = 1e-3, .high = 4, .steps = 36}; }
   std::vector<MapPlan> maps(Tier tier) const override {

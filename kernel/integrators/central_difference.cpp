@@ -10,7 +10,7 @@ class CentralDifference final : public TimeIntegrator {
     mpm.locate_points();
     mpm.map_mass_and_momentum();
     mpm.map_forces();
-    mpm.advance_momentum((last_dt_ + dt) / 2);
+    mpm.advance_momentum((last_dt_ + dt) / 2);  // [Central-Difference 1]
     mpm.move_points(dt);
     mpm.map_momentum();
     mpm.update_stress(dt);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/inadmissible.hpp"
 #include "kernel/integrators/method_of_lines.hpp"
 
 namespace plumbline {
@@ -48,7 +49,7 @@ struct Response : public Eigen::EigenBase<Response> {
     const State velocities = mpm.velocities_of(change);
     const double size = as_vector(velocities).norm();
     if (size == 0) return w;
-    const double small = 1e-6 * (1 + as_vector(z).norm()) / size;  // [Knoll-Keyes 11], central
+    const double small = 1e-6 * (1 + as_vector(z).norm()) / size;  // [Implicit-Midpoint 3]
     mpm.set_state(z + -1.0 * mpm.velocities_of(z) + velocities);
     const State kinematic = mpm.rate();
     const State along = velocities + half * (kinematic + -1.0 * mpm.velocities_of(kinematic));
@@ -82,9 +83,11 @@ namespace plumbline {
 namespace {
 
 // y' = y + dt f((y + y')/2). Newton's method for the velocities of the midpoint, each correction by GMRES; all else follows
-// from them. Of an oscillator neither damped nor ever unstable.
+// from them. Of an oscillator neither damped nor ever unstable. Throws InadmissibleState where no midpoint is found: forces
+// that jump may have none. Equations: kernel/README.md, "Integrators of the laboratory".
 class ImplicitMidpoint final : public MethodOfLines {
   static constexpr int most_corrections = 20;
+  static constexpr double rounding = 1e-12;  // of forces that cancel, to the size of the state
 
   void step(Stages& mpm, double dt) override {
     const State y = mpm.state();
@@ -92,20 +95,24 @@ class ImplicitMidpoint final : public MethodOfLines {
     mpm.set_state(z);
     State rate = mpm.rate();
     double least = std::numeric_limits<double>::infinity();
+    bool found = false;
     for (int k = 0; k < most_corrections; ++k) {
       const State velocities = mpm.velocities_of(z);
       z = velocities + (y + -1.0 * mpm.velocities_of(y)) + dt / 2 * (rate + -1.0 * mpm.velocities_of(rate));
       mpm.set_state(z);
       rate = mpm.rate();
-      const State residual = y + dt / 2 * rate + -1.0 * z;  // [Implicit midpoint]
-      const double size = as_vector(mpm.velocities_of(residual)).norm();
-      if (!(size < 0.5 * least) || size <= 1e-15 * as_vector(velocities).norm()) break;
+      const State residual = y + dt / 2 * rate + -1.0 * z;  // [Implicit-Midpoint 1]
+      const double size = as_vector(mpm.velocities_of(residual)).norm(), speed = as_vector(velocities).norm();
+      const double kick = dt / 2 * as_vector(mpm.velocities_of(rate)).norm();
+      found = size <= 1e-9 * (speed + kick) || size <= rounding * as_vector(z).norm();
+      if (!(size < 0.5 * least) || size <= 1e-15 * speed) break;
       least = size;
       z += correction(mpm, z, mpm.velocities_of(residual), dt / 2);
       mpm.set_state(z);
       rate = mpm.rate();
     }
-    mpm.set_state(2.0 * z + -1.0 * y);
+    if (!found) throw InadmissibleState("the implicit midpoint was not found", "all", 0, "velocity", least);
+    mpm.set_state(2.0 * z + -1.0 * y);  // [Implicit-Midpoint 2]
   }
 
   static State correction(Stages& mpm, const State& z, const State& residual, double half) {

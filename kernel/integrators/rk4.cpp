@@ -13,7 +13,7 @@ class RungeKutta4 final : public MethodOfLines {
     const State k3 = mpm.rate();
     mpm.set_state(y + dt * k3);
     const State k4 = mpm.rate();
-    mpm.set_state(y + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4));
+    mpm.set_state(y + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4));  // [RK4 1]
   }
 };
 

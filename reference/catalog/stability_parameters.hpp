@@ -22,11 +22,12 @@ inline StressUpdate stress_update(const std::map<std::string, double>& settings)
 }
 
 inline std::vector<Parameter> scheme_parameters() {
-  return {integrator_parameter(),
-          {"shape", 0, 0, 3, false, false, "1", "0 linear, 1 boxes as wide as the spacing, 2 quadratic, 3 cubic B-splines"},
-          {"transfer", 1, 0, 4, false, false, "1", "0 pic, 1 flip, 2 apic, 3 xpic, 4 fmpm"},
-          {"order", 2, 1, 100, false, false, "1", "terms of xpic and fmpm"},
-          {"sharpening", 0, 0, 1, false, false, "1", "share of the maps' smoothing that is undone"}};
+  return {
+      integrator_parameter(),
+      {"shape", 0, 0, 3, false, false, "1", "0 linear, 1 boxes as wide as the spacing, 2 quadratic, 3 cubic B-splines"},
+      {"transfer", 1, 0, 4, false, false, "1", "0 pic, 1 flip, 2 apic, 3 xpic, 4 fmpm"},
+      {"order", 2, 1, 100, false, false, "1", "terms of xpic and fmpm"},
+      {"sharpening", 0, 0, 1, false, false, "1", "share of the maps' smoothing that is undone"}};
 }
 
 /// Throws ParameterError.

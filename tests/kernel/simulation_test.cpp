@@ -256,6 +256,31 @@ TEST(Repeat, ARestoredRunContinuesBitwise) {
   }
 }
 
+// So does what an integrator keeps beside the points: the steps change in length on the way, and the first steps of a new run
+// would be others. A checkpoint stays as it was while the run it came from goes on.
+TEST(Repeat, ARestoredRunHasItsIntegratorsMemory) {
+  for (const char* name : {"generalized-alpha", "central-difference"}) {
+    SCOPED_TRACE(name);
+    const Scene scene = scenes::rough_gas(2, "quadratic", "flip");
+    const auto steps = [](Simulation& run, int from, int to) {
+      for (int k = from; k < to; ++k) run.step(k % 2 == 0 ? 1e-3 : 2e-3);
+    };
+    const StepControl control{0.9, 2e-3};
+    Simulation whole(scene, name, control), first(scene, name, control), second(scene, name, control);
+    steps(whole, 0, 9);
+    steps(first, 0, 4);
+    const Checkpoint checkpoint = first.save();
+    steps(first, 4, 6);
+    second.restore(checkpoint);
+    steps(second, 4, 9);
+    EXPECT_TRUE(scenes::same_bits(whole.scene().bodies[0], second.scene().bodies[0]));
+    scenes::expect_same_ledger(whole.ledger(), second.ledger());
+    Simulation forgetful(first.scene(), name, control);
+    steps(forgetful, 6, 9);
+    EXPECT_FALSE(scenes::same_bits(whole.scene().bodies[0], forgetful.scene().bodies[0]));
+  }
+}
+
 TEST(Repeat, ACheckpointOfAnotherSceneIsRefused) {
   Simulation one(scenes::rough_gas(1, "quadratic", "apic"), "musl", {}),
       other(scenes::rough_gas(2, "quadratic", "apic"), "musl", {});

@@ -126,6 +126,27 @@ TEST(Stages, StatesAreReadAndSetExactly) {
   EXPECT_EQ(engine->state().values, state.values);
 }
 
+// Velocities of all bodies are kept, all else is zero: of a gas (x, v, e), of an elastic body (x, v, strain).
+TEST(Stages, VelocitiesOfAState) {
+  Scene scene = scenes::rough_gas(2, "quadratic", "flip");
+  UniaxialMembrane law;
+  law.youngs_modulus = law.density = 1;
+  scene.bodies.push_back(scenes::membrane_body(law, 2, {{0.2, 0.2}, {0.25, 0.2}}, 0.01,
+                                               [](const scenes::Place& x) { return scenes::Place{x[0], 3}; }));
+  Ledger ledger;
+  const auto engine = make_engine(scene, ledger, {});
+  engine->initialise();
+  const State state = engine->state(), velocities = engine->velocities_of(state);
+  ASSERT_EQ(velocities.values.size(), state.values.size());
+  const auto gas = static_cast<std::size_t>(scene.bodies[0].points.points()), all = state.values.size();
+  for (std::size_t k = 0; k < all; ++k) {
+    const bool of_gas = k >= 2 * gas && k < 4 * gas;
+    const bool of_membrane = k >= 5 * gas + 4 && k < 5 * gas + 8;
+    EXPECT_EQ(velocities.values[k], of_gas || of_membrane ? state.values[k] : 0) << k;
+  }
+  EXPECT_EQ(state.values[5 * gas + 6], 3);
+}
+
 // The rate of a free fall: dx/dt = v, dv/dt = b, de/dt = 0, wherever the points stand. [York 3.18, 3.21, 3.22]
 TEST(Stages, RateOfAFreeFall) {
   Scene scene = scenes::rough_gas_in_space(scenes::Space::plane, "quadratic", "flip", scenes::rough_gravity, {});

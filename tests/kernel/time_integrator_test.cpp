@@ -3,9 +3,10 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
-#include "tests/kernel/scenes.hpp"
+#include "tests/kernel/integrators/recording.hpp"
 
 namespace plumbline {
 namespace {
@@ -26,7 +27,8 @@ class SecondMap final : public TimeIntegrator {
 PLUMBLINE_INTEGRATOR(SecondMap, "test_second_map", "usavg with the whole map repeated", "this test");
 
 TEST(TimeIntegrator, TheKernelsOwnAreRegistered) {
-  for (const char* name : {"usf", "usl", "musl", "usavg", "energy"}) {
+  for (const char* name : {"usf", "usl", "musl", "usavg", "energy", "midpoint", "leapfrog", "central-difference",
+                           "ssp-rk3", "rk4", "generalized-alpha", "implicit-midpoint"}) {
     const IntegratorEntry* entry = find_integrator(name);
     ASSERT_NE(entry, nullptr) << name;
     EXPECT_FALSE(entry->title.empty());
@@ -57,6 +59,63 @@ TEST(TimeIntegrator, TheWholeMapRepeatedIsTheMapOfMomentum) {
 TEST(TimeIntegrator, AreListedInTheOrderOfTheirNames) {
   const auto& all = integrators();
   EXPECT_TRUE(std::is_sorted(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.name < b.name; }));
+}
+
+// A user's own with a number to choose and something to remember.
+class Remembering final : public TimeIntegrator {
+ public:
+  std::vector<IntegratorParameter> parameters() override { return {{"test_share", &share, 0, 1, "of nothing"}}; }
+  std::vector<State*> memory() override { return {&kept}; }
+  void step(Stages&, double dt) override { kept.values.push_back(share * dt); }
+  double share = 0.25;
+  State kept;
+};
+PLUMBLINE_INTEGRATOR(Remembering, "test_remembering", "does nothing but remember", "this test");
+
+TEST(TimeIntegrator, ParametersAreSetByName) {
+  Remembering integrator;
+  set_parameters(integrator, {{"share", 0.75}, {"rho_b", 7}});  // of others
+  EXPECT_EQ(integrator.share, 0.25);
+  set_parameters(integrator, {{"test_share", 1}});
+  EXPECT_EQ(integrator.share, 1);
+  for (const double bad : {-0.1, 1.1, std::nan("")}) {
+    EXPECT_THROW(set_parameters(integrator, {{"test_share", bad}}), std::invalid_argument) << bad;
+    EXPECT_EQ(integrator.share, 1);
+  }
+}
+
+TEST(TimeIntegrator, AParameterOfARunReachesIt) {
+  const auto velocities = [](double rho_b) {
+    StepControl control;
+    control.cfl = 0.2;
+    control.parameters["rho_b"] = rho_b;
+    Simulation run(scenes::rough_gas(1, "quadratic", "flip"), "generalized-alpha", control);
+    for (int k = 0; k < 3; ++k) run.step(1);
+    return scenes::by_id(run.scene().bodies[0], column::velocity);
+  };
+  EXPECT_NE(velocities(0), velocities(0.8));
+  EXPECT_THROW(velocities(1.5), std::invalid_argument);
+  Simulation untold(scenes::rough_gas(1, "quadratic", "flip"), "generalized-alpha", {0.2, {}});
+  for (int k = 0; k < 3; ++k) untold.step(1);
+  EXPECT_EQ(scenes::by_id(untold.scene().bodies[0], column::velocity), velocities(0.8));
+}
+
+// As it is now, and from then on for itself.
+TEST(TimeIntegrator, ACopyRemembersWhatItsOriginalDid) {
+  const IntegratorEntry* entry = find_integrator("test_remembering");
+  ASSERT_TRUE(entry->copy);
+  const auto original = entry->make();
+  set_parameters(*original, {{"test_share", 0.5}});
+  RecordingStages stages;
+  original->step(stages, 4);
+  const auto copy = entry->copy(*original);
+  original->step(stages, 6);
+  EXPECT_EQ(copy->memory().at(0)->values, (std::vector<double>{2}));
+  copy->step(stages, 2);
+  EXPECT_EQ(copy->memory().at(0)->values, (std::vector<double>{2, 1}));
+  EXPECT_EQ(original->memory().at(0)->values, (std::vector<double>{2, 3}));
+  EXPECT_TRUE(find_integrator("musl")->make()->memory().empty());
+  EXPECT_TRUE(find_integrator("musl")->make()->parameters().empty());
 }
 
 TEST(TimeIntegrator, ANameIsTakenOnce) {

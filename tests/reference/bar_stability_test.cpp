@@ -28,8 +28,8 @@ TEST(BarStability, SidesAndCentresOfCells) {
 }
 
 TEST(BarStability, ValuesBetween) {  // 4 sqrt(N (1 - N)), 1/(1 - 2 N), 1/sqrt(1 + 4 N (1 - N)) by hand
-  expect_near(frozen_courant_limit(usf, 0.02), 1 / 0.96, 1e-10);   // [Stability 1]
-  expect_near(frozen_courant_limit(usf, 0.2), 1.6, 1e-10);         // [Stability 1]
+  expect_near(frozen_courant_limit(usf, 0.02), 1 / 0.96, 1e-10);  // [Stability 1]
+  expect_near(frozen_courant_limit(usf, 0.2), 1.6, 1e-10);        // [Stability 1]
   expect_near(frozen_courant_limit(musl, 0.7), 1.8330302780, 5e-11);
   expect_near(frozen_courant_limit(usl, 0.2), 0.7808688094, 5e-11);  // [Stability 2]
   expect_near(frozen_courant_limit(StressUpdate::averaged, 0.9), 1.25, 1e-10);

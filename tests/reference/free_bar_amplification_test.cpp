@@ -37,9 +37,9 @@ TEST(FreeBar, TheKnownTableOfEdges) {  // 16 points on 8 cells, FLIP; rounded to
   struct Row {
     double depth, linear, linear_last, boxes, boxes_last, quadratic, quadratic_last;
   };
-  for (const Row& row : {Row{.25, 1.732, .657, 1.732, .657, 2.282, .999}, Row{.1, 1.617, .435, 1.939, .704, 2.235, .963},
-                         Row{.01, 1.435, .141, 1.967, .709, 2.170, .917},
-                         Row{1e-4, 1.411, .0141, 1.967, .708, 2.162, .910}}) {
+  for (const Row& row :
+       {Row{.25, 1.732, .657, 1.732, .657, 2.282, .999}, Row{.1, 1.617, .435, 1.939, .704, 2.235, .963},
+        Row{.01, 1.435, .141, 1.967, .709, 2.170, .917}, Row{1e-4, 1.411, .0141, 1.967, .708, 2.162, .910}}) {
     auto limit = [&](Update update, Shape shape) {
       return free_bar_courant_limit({update, shape, Transfer::flip}, edge_points(2, 8, row.depth), 0.5).value;
     };
@@ -53,11 +53,12 @@ TEST(FreeBar, TheKnownTableOfEdges) {  // 16 points on 8 cells, FLIP; rounded to
   }
 }
 
-// A point that barely touches the outermost node: its mass is depth times the point's own, its share of the stiffness all
-// of it, so 1/C^2 = (2 - B)/(4) K -> 1/(2 depth) of a single light node with B = depth: C = sqrt(2 depth).
+// A point that barely touches the outermost node: its mass is depth times the point's own, its share of the stiffness
+// all of it, so 1/C^2 = (2 - B)/(4) K -> 1/(2 depth) of a single light node with B = depth: C = sqrt(2 depth).
 TEST(FreeBar, StressLastVanishesWithTheDepth) {
   for (double depth : {1e-3, 1e-4, 1e-6}) {
-    const Bounded limit = free_bar_courant_limit({Update::last, Shape::linear, Transfer::flip}, edge_points(2, 8, depth), 0.5);
+    const Bounded limit = free_bar_courant_limit({Update::last, Shape::linear, Transfer::flip},
+                                                 edge_points(2, 8, depth), 0.5);
     EXPECT_NEAR(limit.value / std::sqrt(2 * depth), 1, 2 * depth + 1e-6);
   }
 }
@@ -74,8 +75,8 @@ TEST(FreeBar, ALongBarBearsNoMoreThanItsInterior) {
   }
 }
 
-// One point at the centre of each of n cells, free ends: standing waves of theta = k pi/n, k = 1 to n, on nodes that all
-// carry the mass of their cells, B = 1 - s, K = 4 s.
+// One point at the centre of each of n cells, free ends: standing waves of theta = k pi/n, k = 1 to n, on nodes that
+// all carry the mass of their cells, B = 1 - s, K = 4 s.
 TEST(FreeBar, PointsAtCentresHaveStandingWaves) {
   for (int count : {2, 5, 6, 11}) {
     std::vector<double> points;
@@ -96,8 +97,9 @@ TEST(FreeBar, PointsAtCentresHaveStandingWaves) {
 TEST(FreeBar, YorksFivePoints) {  // [York 8.36, 8.41]
   const MapScheme york{Update::modified_last, Shape::linear, Transfer::flip};
   const Bounded centres = free_bar_courant_limit(york, york_points(0.5), 1);
-  EXPECT_GT(centres.value, 2);  // his bound is the infinite bar's, whose worst wave, s = 1/2, is none of these five points'
-  EXPECT_NEAR(centres.value, 2.1029244849, 5e-11);  // 1/sqrt(s (1 - s)), s = sin^2(pi/5), of the waves 2 and 3
+  EXPECT_GT(centres.value,
+            2);  // his bound is the infinite bar's, whose worst wave, s = 1/2, is none of these five points'
+  EXPECT_NEAR(centres.value, 2.1029244485, 5e-11);  // 1/sqrt(s (1 - s)) = 2/sin(72 degrees), of the waves 2 and 3
   const Bounded sides = free_bar_courant_limit(york, york_points(1e-4), 1);
   EXPECT_GT(sides.value, 1);
   EXPECT_LT(sides.value, 1.1);  // 1.1 is the first of his steps that he saw unstable

@@ -32,8 +32,8 @@ TEST(MpmAmplification, OnePointACellIsTheClosedForm) {  // [Stability 1, 2, 5]
   }
 }
 
-// Nothing of the theorem is used here: the matrix of all points and the wave numbers, each in its turn. It is not normal:
-// eigenvalues carry 1e-8, the root of a rounding, where two meet.
+// Nothing of the theorem is used here: the matrix of all points and the wave numbers, each in its turn. It is not
+// normal: eigenvalues carry 1e-8, the root of a rounding, where two meet.
 TEST(MpmAmplification, WholeStepsGrowBeyondTheLimitAndNotBelow) {  // [Stability 4, 5]
   for (Update update : updates) {
     for (Shape shape : shapes) {
@@ -47,7 +47,9 @@ TEST(MpmAmplification, WholeStepsGrowBeyondTheLimitAndNotBelow) {  // [Stability
           below = std::max(below, growth_of(amplification_matrix(scheme, uneven, theta, 0.4 * limit)));
           above = std::max(above, growth_of(amplification_matrix(scheme, uneven, theta, 1.002 * limit)));
         }
-        const auto name = [&] { return static_cast<int>(update) * 100 + static_cast<int>(shape) * 10 + static_cast<int>(transfer); };
+        const auto name = [&] {
+          return static_cast<int>(update) * 100 + static_cast<int>(shape) * 10 + static_cast<int>(transfer);
+        };
         EXPECT_LE(below, 1 + 1e-7) << name();
         EXPECT_GT(above, 1 + 1e-5) << name();  // 60 wave numbers miss the worst by 1e-3 of the stiffness at most
       }
@@ -77,14 +79,11 @@ struct Row {
   Shape shape;
   double limits[8];  // of the columns below
 };
-const MapScheme columns[] = {{Update::modified_last, Shape::linear, Transfer::flip},
-                             {Update::last, Shape::linear, Transfer::flip},
-                             {Update::modified_last, Shape::linear, Transfer::pic},
-                             {Update::last, Shape::linear, Transfer::apic},
-                             {Update::modified_last, Shape::linear, Transfer::apic},
-                             {Update::first, Shape::linear, Transfer::xpic, 2},
-                             {Update::first, Shape::linear, Transfer::fmpm, 2},
-                             {Update::first, Shape::linear, Transfer::fmpm, 4}};
+const MapScheme columns[] = {
+    {Update::modified_last, Shape::linear, Transfer::flip}, {Update::last, Shape::linear, Transfer::flip},
+    {Update::modified_last, Shape::linear, Transfer::pic},  {Update::last, Shape::linear, Transfer::apic},
+    {Update::modified_last, Shape::linear, Transfer::apic}, {Update::first, Shape::linear, Transfer::xpic, 2},
+    {Update::first, Shape::linear, Transfer::fmpm, 2},      {Update::first, Shape::linear, Transfer::fmpm, 4}};
 
 // Tables made with 24 wave numbers: those miss the worst wave by up to 0.8 %, always upwards; rounded to three digits.
 void expect_table(const std::vector<Row>& rows, const std::function<double(MapScheme, int)>& limit_of) {
@@ -94,7 +93,8 @@ void expect_table(const std::vector<Row>& rows, const std::function<double(MapSc
       MapScheme scheme = columns[c];
       scheme.shape = row.shape;
       const double limit = limit_of(scheme, row.per_cell);
-      EXPECT_NEAR(limit, row.limits[c], 0.01 * row.limits[c]) << row.per_cell << " " << static_cast<int>(row.shape) << " " << c;
+      EXPECT_NEAR(limit, row.limits[c], 0.01 * row.limits[c])
+          << row.per_cell << " " << static_cast<int>(row.shape) << " " << c;
       EXPECT_LE(limit, row.limits[c] + 0.0051) << row.per_cell << " " << static_cast<int>(row.shape) << " " << c;
     }
   }
@@ -124,7 +124,8 @@ TEST(MpmAmplification, TheKnownTableOfWorstOffsets) {
                               {3, Shape::linear, {1.54, 0, 1.31, 0, 0, 1.42, 1.13, 1.04}},
                               {4, Shape::linear, {1.58, 0, 1.35, 0, 0, 1.46, 1.15, 1.04}},
                               {4, Shape::quadratic, {2.33, 1.19, 2.05, 1.47, 1.69, 2.21, 1.81, 1.67}}};
-  expect_table(rows, [](const MapScheme& scheme, int per_cell) { return worst_rigid_offset(scheme, per_cell).limit.value; });
+  expect_table(rows,
+               [](const MapScheme& scheme, int per_cell) { return worst_rigid_offset(scheme, per_cell).limit.value; });
 }
 
 TEST(MpmAmplification, LinearShapesAreWorstWithAPointOnANode) {

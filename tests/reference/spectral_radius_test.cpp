@@ -45,7 +45,8 @@ TEST(SpectralRadius, ADefectiveMatrixHasAWideBoundThatHolds) {
     if (i > 0) block(i - 1, i) = 1;
   }
   SquareMatrix sheared = block;  // similar by a matrix that leaves no zeros, so that rounding is met
-  const double shear[3][3] = {{1, 0, 0}, {0.3, 1, 0}, {-0.7, 0.45, 1}}, back[3][3] = {{1, 0, 0}, {-0.3, 1, 0}, {0.835, -0.45, 1}};
+  const double shear[3][3] = {{1, 0, 0}, {0.3, 1, 0}, {-0.7, 0.45, 1}},
+               back[3][3] = {{1, 0, 0}, {-0.3, 1, 0}, {0.835, -0.45, 1}};
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       sheared(i, j) = 0;
@@ -58,6 +59,19 @@ TEST(SpectralRadius, ADefectiveMatrixHasAWideBoundThatHolds) {
   EXPECT_NEAR(radius.value, 0.8, radius.bound);
   EXPECT_GE(radius.bound, 1e-6);
   EXPECT_LE(radius.bound, 1e-3);
+}
+
+TEST(SpectralRadius, EigenvectorsThatSayNothingLeaveElsnersBound) {  // the companion of (z - 1)^6
+  SquareMatrix companion(6);
+  const double last[] = {-1, 6, -15, 20, -15, 6};
+  for (int i = 0; i < 6; ++i) {
+    companion(i, 5) = last[i];
+    if (i > 0) companion(i, i - 1) = 1;
+  }
+  const Bounded radius = spectral_radius(companion);  // the sixth root of a rounding is 2e-3
+  EXPECT_NEAR(radius.value, 1, radius.bound);
+  EXPECT_GE(radius.bound, 2e-3);
+  EXPECT_LE(radius.bound, 1);
 }
 
 TEST(SpectralRadius, OfAComplexMatrix) {  // ((2i, 1), (0, 1 - i)): triangular

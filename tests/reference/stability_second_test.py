@@ -1,7 +1,7 @@
 """A second, independent computation of the step's limits: particles and nodes in loops, one update after the other.
 
-The step is written as York's chapter 3 tells it, point by point, with scipy's B-splines for shapes; its matrix is what it
-does to unit states. Waves are not assumed: a ring of cells holds them all. The reference knows none of this.
+The step is written as York's chapter 3 tells it, point by point, with scipy's B-splines for shapes; its matrix is what
+it does to unit states. Waves are not assumed: a ring of cells holds them all. The reference knows none of this.
 """
 import numpy
 import pytest
@@ -140,7 +140,8 @@ def test_growth_of_all_waves_on_a_ring():
         bar = Bar(points, 1 / per_cell, shape, ring=cells)
         growth = bar.growth(courant, update, transfer, order, sharpening)
         rows.append((growth, (update, shape, transfer, order, sharpening, per_cell, offset, courant)))
-        chosen = settings(update, shape, transfer, order, sharpening, points_per_cell=per_cell, offset=offset, courant=courant)
+        chosen = settings(update, shape, transfer, order, sharpening, points_per_cell=per_cell, offset=offset,
+                          courant=courant)
         requests.append(request("mpm-stability", chosen, 2 * numpy.pi * numpy.arange(cells // 2 + 1) / cells))
     for (growth, case), answer in zip(rows, evaluate(requests)):
         seen = max(1.0, *(value for value, _ in answer[3:]))
@@ -155,9 +156,11 @@ def test_limits_of_free_bars(seed):
         per_cell, cells = int(random.integers(1, 4)), int(random.integers(2, 6))
         depth = random.uniform(0.05, 0.95) / per_cell
         points = [-depth + i / per_cell for i in range(per_cell * cells)]
-        rows.append((Bar(points, 1 / per_cell, shape), (update, transfer, order, sharpening), (shape, per_cell, cells, depth)))
-        requests.append(request("mpm-edge-stability",
-                                settings(update, shape, transfer, order, sharpening, points_per_cell=per_cell, depth=depth, cells=cells)))
+        bar = Bar(points, 1 / per_cell, shape)
+        rows.append((bar, (update, transfer, order, sharpening), (shape, per_cell, cells, depth)))
+        chosen = settings(update, shape, transfer, order, sharpening, points_per_cell=per_cell, depth=depth,
+                          cells=cells)
+        requests.append(request("mpm-edge-stability", chosen))
     for (bar, scheme, case), answer in zip(rows, evaluate(requests)):
         limit, bound = answer[0]
         assert bound <= 1e-9 * limit
@@ -174,9 +177,10 @@ def test_closed_forms_of_one_point_a_cell(integrator, update):
     for weight in (0.07, 0.31, 0.5):
         bar = Bar([i + weight for i in range(cells)], 1, "linear", ring=cells)
         for courant in (0.6, 1.3, 2.4):
-            # A ring of 8 holds theta = pi, the fastest wave where N (1 - N) < 1/8 and straining last, and pi/2, at N = 1/2.
+            # A ring of 8 holds theta = pi, the fastest wave where N (1 - N) < 1/8 or straining last, and pi/2 at 1/2.
             growth = bar.growth(courant, update, "flip", 2, 0.0)
-            value, bound = evaluate([request("bar-stability", dict(weight=weight, integrator=integrator), [courant])])[0][4]
+            chosen = dict(weight=weight, integrator=integrator)
+            value, bound = evaluate([request("bar-stability", chosen, [courant])])[0][4]
             if update == "usl" or weight != 0.31:
                 assert abs(growth - value) <= bound + 1e-6 * value
             else:
@@ -234,8 +238,8 @@ def generalized_alpha(rho):
 
 def test_growth_of_oscillators():
     for rho in (0.0, 0.3665, 0.5, 0.8, 1.0):
-        steps = {**RUNS, "ssp_rk3": ssp_rk3, "rk4": rk4, "newmark_trapezoid": newmark(0.25), "newmark_linear": newmark(1 / 6),
-                 "generalized_alpha": generalized_alpha(rho)}
+        steps = {**RUNS, "ssp_rk3": ssp_rk3, "rk4": rk4, "newmark_trapezoid": newmark(0.25),
+                 "newmark_linear": newmark(1 / 6), "generalized_alpha": generalized_alpha(rho)}
         at = [0.2, 1.1, 1.7, 1.9, 2.2, 3.0, 3.6]
         answer = evaluate([request("oscillator-limits", dict(rho_b=rho), at)])[0]
         rows = answer[-len(at) * len(NAMES):]

@@ -1,0 +1,66 @@
+// A standing wave: orders of integrators behind maps, at a fixed mesh.
+#include <cmath>
+
+#include "cases/laboratory/problem.hpp"
+#include "cases/stability/orders_in_time.hpp"
+#include "cases/stability/wave.hpp"
+
+namespace plumbline {
+namespace {
+
+constexpr int cells = 4;
+
+MapChoice maps_of(const Settings& settings) {
+  return {settings.text("shape"), settings.text("transfer"), settings.integer("transfer_order")};
+}
+
+class Wave final : public StabilityProblem {
+ public:
+  ProblemStatement statement() const override {
+    return {.name = "wave",
+            .title = "A standing wave in a bar",
+            .source = "kernel/README.md, \"Integrators of the laboratory\"",
+            .statement =
+                "Half a wave in a linear elastic bar of four cells between two walls, on FLIP. Maps and mesh are held "
+                "while the step is refined; errors are those of the step alone, against the exponential of the "
+                "equations on the nodes and points.",
+            .equations = {"v_i = Σ m_p v_p N_ip / M_i, M_i a_i = −Σ V_p E ε_p ∇N_ip", "v′_p = Σ a_i N_ip, ε′_p = Σ v_i ∇N_ip"},
+            .sampled = "every small state of one bar, its points at one place"};
+  }
+  Kind kind() const override { return Kind::solid; }
+  std::vector<Key> keys() const override { return {}; }
+  std::vector<Override> choices(const std::string&) const override {
+    return {{"shape", "linear"}, {"transfer", "flip"}, {"integrator", "musl"}, {"positions", "frozen"}, {"ppc", 2.0}};
+  }
+  Patch patch(const Settings& settings, const Extent&) const override {
+    Patch patch;
+    patch.scene = wave(settings).scene();
+    patch.places.emplace_back();
+    for (int p = 0; p < patch.scene.bodies[0].points.points(); ++p) patch.places[0].push_back({{}, p});
+    return patch;
+  }
+
+  std::map<std::string, MeasuredOrder> orders(const Settings& settings) const override {
+    if (settings.text("transfer") != "flip") return {};
+    const StandingWave bar = wave(settings);
+    const IntegratorChoice integrator{settings.text("integrator"), integrator_parameters(settings)};
+    const double t = 2.5;  // about a third of a period
+    const StandingWave::Amplitudes exact = bar.exact(t);
+    const std::size_t points = exact.size() / 2;
+    return orders_in_time({"velocity", "strain"}, t, 48, 6, 1e-14, [&](int steps) -> std::vector<double> {
+      const StandingWave::Amplitudes found = bar.stepped(integrator, t, steps);
+      double squares[2] = {0, 0};
+      for (std::size_t k = 0; k < 2 * points; ++k) squares[k / points] += std::pow(found[k] - exact[k], 2);
+      const double n = static_cast<double>(points);
+      return {std::sqrt(squares[0] / n), std::sqrt(squares[1] / n)};
+    });
+  }
+
+ private:
+  static StandingWave wave(const Settings& settings) { return {maps_of(settings), cells, settings.integer("ppc")}; }
+};
+
+PLUMBLINE_STABILITY_PROBLEM(Wave);
+
+}  // namespace
+}  // namespace plumbline

@@ -1,0 +1,66 @@
+// York's own test of his analysis: five points, one a cell.
+#include "cases/laboratory/problem.hpp"
+#include "cases/stability/map_scheme.hpp"
+#include "cases/stability/york_bar.hpp"
+
+namespace plumbline {
+namespace {
+
+class York final : public StabilityProblem {
+ public:
+  ProblemStatement statement() const override {
+    return {.name = "york",
+            .title = "York's five points",
+            .source = "York 1997, SAND97-1893, section 8.5, Table 10, Fig. 91, appendix A.4.11",
+            .statement =
+                "Five points of an elastic bar, one in each cell of 1 m, all at the centres of their cells or all 1e-4 "
+                "m beside the sides; E = 1e6, ρ = 1, ν = 0, all stresses zero, the middle point kicked with 1e-8 m/s. "
+                "York raised the step until the energy went up.\n\nHis input holds the nodes at both ends (wl = wr = "
+                "0). With the ends free the limits are the same ones: the stiffest mode leaves the end nodes alone.",
+            .equations = {"centres: C = 2 / sin(2π/5); sides: C = 1 / sin(2π/5)",
+                          "an endless bar: Δt ≤ 2 h/c at the centres (8.41), Δt ≤ h/c at the sides (8.36)"},
+            .sampled = "all modes of the five points, at his two places in their cells"};
+  }
+  Kind kind() const override { return Kind::solid; }
+  std::vector<Key> keys() const override {
+    return {{.name = "at",
+             .value = "centres",
+             .choices = {"centres", "sides"},
+             .description = "where points stand in their cells"},
+            {.name = "ends",
+             .value = "held",
+             .choices = {"held", "free"},
+             .description = "the nodes at both ends of the five cells"}};
+  }
+  std::vector<Override> choices(const std::string&) const override {
+    return {{"shape", "linear"}, {"transfer", "flip"}, {"integrator", "musl"}, {"positions", "frozen"}, {"ppc", 1.0}};
+  }
+  Patch patch(const Settings& settings, const Extent&) const override {
+    Patch patch = YorkBar{york_offset(settings.text("at")), settings.text("ends") == "held"}.patch();
+    patch.scene.shape = settings.text("shape");
+    patch.scene.transfer = settings.text("transfer");
+    patch.scene.transfer_order = settings.integer("transfer_order");
+    return patch;
+  }
+  Scan scan(const Settings&) const override { return {.low = 0.2, .high = 4, .steps = 20}; }
+  // Below its limit the double mode of points beside the sides may swing to 1e4 times a perturbation.
+  Watch watch(const Settings&) const override {
+    Watch watch;
+    watch.width = 5e-4;
+    watch.grown = 1e7;
+    watch.grown_slowly = 1e5;
+    return watch;
+  }
+  std::optional<ClosedForm> closed_form(const Settings& s) const override {
+    const auto scheme = map_scheme(s);
+    if (!scheme || s.text("ends") != "free") return std::nullopt;
+    const auto points = reference::york_points(york_offset(s.text("at")));
+    return ClosedForm{reference::free_bar_courant_limit(*scheme, points, 1).value,
+                      "largest eigenvalue of a symmetric matrix, reference/mpm_amplification.hpp"};
+  }
+};
+
+PLUMBLINE_STABILITY_PROBLEM(York);
+
+}  // namespace
+}  // namespace plumbline
