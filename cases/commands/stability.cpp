@@ -40,14 +40,15 @@ std::vector<std::string> assignments(const std::string& over) {
   return all;
 }
 
-// The chosen schemes and integrators; where neither is named and all problems are asked for, every scheme, and every
-// integrator that the problem's own choices allow, or that FLIP allows.
+// The chosen schemes and integrators; where neither is named and all problems are asked for, every scheme, and of quick
+// problems every integrator that the problem's own choices allow, or that FLIP allows.
 std::vector<Chosen> choices_of(const StabilityProblem& problem, const CommonOptions& options, bool all) {
   std::vector<Chosen> found;
   if (!all || !options.schemes.empty() || !options.integrators.empty()) {
     for (const SchemeChoice& chosen : chosen_schemes(options)) found.push_back({chosen.scheme, chosen.overrides, {}});
     return found;
   }
+  if (!problem.compares_integrators()) return {{"default", {}, {}}, {"york1997", {}, {}}};
   for (const IntegratorEntry& entry : integrators()) {
     for (const char* transfer : {"", "flip"}) {
       std::vector<Override> overrides{{"integrator", entry.name}};
@@ -101,6 +102,10 @@ void print(const Output& out, const StabilityProblem& problem, const Configurati
     if (found.settings.has(key)) method += fmt::format(" {}", to_text(found.settings[key]));
   }
   out.line("{}:{} [{}]", method, chosen, found.scheme);
+  if (!found.note.empty()) {
+    out.line("  nothing found: {}", found.note);
+    return;
+  }
   std::string stable;
   for (const StableInterval& interval : found.predicted.stable) stable += (stable.empty() ? "" : ", ") + text_of(interval);
   if (found.predicted.always_unstable()) stable = "no step of the scan";
@@ -144,13 +149,25 @@ Json safe_table(Tier tier, int threads) {
   return Json(found);
 }
 
+// What the laboratory finds; why it finds nothing is a result, too: a step that cannot be taken, or has no derivative.
+Configuration examined(const StabilityProblem& problem, const std::string& scheme, const Settings& settings, bool runs) {
+  try {
+    return examine(problem, scheme, settings, runs);
+  } catch (const UsageError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    return {scheme, settings, problem.unit(), problem.scan(settings), {}, {}, {}, {}, {}, error.what()};
+  }
+}
+
 Json examine_all(const Output& out, const StabilityProblem& problem, const CommonOptions& options,
                  const StabilityOptions& own, bool all) {
   const Tier tier = own.tier == "full" ? Tier::full : Tier::quick;
   const auto chosen = settings_of(problem, options, own, all);
   std::vector<std::optional<Configuration>> found(chosen.size());
   for_all(chosen.size(), options.threads, [&](std::size_t k) {
-    found[k] = examine(problem, chosen[k].first, chosen[k].second, !own.no_runs);
+    const auto& [scheme, settings] = chosen[k];
+    found[k] = examined(problem, scheme, settings, !own.no_runs);
   });
   out.line("{}: {} [{}]", problem.name(), problem.statement().title, problem.statement().source);
   Json document = problem_document(problem);

@@ -12,6 +12,7 @@ namespace plumbline {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr int far_reach = 16;
 constexpr double least_tail = 1e-10;  // what is cut off at the patch's edge: below this it moves no eigenvalue by 1e-9
 
 }  // namespace
@@ -262,35 +263,52 @@ class PeriodicRun {
 
 }  // namespace
 
+bool GrowthInRun::goes_on(double size) {
+  ++done_;
+  run_.amplified = std::max(run_.amplified, size);
+  if (done_ > since_ && from_ > 0) run_.growth = std::pow(size / from_, 1.0 / (done_ - since_));
+  run_.unstable = !(size <= watch_.grown);
+  if (run_.unstable || size == 0) return false;
+  if (done_ == 1 || done_ == 2 * watch_.steps / 3) {
+    from_ = size;
+    since_ = done_;
+  }
+  if (done_ < last_) return true;
+  const bool grows = run_.growth > 1 + watch_.slowest;
+  run_.unstable = grows && run_.amplified > watch_.grown_slowly;
+  if (!grows || run_.unstable || last_ >= 4 * watch_.steps) return false;
+  last_ *= 2;
+  return true;
+}
+
 Run run_perturbed(const Experiment& experiment, const Watch& watch, int reach, double dt) {
-  Run result;
-  double third = 0;
-  int since = 0, done = 0;
+  GrowthInRun growth(watch);
   try {
     PeriodicRun run(experiment, watch, reach, dt);
     const double start = run.size();
-    for (done = 1; done <= watch.steps; ++done) {
+    double size = 0;
+    do {
       run.step();
-      const double size = run.size() / start;
+      size = run.size() / start;
       if (!std::isfinite(size)) throw InadmissibleState("not finite", "", 0, "", size);
-      result.amplified = std::max(result.amplified, size);
-      if (done == 1 || done == 2 * watch.steps / 3) {
-        third = size;
-        since = done;
-      }
-      if (done > since && third > 0) result.growth = std::pow(size / third, 1.0 / (done - since));
-      result.unstable = size > watch.grown;
-      if (result.unstable) return result;
-    }
-    result.unstable = result.growth > 1 + watch.slowest && result.amplified > watch.grown_slowly;
+    } while (growth.goes_on(size));
+    return growth.run();
   } catch (const InadmissibleState&) {
-    result.unstable = true;
-    if (result.growth <= 1) result.growth = infinite;
+    Run stopped = growth.run();
+    stopped.unstable = true;
+    if (stopped.growth <= 1) stopped.growth = infinite;
+    return stopped;
   }
-  return result;
 }
 
-Observation observe(const Experiment& experiment, const Scan& scan, const Watch& watch, int reach) {
+Observation observe(const Experiment& experiment, const Scan& steps, const Watch& look, int reach) {
+  Scan scan = steps;
+  Watch watch = look;
+  if (reach > far_reach) {  // an implicit step: patches are large and steps dear, and unstable ones easily seen
+    watch.core = std::min(watch.core, 8);
+    watch.steps = std::min(watch.steps, 150);
+    scan.steps = std::min(scan.steps, 4);
+  }
   return observe([&](double dt) { return run_perturbed(experiment, watch, reach, dt); }, scan, watch);
 }
 

@@ -99,6 +99,22 @@ struct Run {
   double amplified = 1;   // largest size over that at the start
   bool unstable = false;
 };
+// Follows the size of a perturbation from step to step. Where it grows, but is not large at the end, the run goes on for up
+// to four times its steps: slow growth takes its time.
+class GrowthInRun {
+ public:
+  explicit GrowthInRun(const Watch& watch) : watch_(watch), last_(watch.steps) {}
+  // The size after one more step, over that at the start; whether another step is wanted.
+  bool goes_on(double size);
+  const Run& run() const { return run_; }
+
+ private:
+  Watch watch_;
+  Run run_;
+  int done_ = 0, last_, since_ = 0;
+  double from_ = 0;
+};
+
 Run run_perturbed(const Experiment& experiment, const Watch& watch, int reach, double dt);
 
 // Scan and bisection of any kind of run.

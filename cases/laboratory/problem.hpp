@@ -44,6 +44,7 @@ struct MapPlan {
 // Order of accuracy in the step, the mesh held, with its 95 % confidence interval.
 struct MeasuredOrder {
   double order = 0, low = 0, high = 0;
+  std::optional<double> theory = {};
 };
 
 class StabilityProblem {
@@ -69,6 +70,8 @@ class StabilityProblem {
   // Of each quantity whose error against an exact solution was measured over a sequence of steps.
   virtual std::map<std::string, MeasuredOrder> orders(const Settings&) const { return {}; }
   virtual std::vector<MapPlan> maps(Tier) const { return {}; }
+  // Whether it is so quick to examine that all problems together are with every integrator; else with the schemes alone.
+  virtual bool compares_integrators() const { return false; }
   std::string name() const { return statement().name; }
 };
 
@@ -101,6 +104,7 @@ struct Configuration {
   std::optional<ClosedForm> closed_form;
   std::string sampled;
   std::map<std::string, MeasuredOrder> orders = {};  // by quantity; measured in runs
+  std::string note = {};                             // why nothing was found
 };
 Configuration examine(const StabilityProblem& problem, const std::string& scheme, const Settings& settings,
                       bool with_runs);

@@ -48,7 +48,7 @@ Json to_json(const Configuration& found) {
     document["closed_form_source"] = found.closed_form->source;
   }
   if (p.always_stable()) document["always"] = "stable";
-  if (p.always_unstable()) document["always"] = "unstable";
+  if (p.always_unstable() && found.note.empty()) document["always"] = "unstable";
   if (found.observed) {
     for (const Bracket& b : found.observed->brackets) document["observed"].push_back({{"low", b.low}, {"high", b.high}});
     document["observed_growth"] = growth(found.observed->growth, false);
@@ -60,8 +60,11 @@ Json to_json(const Configuration& found) {
   document["degrees_of_freedom"] = p.unknowns;
   document["sampled"] = found.sampled;
   for (const auto& [quantity, order] : found.orders) {
-    document["orders"][quantity] = {{"order", real(order.order)}, {"low", real(order.low)}, {"high", real(order.high)}};
+    Json& entry = document["orders"][quantity];
+    entry = {{"order", real(order.order)}, {"low", real(order.low)}, {"high", real(order.high)}};
+    if (order.theory) entry["theory"] = *order.theory;
   }
+  if (!found.note.empty()) document["note"] = found.note;
   return document;
 }
 

@@ -7,12 +7,12 @@
 namespace plumbline {
 namespace {
 
-// What a step may hand to the next. Masses and the sizes at rest never change; tangents, boxes and body forces are found
-// anew in every step, from what stands here.
+// What a step may hand to the next. Masses and the sizes at rest never change; boxes and body forces are found anew in
+// every step, from what stands here. Tangents are those of the last step where that evaluated its stress last.
 const std::vector<ColumnId>& carried_columns() {
   static const std::vector<ColumnId> all{column::position, column::velocity,    column::affine, column::strain,
                                          column::deformation, column::density,  column::energy, column::volume,
-                                         column::pressure, column::stress,      column::strain_rate};
+                                         column::pressure, column::stress,      column::strain_rate, column::tangent};
   return all;
 }
 

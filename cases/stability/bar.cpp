@@ -38,6 +38,7 @@ class Bar final : public StabilityProblem {
             .sampled = "all wave numbers, one place of the points in their cells, all points alike"};
   }
   Kind kind() const override { return Kind::solid; }
+  bool compares_integrators() const override { return true; }
   std::vector<Key> keys() const override {
     return {{.name = "N",
              .value = 0.5,

@@ -32,6 +32,7 @@ class BarEdge final : public StabilityProblem {
             .sampled = "all modes of a bar of 16 cells; one free end; one depth of its last point, all points alike"};
   }
   Kind kind() const override { return Kind::solid; }
+  bool compares_integrators() const override { return true; }
   std::vector<Key> keys() const override {
     return {{.name = "depth",
              .value = 0.25,

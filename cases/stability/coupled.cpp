@@ -12,12 +12,23 @@ namespace {
 class Coupled final : public StabilityProblem {
  public:
   ProblemStatement statement() const override {
-    return {.name = "coupled",
-            .title = "Membrane in a gas",
-            .source = "York 1997, SAND97-1893, chapter 6; an analysis \"has not been conducted\"",
-            .statement = "",
-            .equations = {},
-            .sampled = ""};
+    return {
+        .name = "coupled",
+        .title = "Membrane in a gas",
+        .source = "York 1997, SAND97-1893, chapter 6; an analysis \"has not been conducted\", chapter 8",
+        .statement =
+            "A straight membrane of mass m_s and stiffness E t per width in a gas at rest. Both put their masses and forces "
+            "on the same nodes, and nothing else couples them.\n\n"
+            "`dim` = 1: motion along the membrane, with a layer of gas one cell high, without ends: waves of all lengths. "
+            "`dim` = 2: a box that the membrane divides at the height `place` of a middle cell, between mirrors, so that "
+            "waves have half lengths of a whole number of times its sides; 2 x 3 cells with four points of gas each and "
+            "two of the membrane a cell are the fewest in which it has gas beside it that it does not share nodes with.\n\n"
+            "The membrane is about to pull, on the taut side of its one-way law. york1997 holds the positions, as his "
+            "chapter 8 does: with points that move the gas in the plane, on bilinear shapes, grows at every step, by half "
+            "its size in the time h/c. In the box growth slower than `slow` is not counted as a matter of the step.",
+        .equations = {"long waves: c_l² = (ρ c² h + E t)/(ρ h + m_s)", "C = c Δt / h"},
+        .sampled = "on a line all wave numbers; in the box those of its size; one lattice of gas, one height of the "
+                   "membrane"};
   }
   Kind kind() const override { return Kind::coupled; }
   std::vector<Key> keys() const override {
@@ -39,7 +50,7 @@ class Coupled final : public StabilityProblem {
             {.name = "width", .value = 2.0, .low = 2, .high = 20, .integer = true, .description = "of the box, in cells"},
             {.name = "height", .value = 3.0, .low = 2, .high = 20, .integer = true, .description = "of the box, in cells"},
             {.name = "slow",
-             .value = 0.02,
+             .value = 0.05,
              .unit = "c/h",
              .low = 0,
              .high = 10,
@@ -62,17 +73,39 @@ class Coupled final : public StabilityProblem {
   Scan scan(const Settings& s) const override {
     const double speed = std::sqrt((1 + s.number("stiffness_ratio")) / (1 + s.number("density_ratio")));
     if (s.integer("dim") == 1) return {0.4 / speed, 4 / speed, 12};
-    return {0.3 / std::max(speed, 1.0), 4 / speed, 12};
+    return {0.3 / std::max(speed, 1.0), 4 / std::max(speed, 0.8), 8};
   }
   Watch watch(const Settings& s) const override {
     if (s.integer("dim") == 2) return watch_beside(s.number("slow"), scan(s));
     Watch watch;
     watch.steps = 1000;
+    watch.grown = 1e6;
+    watch.grown_slowly = 1e3;
     return watch;
   }
   Prediction predicted(const Settings& s, double width) const override {
     if (s.integer("dim") == 1) return StabilityProblem::predicted(s, width);
     return predict_beside(s.number("slow"), experiment_of(*this, s), scan(s), width);
+  }
+  std::vector<MapPlan> maps(Tier tier) const override {
+    const bool full = tier == Tier::full;
+    const Axis masses{"density_ratio", "m_s/(ρ h)", full ? std::vector<double>{0.01, 0.1, 1, 10, 100}
+                                                        : std::vector<double>{0.1, 1, 10}};
+    const Axis stiffnesses{"stiffness_ratio", "E t/(ρ c² h)", full ? std::vector<double>{0.01, 0.1, 1, 10, 100, 1e4}
+                                                                   : std::vector<double>{0.1, 1, 10}};
+    const Axis places{"place", "place of the membrane in its cell", {0.02, 0.25, 0.5, 0.75, 0.98}};
+    std::vector<MapPlan> all;
+    for (const std::string scheme : {"default", "york1997"}) {
+      all.push_back({.title = "largest stable step along the membrane", .scheme = scheme, .x = masses, .y = stiffnesses});
+      if (!full) continue;
+      all.push_back({.title = "largest stable step along the membrane", .scheme = scheme, .x = places, .y = stiffnesses});
+      all.push_back({.title = "largest stable step in the box",
+                     .scheme = scheme,
+                     .overrides = {{"dim", 2.0}},
+                     .x = {"place", "height of the membrane in its cell", {0.02, 0.25, 0.5}},
+                     .y = {"stiffness_ratio", "E t/(ρ c² h)", {0.1, 10, 1e3}}});
+    }
+    return all;
   }
 };
 

@@ -38,11 +38,12 @@ Watch watch_beside(double slow, const Scan& scan) {
   watch.steps = 150;
   watch.slowest = std::expm1(slow * scan.high);
   watch.grown = 1e6;
+  watch.grown_slowly = 1e3;
   return watch;
 }
 
 GrowthSeen compare_growth(const Experiment& experiment, double dt) {
-  constexpr double small = 1e-13, decades = 9;  // from rounding to where squares would count
+  constexpr double small = 1e-13, decades = 7;  // from above rounding to where squares count
   GrowthSeen seen;
   seen.predicted = growth_at(experiment, dt).per_step;
   Watch watch;

@@ -26,14 +26,14 @@ std::vector<LinePoint> line_points(int cells, int per_cell, double offset) {
   return all;
 }
 
-void choose(const Settings& settings, Scene& scene) {
+}  // namespace
+
+void choose_gas(const Settings& settings, Scene& scene) {
   apply_choices(settings, scene);
   scene.density = density_method(settings.text("density"));
   scene.sharpening = settings.number("sharpening");
   scene.heat_exchange = settings.number("heat_exchange");
 }
-
-}  // namespace
 
 std::shared_ptr<const IdealGas> gas_material(const Settings& settings, double viscosity, Side side, bool quadratic) {
   auto gas = std::make_shared<IdealGas>();
@@ -55,9 +55,9 @@ void put_gas(Columns& points, std::size_t p, double volume) {
 namespace {
 
 // The velocity of the lattice, which the walls at 0 and `cells` stop.
-double velocity_at(const GasLattice& lattice, double x, int direction, int cells) {
+double velocity_at(const GasLattice& lattice, double x, int cells) {
   const double share = std::min({1.0, x / braking_cells, (cells - x) / braking_cells});
-  return share * ((direction == 0 ? lattice.mach : 0.0) - lattice.compression * (x - 0.5 * cells));
+  return -share * lattice.compression * (x - 0.5 * cells);
 }
 
 void set_in_motion(const GasLattice& lattice, int cells, bool affine, Body& body) {
@@ -65,7 +65,7 @@ void set_in_motion(const GasLattice& lattice, int cells, bool affine, Body& body
   for (int d = 0; d < lattice.dim; ++d) {
     const double* x = body.points(column::position, d);
     for (std::size_t p = 0; p < body.id.size(); ++p) {
-      body.points(column::velocity, d)[p] = velocity_at(lattice, x[p], d, cells);
+      body.points(column::velocity, d)[p] = velocity_at(lattice, x[p], cells);
       if (affine) body.points(column::affine, d * lattice.dim + d)[p] = -lattice.compression;
     }
   }
@@ -74,7 +74,7 @@ void set_in_motion(const GasLattice& lattice, int cells, bool affine, Body& body
 }  // namespace
 
 Patch gas_patch(const Settings& settings, const GasLattice& lattice, const Extent& extent) {
-  const bool moves = lattice.mach != 0 || lattice.compression != 0;
+  const bool moves = lattice.compression != 0;
   const int margin = extent.margin + (moves ? braking_cells : 0), cells = extent.core + 2 * margin, dim = lattice.dim;
   const int per_cell = dim == 1 ? settings.integer("ppc")
                                 : static_cast<int>(std::lround(std::sqrt(settings.number("ppc"))));
@@ -102,7 +102,7 @@ Patch gas_patch(const Settings& settings, const GasLattice& lattice, const Exten
   }
   if (moves) set_in_motion(lattice, cells, settings.text("transfer") == "apic", body);
   patch.scene.bodies.push_back(std::move(body));
-  choose(settings, patch.scene);
+  choose_gas(settings, patch.scene);
   return patch;
 }
 

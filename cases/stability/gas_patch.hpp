@@ -1,4 +1,4 @@
-// A gas as a lattice of points, at rest, in uniform motion or under uniform compression: speed of sound, density and cell
+// A gas as a lattice of points, at rest or under uniform compression: speed of sound, density and cell
 // size are one.
 #pragma once
 
@@ -25,20 +25,21 @@ enum class Side { both, closing, opening };
 // 4/3 mu = c_L rho c h: Side::closing puts that in its place.
 std::shared_ptr<const IdealGas> gas_material(const Settings& settings, double viscosity, Side side, bool quadratic);
 
+// What the settings of a gas say of its scene: shape, transfer, density, sharpening, exchange of heat.
+void choose_gas(const Settings& settings, Scene& scene);
+
 // Gives a point of gas at rest its mass, volume, density and energy. volume: in h^dim (axisymmetric: per radian).
 void put_gas(Columns& points, std::size_t p, double volume);
 
 struct GasLattice {
   int dim = 1;             // 1 or 2: `ppc` points a cell on a line, round(sqrt(ppc)) a cell and direction in the plane
   double offset = 0;       // of the lattice to the grid, in cells, [0, 1)
-  double mach = 0;         // velocity along x over the speed of sound
   double compression = 0;  // -h/c dv_d/dx_d in each direction; the middle of the patch is at rest
   double viscosity = 0;    // mu / (rho c h)
   Side side = Side::both;
 };
 
-// Settings: ppc, shape, transfer, density, sharpening, heat exchange and artificial viscosities. The lattice fills the grid
-// between mirrors. One that moves has further periods beyond the margin, where its velocity falls to zero.
+// Settings: all keys of gases but for those of runs. The lattice fills the grid between mirrors. One that moves has further periods beyond the margin, where its velocity falls to zero.
 Patch gas_patch(const Settings& settings, const GasLattice& lattice, const Extent& extent);
 
 }  // namespace plumbline

@@ -1,12 +1,9 @@
 #include "cases/stability/oscillator.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <unsupported/Eigen/MatrixFunctions>
-
-#include "kernel/inadmissible.hpp"
 
 namespace plumbline {
 
@@ -135,23 +132,11 @@ double spectral_radius(const Eigen::MatrixXd& matrix) {
 Run run_oscillator(const IntegratorChoice& choice, double damping, const Watch& watch, double dt) {
   const auto integrator = make(choice);
   OneMass mass(0.6, 0.8, damping);
-  Run result;
-  double before = 1;
-  int since = 0;
-  for (int done = 1; done <= watch.steps; ++done) {
+  GrowthInRun growth(watch);
+  do {
     integrator->step(mass, dt);
-    const double size = std::hypot(mass.displacement(), mass.velocity());
-    result.amplified = std::max(result.amplified, size);
-    if (done > since && before > 0) result.growth = std::pow(size / before, 1.0 / (done - since));
-    result.unstable = !(size <= watch.grown);
-    if (result.unstable || size == 0) return result;
-    if (done == 1 || done == 2 * watch.steps / 3) {
-      before = size;
-      since = done;
-    }
-  }
-  result.unstable = result.growth > 1 + watch.slowest && result.amplified > watch.grown_slowly;
-  return result;
+  } while (growth.goes_on(std::hypot(mass.displacement(), mass.velocity())));
+  return growth.run();
 }
 
 Eigen::Vector2d oscillation(const IntegratorChoice& choice, double damping, const Eigen::Vector2d& start, double t,

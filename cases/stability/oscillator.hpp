@@ -60,8 +60,7 @@ Eigen::MatrixXd step_matrix(const IntegratorChoice& integrator, double damping, 
 // Largest modulus of an eigenvalue.
 double spectral_radius(const Eigen::MatrixXd& matrix);
 
-// From a displaced mass on its way, until it has grown beyond Watch::grown or Watch::steps have passed. Its size is
-// sqrt(u^2 + u'^2).
+// From a displaced mass on its way. Its size is sqrt(u^2 + u'^2), one at first.
 Run run_oscillator(const IntegratorChoice& integrator, double damping, const Watch& watch, double dt);
 
 // Displacement and velocity after `steps` equal steps to t (1/omega), from (start.u, start.v).

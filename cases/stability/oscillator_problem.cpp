@@ -36,24 +36,28 @@ std::optional<OscillatorMethod> method_of(const std::string& integrator) {
 class OscillatorProblem final : public StabilityProblem {
  public:
   ProblemStatement statement() const override {
-    return {.name = "oscillator",
-            .title = "A mass on a spring",
-            .source = "kernel/README.md, \"Integrators of the laboratory\"; generalized-alpha: Hulbert, Chung 1996, doi "
-                      "10.1016/S0045-7825(96)01036-5",
-            .statement =
-                "One point whose strain is its displacement, and a node that always has the point's velocity: what an "
-                "integrator does before any map between points and grid takes part. Steps are in units of 1/ω. The "
-                "matrix of a step is found by stepping unit states, what the integrator remembers among them.",
-            .equations = {"u″ = −ω² u − 2 ζ ω u′", "usf, usl, musl, usavg, leapfrog, central-difference, midpoint: ω Δt = 2",
-                          "ssp-rk3: ω Δt = √3", "rk4: ω Δt = √8",
-                          "generalized-alpha: ω Δt = √(12 (1 + ρ) (2 − ρ) / (10 − 5ρ + ρ²))",
-                          "implicit-midpoint: none", "energy: grows by √(1 + (ω Δt)²/2) at every step"},
-            .sampled = "every state of one oscillator"};
+    return {
+        .name = "oscillator",
+        .title = "A mass on a spring",
+        .source =
+            "kernel/README.md, \"Integrators of the laboratory\"; generalized-alpha: Hulbert, Chung 1996, doi "
+            "10.1016/S0045-7825(96)01036-5",
+        .statement =
+            "One point whose strain is its displacement, and a node that always has the point's velocity: what an "
+            "integrator does before any map between points and grid takes part. Steps are in units of 1/ω. The "
+            "matrix of a step is found by stepping unit states, what the integrator remembers among them.",
+        .equations = {"u″ = −ω² u − 2 ζ ω u′",
+                      "usf, usl, musl, usavg, leapfrog, central-difference, midpoint: ω Δt = 2", "ssp-rk3: ω Δt = √3",
+                      "rk4: ω Δt = √8", "generalized-alpha: ω Δt = √(12 (1 + ρ) (2 − ρ) / (10 − 5ρ + ρ²))",
+                      "implicit-midpoint: none", "energy: grows by √(1 + (ω Δt)²/2) at every step"},
+        .sampled = "every state of one oscillator"};
   }
   Kind kind() const override { return Kind::membrane; }
+  bool compares_integrators() const override { return true; }
   bool has_grid() const override { return false; }
   std::vector<Key> keys() const override {
-    return {{.name = "damping", .value = 0.0, .low = 0, .high = 10, .description = "ratio ζ of the damper; 1: critical"}};
+    return {
+        {.name = "damping", .value = 0.0, .low = 0, .high = 10, .description = "ratio ζ of the damper; 1: critical"}};
   }
   std::vector<Override> choices(const std::string&) const override { return {{"integrator", "musl"}}; }
   Scan scan(const Settings&) const override { return {0.1, 8, 64}; }
@@ -94,7 +98,7 @@ class OscillatorProblem final : public StabilityProblem {
     const IntegratorChoice integrator = integrator_of(settings);
     const double damping = settings.number("damping"), t = 2;
     // From both unit states: of one alone, errors of phase or of size may vanish at the end by chance.
-    return orders_in_time({"displacement", "velocity"}, t, 32, 5, 1e-15, [&](int steps) -> std::vector<double> {
+    auto orders = orders_in_time({"displacement", "velocity"}, t, 32, 5, 1e-15, [&](int steps) -> std::vector<double> {
       Eigen::Matrix2d off;
       for (int k = 0; k < 2; ++k) {
         const Eigen::Vector2d start = Eigen::Vector2d::Unit(k);
@@ -102,8 +106,12 @@ class OscillatorProblem final : public StabilityProblem {
       }
       return {off.row(0).norm(), off.row(1).norm()};
     });
+    if (const auto theory = orders_on_oscillator(integrator.name)) {
+      orders["displacement"].theory = theory->displacement;
+      orders["velocity"].theory = theory->velocity;
+    }
+    return orders;
   }
-
 };
 
 PLUMBLINE_STABILITY_PROBLEM(OscillatorProblem);

@@ -4,46 +4,52 @@
 
 #include "cases/harness/gates.hpp"
 #include "cases/laboratory/problem.hpp"
+#include "cases/stability/orders_in_time.hpp"
 #include "cases/stability/oscillator.hpp"
 #include "cases/stability/trial_case.hpp"
 
 namespace plumbline {
 namespace {
 
-// An integrator with its parameter, and the orders that theory gives.
+// An integrator with its parameter.
 struct Member {
   std::string label;
   std::vector<Override> choice;
-  double displacement, velocity;
+  OrdersInTheory orders;
 };
 
-Member member(const std::string& integrator, double displacement, double velocity) {
-  return {integrator, {{"integrator", integrator}}, displacement, velocity};
+Member member(const std::string& integrator) {
+  return {integrator, {{"integrator", integrator}}, orders_on_oscillator(integrator).value()};
 }
 
 Member generalized_alpha(const std::string& rho_b) {
-  return {"generalized-alpha." + rho_b, {{"integrator", "generalized-alpha"}, {"rho_b", std::stod(rho_b)}}, 2, 2};
+  Member one = member("generalized-alpha");
+  one.label += "." + rho_b;
+  one.choice.emplace_back("rho_b", std::stod(rho_b));
+  return one;
 }
 
-// Those with a limit. central-difference leaves velocities half a step behind: of them it is off by dt/2 times the
-// acceleration.
+// Those with a limit.
 std::vector<Member> limited() {
-  std::vector<Member> all{member("usf", 1, 1),      member("usl", 1, 1),     member("musl", 1, 1),
-                          member("usavg", 2, 2),    member("leapfrog", 2, 2), member("midpoint", 2, 2),
-                          member("ssp-rk3", 3, 3),  member("rk4", 4, 4),     member("central-difference", 2, 1)};
+  std::vector<Member> all;
+  for (const char* name :
+       {"usf", "usl", "musl", "usavg", "leapfrog", "midpoint", "ssp-rk3", "rk4", "central-difference"}) {
+    all.push_back(member(name));
+  }
   for (const char* rho_b : {"0", "0.5", "0.8", "0.9", "1"}) all.push_back(generalized_alpha(rho_b));
   return all;
 }
 
 std::vector<Member> all_members() {
   std::vector<Member> all = limited();
-  all.push_back(member("implicit-midpoint", 2, 2));
-  all.push_back(member("energy", 1, 1));
+  for (const char* name : {"implicit-midpoint", "energy"}) all.push_back(member(name));
   return all;
 }
 
 const StabilityProblem& oscillator() { return find_stability_problem("oscillator"); }
-Settings settings_of(const std::vector<Override>& choice) { return stability_settings(oscillator(), "default", choice); }
+Settings settings_of(const std::vector<Override>& choice) {
+  return stability_settings(oscillator(), "default", choice);
+}
 
 Findings limits() {
   Findings findings;
@@ -52,13 +58,13 @@ Findings limits() {
     findings.measures.push_back(scalar_measure(m.label + ".limit", found.predicted.limit(), found.closed_form->limit,
                                                4e-16 * found.closed_form->limit, oscillator().unit()));
   }
-  const Configuration implicit =
-      examine(oscillator(), "default", settings_of({{"integrator", "implicit-midpoint"}}), false);
+  const Configuration implicit = examine(oscillator(), "default", settings_of({{"integrator", "implicit-midpoint"}}),
+                                         false);
   findings.measures.push_back(finding("implicit-midpoint.always_stable", implicit.predicted.always_stable()));
   std::vector<double> rho_b, limit, reference;
   for (int k = 0; k <= 20; ++k) {
-    const Configuration found = examine(
-        oscillator(), "default", settings_of({{"integrator", "generalized-alpha"}, {"rho_b", k / 20.0}}), false);
+    const Configuration found = examine(oscillator(), "default",
+                                        settings_of({{"integrator", "generalized-alpha"}, {"rho_b", k / 20.0}}), false);
     rho_b.push_back(k / 20.0);
     limit.push_back(found.predicted.limit());
     reference.push_back(found.closed_form->limit);
@@ -133,7 +139,8 @@ Findings orders() {
       findings.measures.push_back(finding(m.label + "." + quantity, order.order));
     }
   }
-  const std::vector<std::pair<std::string, std::string>> shown{{"musl", "musl"}, {"leapfrog", "leapfrog"}, {"rk4", "rk4"}};
+  const std::vector<std::pair<std::string, std::string>> shown{
+      {"musl", "musl"}, {"leapfrog", "leapfrog"}, {"rk4", "rk4"}};
   findings.profile.abscissa = "dt";
   findings.profile.columns = {{"dt", "1/omega", "step", {}}};
   for (const auto& [name, label] : shown) findings.profile.columns.push_back({name, "1", "error of " + label, {}});
@@ -162,15 +169,16 @@ class StabilityOscillator final : public TrialCase {
         "states, its order within 0.05, and runs that meet the limit.";
     s.physics =
         "A mass on a spring behind the stages of a step: the strain is the displacement, and the node always has the "
-        "point's velocity. usf, usl and musl become the symplectic Euler method, usavg the leapfrog.\n\nOrders are fitted "
+        "point's velocity. usf, usl and musl become the symplectic Euler method, usavg the leapfrog.\n\nOrders are "
+        "fitted "
         "to the errors at ω t = 2 of six runs, each with half the step of the one before, against the exact "
         "oscillation, from both unit states.";
     s.equations = {"u″ = −ω² u", "ω Δt = 2: usf, usl, musl, usavg, leapfrog, midpoint, central-difference",
-                   "ω Δt = √3: ssp-rk3, √8: rk4",
-                   "ω Δt = √(12 (1 + ρ) (2 − ρ) / (10 − 5ρ + ρ²)): generalized-alpha"};
+                   "ω Δt = √3: ssp-rk3, √8: rk4", "ω Δt = √(12 (1 + ρ) (2 − ρ) / (10 − 5ρ + ρ²)): generalized-alpha"};
     s.cells_along = "nothing: trials are not refined";
     s.reference_name = "oscillator-limits";
-    s.reference_text = "Closed forms; the limits are where the spectral radius of a two by two or three by three matrix leaves one.";
+    s.reference_text =
+        "Closed forms; the limits are where the spectral radius of a two by two or three by three matrix leaves one.";
     s.reference_bound = "Rounding.";
     s.theory_orders = {{"usf.limit", 0, "nothing is refined"}};
     return s;
@@ -187,25 +195,29 @@ class StabilityOscillator final : public TrialCase {
   std::vector<CaseGate> gates() const override {
     std::vector<CaseGate> all;
     const auto is_true = [&](const std::string& trial, const std::string& measure, const std::string& why) {
-      all.push_back(value_gate(trial, measure, trial_level, declare(trial + "/" + measure, {1, 1}, Origin::theory, why)));
+      all.push_back(
+          value_gate(trial, measure, trial_level, declare(trial + "/" + measure, {1, 1}, Origin::theory, why)));
     };
     for (const Member& m : limited()) {
-      all.push_back(error_gate("limits", m.label + ".limit", trial_level,
-                               declare("limits/" + m.label, {{}, 1e-6}, Origin::target,
-                                       "predicted limits equal the closed form to 1e-6")));
+      all.push_back(error_gate(
+          "limits", m.label + ".limit", trial_level,
+          declare("limits/" + m.label, {{}, 1e-6}, Origin::target, "predicted limits equal the closed form to 1e-6")));
       all.push_back(error_gate("runs", m.label + ".observed", trial_level,
                                declare("runs/" + m.label, {{}, 0.01}, Origin::target,
                                        "observed limits within 1 % of the predicted ones, all of which are above 1")));
     }
-    is_true("limits", "implicit-midpoint.always_stable", "the implicit midpoint rule keeps the energy of an oscillator");
-    is_true("runs", "implicit-midpoint.seen_always_stable", "the implicit midpoint rule keeps the energy of an oscillator");
+    is_true("limits", "implicit-midpoint.always_stable",
+            "the implicit midpoint rule keeps the energy of an oscillator");
+    is_true("runs", "implicit-midpoint.seen_always_stable",
+            "the implicit midpoint rule keeps the energy of an oscillator");
     all.push_back(error_gate("energy", "growth.departure", trial_level,
                              declare("energy/growth", {{}, 1e-13}, Origin::identity,
                                      "eigenvalues of a two by two matrix: a hundred roundings")));
     is_true("energy", "always_unstable", "its radius is above one at every step");
     is_true("energy", "seen_always_unstable", "the scan's smallest step already grows by 0.25 % a step");
     for (const Member& m : all_members()) {
-      for (const auto& [quantity, order] : {std::pair{"displacement", m.displacement}, {"velocity", m.velocity}}) {
+      for (const auto& [quantity, order] :
+           {std::pair{"displacement", m.orders.displacement}, {"velocity", m.orders.velocity}}) {
         const std::string measure = m.label + "." + quantity;
         all.push_back(value_gate("orders", measure, trial_level,
                                  declare("orders/" + measure, {order - 0.05, order + 0.05}, Origin::target,

@@ -162,7 +162,8 @@ class StabilityYork final : public TrialCase {
   GateCount gate_count() const override { return {47, 47}; }
 
  private:
-  static CaseGate relative_gate(const std::string& study, const std::string& measure, const Gate& gate) {
+  static CaseGate relative_gate(const std::string& study, const std::string& measure, Gate gate) {
+    gate.quantity = "relative error of " + measure;
     return measure_gate(study, gate, measure, trial_level, [](const RunResult&, const Measure& m) {
       Measured measured;
       measured.value = m.error / m.scale;

@@ -86,7 +86,8 @@ auto StandingWave::exact(double t) const -> Amplitudes {
   const auto size = static_cast<Eigen::Index>(rows.size());
   Eigen::MatrixXd matrix(size, size);
   for (Eigen::Index i = 0; i < size; ++i) {
-    for (Eigen::Index j = 0; j < size; ++j) matrix(i, j) = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+    for (Eigen::Index j = 0; j < size; ++j)
+      matrix(i, j) = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
   }
   Scene at_start = scene();
   Eigen::VectorXd start(size);

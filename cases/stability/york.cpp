@@ -22,6 +22,7 @@ class York final : public StabilityProblem {
             .sampled = "all modes of the five points, at his two places in their cells"};
   }
   Kind kind() const override { return Kind::solid; }
+  bool compares_integrators() const override { return true; }
   std::vector<Key> keys() const override {
     return {{.name = "at",
              .value = "centres",

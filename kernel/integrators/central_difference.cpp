@@ -20,7 +20,8 @@ class CentralDifference final : public TimeIntegrator {
   double last_dt_ = 0;  // s
 };
 
-PLUMBLINE_INTEGRATOR(CentralDifference, "central-difference", "velocities at half steps, positions and stresses at whole",
+PLUMBLINE_INTEGRATOR(CentralDifference, "central-difference",
+                     "velocities at half steps, positions and stresses at whole",
                      "Wallstedt, Guilkey 2008, doi 10.1016/j.jcp.2008.07.019");
 
 }  // namespace

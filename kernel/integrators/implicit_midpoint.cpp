@@ -1,5 +1,6 @@
 #include <unsupported/Eigen/IterativeSolvers>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -71,8 +72,8 @@ struct Response : public Eigen::EigenBase<Response> {
 template <class Rhs>
 struct Eigen::internal::generic_product_impl<plumbline::Response, Rhs, Eigen::SparseShape, Eigen::DenseShape,
                                              Eigen::GemvProduct>
-    : Eigen::internal::generic_product_impl_base<
-          plumbline::Response, Rhs, Eigen::internal::generic_product_impl<plumbline::Response, Rhs>> {
+    : Eigen::internal::generic_product_impl_base<plumbline::Response, Rhs,
+                                                 Eigen::internal::generic_product_impl<plumbline::Response, Rhs>> {
   template <class To>
   static void scaleAndAddTo(To& to, const plumbline::Response& response, const Rhs& x, const double& factor) {
     to += factor * response.times(x);
@@ -105,8 +106,8 @@ class ImplicitMidpoint final : public MethodOfLines {
       const double size = as_vector(mpm.velocities_of(residual)).norm(), speed = as_vector(velocities).norm();
       const double kick = dt / 2 * as_vector(mpm.velocities_of(rate)).norm();
       found = size <= 1e-9 * (speed + kick) || size <= rounding * as_vector(z).norm();
-      if (!(size < 0.5 * least) || size <= 1e-15 * speed) break;
-      least = size;
+      if (size <= 1e-15 * speed || (found && !(size < 0.5 * least))) break;  // rounding is left
+      least = std::min(least, size);
       z += correction(mpm, z, mpm.velocities_of(residual), dt / 2);
       mpm.set_state(z);
       rate = mpm.rate();

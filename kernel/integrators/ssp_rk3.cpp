@@ -8,8 +8,8 @@ namespace {
 class SspRungeKutta3 final : public MethodOfLines {
   void step(Stages& mpm, double dt) override {
     const State y = mpm.state();
-    mpm.set_state(y + dt * mpm.rate());  // [SSP-RK3 1]
-    mpm.set_state(0.75 * y + 0.25 * (mpm.state() + dt * mpm.rate()));  // [SSP-RK3 2]
+    mpm.set_state(y + dt * mpm.rate());                                      // [SSP-RK3 1]
+    mpm.set_state(0.75 * y + 0.25 * (mpm.state() + dt * mpm.rate()));        // [SSP-RK3 2]
     mpm.set_state(1.0 / 3 * y + 2.0 / 3 * (mpm.state() + dt * mpm.rate()));  // [SSP-RK3 3]
   }
 };

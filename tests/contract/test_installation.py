@@ -28,11 +28,24 @@ def prefix(tmp_path_factory):
 @pytest.fixture(scope="module")
 def plugin(prefix, tmp_path_factory):
     """The averaged integrator's own file under another name, built against the installation alone."""
-    folder = tmp_path_factory.mktemp("plugin")
-    shutil.copy(PLUGIN / "CMakeLists.txt", folder)
     source = (ROOT / "kernel/integrators/usavg.cpp").read_text(encoding="utf-8")
     assert '"usavg"' in source
-    (folder / "mine.cpp").write_text(source.replace('"usavg"', '"mine"'), encoding="utf-8")
+    return built(source.replace('"usavg"', '"mine"'), prefix, tmp_path_factory.mktemp("plugin"))
+
+
+@pytest.fixture(scope="module")
+def tutorial():
+    return (ROOT / "kernel/integrators/README.md").read_text(encoding="utf-8")
+
+
+@pytest.fixture(scope="module")
+def tutorial_plugin(tutorial, prefix, tmp_path_factory):
+    return built(re.search(r"```cpp\n(.*?)```", tutorial, re.DOTALL).group(1), prefix, tmp_path_factory.mktemp("tutorial"))
+
+
+def built(source, prefix, folder):
+    shutil.copy(PLUGIN / "CMakeLists.txt", folder)
+    (folder / "mine.cpp").write_text(source, encoding="utf-8")
     cmake = os.environ["CMAKE"]
     call(cmake, "-S", folder, "-B", folder / "build", "-G", os.environ["GENERATOR"], f"-DCMAKE_CXX_COMPILER={os.environ['CXX']}",
          "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_PREFIX_PATH={prefix}")
@@ -94,3 +107,14 @@ def test_plugin_is_verified_by_its_name(installed, plugin):
 
 def test_without_the_plugin_its_name_is_unknown(installed):
     assert installed("run", "sod", "--integrator", "mine").code == 2
+
+
+def test_the_tutorial_prints_what_it_shows(tutorial, tutorial_plugin, installed):
+    """Every line that the tutorial shows below a command is one that the command prints."""
+    blocks = re.findall(r"```\n\$ plumbline (.*?)\n(.*?)```", tutorial, re.DOTALL)
+    assert len(blocks) == 3
+    for command, shown in blocks:
+        words = [str(tutorial_plugin) if word == "libmine.so" else word for word in command.split()]
+        printed = installed(*words).out.splitlines()
+        for line in shown.splitlines():
+            assert line in printed, (command, line)

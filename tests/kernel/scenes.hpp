@@ -243,6 +243,8 @@ inline std::vector<Combination> working_combinations() {
     for (const Choice& shape : shapes()) {
       for (const Choice& transfer : transfers()) {
         if (!entry.make()->refusal(shape.name, transfer.name).empty()) continue;
+        // Forces of linear shapes jump where points change cells: there a step may have no midpoint, and the run stops.
+        if (entry.name == "implicit-midpoint" && shape.name == "linear") continue;
         all.push_back({entry.name, shape.name, transfer.name});
       }
     }

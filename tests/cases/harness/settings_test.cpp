@@ -129,6 +129,31 @@ TEST(Settings, AnAssignmentHasAKeyAndAnEqualsSign) {
   EXPECT_EQ(refused("cfl=1=2").key, "cfl");
 }
 
+// A number that may also be left to a word.
+TEST(Settings, WordsStandForNumbers) {
+  const auto with_words = [] {
+    return Settings(
+        {{.name = "cfl", .value = 0.3, .low = 0, .low_open = true, .optional = true, .words = {"auto", "safe"}}});
+  };
+  Settings settings = with_words();
+  settings.set_text("cfl=auto", "sod");
+  EXPECT_EQ(settings.text("cfl"), "auto");
+  EXPECT_TRUE(settings.is_set("cfl"));
+  EXPECT_NE(settings.canonical().find("cfl=auto"), std::string::npos);
+  settings.set_text("cfl=0.7", "sod");
+  EXPECT_EQ(settings.number("cfl"), 0.7);
+  settings.set_text("cfl=none", "sod");
+  EXPECT_FALSE(settings.is_set("cfl"));
+  settings.set("cfl", std::string("safe"), "sod");
+  EXPECT_EQ(settings.text("cfl"), "safe");
+  for (const char* text : {"cfl=aut", "cfl=AUTO", "cfl=-1", "cfl=auto "}) {
+    const UsageError error = refusal([&] { settings.set_text(text, "sod"); });
+    EXPECT_EQ(error.allowed, "(0, inf), or auto, or safe, or none") << text;
+  }
+  EXPECT_THROW(settings.set("cfl", std::string("linear"), "sod"), UsageError);
+  EXPECT_EQ(refused("cfl=auto").key, "cfl");  // of a key without words
+}
+
 TEST(Settings, SetFromCodeChecksLikewise) {
   Settings settings(keys());
   EXPECT_EQ(refusal([&] { settings.set("cells", 1.0, "sod"); }).key, "cells");

@@ -12,8 +12,14 @@ TEST(CentralDifference, Order) {
     return stages.calls;
   };
   const auto expected = [](const std::string& kick, const std::string& dt) -> std::vector<std::string> {
-    return {"locate_points", "map_mass_and_momentum", "map_forces", "advance_momentum " + kick, "move_points " + dt,
-            "map_momentum",  "strain_points " + dt + " current",  "evaluate_stress current"};
+    return {"locate_points",
+            "map_mass_and_momentum",
+            "map_forces",
+            "advance_momentum " + kick,
+            "move_points " + dt,
+            "map_momentum",
+            "strain_points " + dt + " current",
+            "evaluate_stress current"};
   };
   EXPECT_EQ(calls(1.0), expected("dt/2", "dt"));
   EXPECT_EQ(calls(1.0), expected("dt", "dt"));

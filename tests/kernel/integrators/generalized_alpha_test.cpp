@@ -13,7 +13,8 @@ std::unique_ptr<TimeIntegrator> with(double rho_b) {
 
 // The step on (d, v, a) of u'' = -u by hand. [Generalized-Alpha 1-4]
 Eigen::Matrix3d by_hand(double r, double dt) {
-  const double alpha_m = (2 * r - 1) / (1 + r), gamma = 1.5 - alpha_m, beta = (5 - 3 * r) / ((1 + r) * (1 + r) * (2 - r));
+  const double alpha_m = (2 * r - 1) / (1 + r), gamma = 1.5 - alpha_m,
+               beta = (5 - 3 * r) / ((1 + r) * (1 + r) * (2 - r));
   Eigen::Matrix3d m;
   m.row(2) << -1 / (1 - alpha_m), 0, -alpha_m / (1 - alpha_m);  // of the forces of the start
   m.row(0) = Eigen::RowVector3d(1, dt, dt * dt * (0.5 - beta)) + dt * dt * beta * m.row(2);

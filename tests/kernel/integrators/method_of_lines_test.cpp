@@ -10,7 +10,8 @@ constexpr const char* methods[] = {"ssp-rk3", "rk4", "generalized-alpha", "impli
 TEST(MethodOfLines, WantsFlip) {
   for (const char* name : methods) {
     const auto integrator = find_integrator(name)->make();
-    for (const char* transfer : {"pic", "apic", "xpic", "fmpm"}) EXPECT_NE(integrator->refusal("cubic", transfer), "") << name;
+    for (const char* transfer : {"pic", "apic", "xpic", "fmpm"})
+      EXPECT_NE(integrator->refusal("cubic", transfer), "") << name;
     EXPECT_EQ(integrator->refusal("linear", "flip"), "") << name;
     EXPECT_TRUE(integrator->evaluates_stress_first()) << name;
     EXPECT_FALSE(integrator->returns_transfer_loss()) << name;

@@ -8,9 +8,11 @@ TEST(SspRungeKutta3, EachStageIsAMeanOfEulerSteps) {
   const double dt = 0.3;
   MassOnSpring mass(0.7, -0.4);
   mass.pull = [](double u, double v) { return -u * u * u - 0.2 * v; };
-  const auto euler = [&](const Eigen::Vector2d& y) { return Eigen::Vector2d(y[0] + dt * y[1], y[1] + dt * mass.pull(y[0], y[1])); };
+  const auto euler = [&](const Eigen::Vector2d& y) {
+    return Eigen::Vector2d(y[0] + dt * y[1], y[1] + dt * mass.pull(y[0], y[1]));
+  };
   const Eigen::Vector2d y(0.7, -0.4), one = euler(y), two = 0.75 * y + 0.25 * euler(one),
-                        three = y / 3 + 2 * euler(two) / 3;
+                                      three = y / 3 + 2 * euler(two) / 3;
   find_integrator("ssp-rk3")->make()->step(mass, dt);
   ASSERT_EQ(mass.states_set.size(), 3U);
   EXPECT_EQ(mass.rates, 3);

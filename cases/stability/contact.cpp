@@ -1,0 +1,100 @@
+// Two elastic bars end to end, each with a velocity field of its own.
+#include <cmath>
+
+#include "cases/laboratory/problem.hpp"
+#include "cases/stability/contact_patch.hpp"
+
+namespace plumbline {
+namespace {
+
+ContactPatch choices_of(const Settings& s) {
+  ContactPatch patch;
+  patch.ppc = s.integer("ppc");
+  patch.interface = s.number("interface");
+  patch.touching = s.text("side") == "touching";
+  return patch;
+}
+
+// York's criteria look at the velocities that the step begins with: bars at rest neither touch nor part.
+bool asks_velocities(const Settings& s) { return s.text("contact").rfind("york", 0) == 0; }
+
+class ContactProblem final : public StabilityProblem {
+ public:
+  ProblemStatement statement() const override {
+    return {.name = "contact",
+            .title = "Two bars in contact",
+            .source = "kernel/README.md, \"Touching\"; York 1997, SAND97-1893, appendix A.1",
+            .statement =
+                "Two linear elastic bars of about eight cells, each leaning on a wall, face each other in a cell of the grid, "
+                "`interface` of a cell above a node. Each has a velocity field of its own.\n\n`touching`: they are "
+                "pressed together by one hundredth of strain, at rest, and every node they share is in contact. "
+                "`apart`: without stress, a tenth of the points' distance too far from each other to touch; they still share "
+                "nodes.\n\nYork's criteria compare the velocities at the start of the step, so that bars at rest under "
+                "pressure are let go in one step and caught in the next: no state of rest is touching. Predicted "
+                "limits are those of steps with bars that approach (`touching`) or part (`apart`) at a hundredth of c, "
+                "which is the same linear map; runs start pressed together and at rest with perturbations as large "
+                "as the pressure's strain, and show what the switching makes of it.",
+            .equations = {"touching: s = (v̄₁ − v̄₂) · n > 0 at every shared node, v̄ the midpoint velocity",
+                          "apart: s < 0 or no points near enough at any"},
+            .sampled = "both smooth sides of the switch at all shared nodes at once, one place of the interface"};
+  }
+  Kind kind() const override { return Kind::solid; }
+  std::vector<Key> keys() const override {
+    return {{.name = "side",
+             .value = "touching",
+             .choices = {"touching", "apart"},
+             .description = "on which side of the switch"},
+            {.name = "interface",
+             .value = 0.5,
+             .low = 0,
+             .high = 1,
+             .high_open = true,
+             .description = "where the bars meet in their cell"}};
+  }
+  std::vector<Override> choices(const std::string&) const override { return {{"positions", "frozen"}}; }
+  Patch patch(const Settings& settings, const Extent&) const override {
+    Patch patch = choices_of(settings).make();
+    apply_choices(settings, patch.scene);
+    return patch;
+  }
+  Scan scan(const Settings&) const override { return {.low = 0.05, .high = 4, .steps = 20}; }
+  Prediction predicted(const Settings& settings, double width) const override {
+    Experiment experiment = experiment_of(*this, settings);
+    experiment.patch = [&](const Extent&) {
+      ContactPatch choice = choices_of(settings);
+      if (asks_velocities(settings)) choice.approach = choice.touching ? 0.01 : -0.01;
+      Patch patch = choice.make();
+      apply_choices(settings, patch.scene);
+      return patch;
+    };
+    return predict(experiment, scan(settings), width);
+  }
+  Watch watch(const Settings& settings) const override {
+    Watch watch;
+    if (asks_velocities(settings)) watch.perturbation = ContactPatch::pressure;
+    return watch;
+  }
+  std::vector<MapPlan> maps(Tier tier) const override {
+    const bool full = tier == Tier::full;
+    const Axis interface{"interface", "where the bars meet in their cell",
+                         full ? std::vector<double>{0.01, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875}
+                              : std::vector<double>{0.01, 0.25, 0.5}};
+    std::vector<MapPlan> all;
+    for (const char* scheme : {"default", "york1997"}) {
+      for (const char* side : {"touching", "apart"}) {
+        all.push_back({.kind = "limit",
+                       .title = std::string("largest stable step, ") + side,
+                       .scheme = scheme,
+                       .overrides = {{"side", side}},
+                       .x = interface,
+                       .y = {"ppc", "points per cell", full ? std::vector<double>{1, 2, 3} : std::vector<double>{2}}});
+      }
+    }
+    return all;
+  }
+};
+
+PLUMBLINE_STABILITY_PROBLEM(ContactProblem);
+
+}  // namespace
+}  // namespace plumbline

@@ -1,0 +1,88 @@
+// An elastic plate without ends.
+#include <algorithm>
+
+#include "cases/laboratory/bar_patch.hpp"
+#include "cases/laboratory/problem.hpp"
+#include "cases/stability/map_scheme.hpp"
+#include "cases/stability/plate_waves.hpp"
+
+namespace plumbline {
+namespace {
+
+Key place_key(const std::string& name, const std::string& along) {
+  return {.name = name,
+          .value = 0.5,
+          .low = 0,
+          .high = 1,
+          .low_open = true,
+          .high_open = true,
+          .description = "place of the points in their shares of a cell along " + along};
+}
+
+class Plane final : public StabilityProblem {
+ public:
+  ProblemStatement statement() const override {
+    return {.name = "plane",
+            .title = "Elastic plate without ends",
+            .source = "York 1997, SAND97-1893, chapter 8, for bars; the corner: kernel/README.md, \"Stability\"",
+            .statement =
+                "Pressure and shear waves of every length and direction in a linear elastic plate, plane strain, `ppc` "
+                "points a cell and direction. c is the speed of pressure waves; that of shear waves is c √((1 − 2ν)/(2 "
+                "− 2ν)).\n\nOne point a cell near a corner makes the stiffness that of finite differences in both "
+                "directions. Waves that alternate along both then bear h/(c √2): the pressure wave along the diagonal "
+                "for every ν ≥ 0, as a scalar wave would.",
+            .equations = {"C = c Δt / h", "points at corners of their cells, ν ≥ 0: C = 1 / √2",
+                          "1/C² = max over θ of B_x B_y λ_max(K̂) / 4 (usf, musl)",
+                          "K̂ = [K_x B_y + κ B_x K_y, λ r + κ r*; λ r* + κ r, κ K_x B_y + B_x K_y], r = R_x R_y*"},
+            .sampled = "wave numbers of a quarter of the plane, places of the points as given, all points alike"};
+  }
+  Kind kind() const override { return Kind::solid; }
+  std::vector<Key> keys() const override {
+    return {{.name = "nu", .value = 0.0, .low = -1, .high = 0.5, .low_open = true, .high_open = true,
+             .description = "Poisson's ratio"},
+            place_key("place_x", "x"),
+            place_key("place_y", "y")};
+  }
+  std::vector<Override> choices(const std::string&) const override {
+    return {{"shape", "linear"}, {"transfer", "flip"}, {"integrator", "musl"}, {"positions", "frozen"}, {"ppc", 1.0}};
+  }
+  Patch patch(const Settings& s, const Extent& extent) const override {
+    return plate_patch({s.text("shape"), s.text("transfer"), s.integer("transfer_order")}, s.integer("ppc"),
+                       s.number("place_x"), s.number("place_y"), s.number("nu"), extent);
+  }
+  Scan scan(const Settings&) const override { return {.low = 0.3, .high = 3, .steps = 6}; }
+  Watch watch(const Settings&) const override { return {.core = 8, .steps = 600, .width = 4e-3, .slowest = 3e-3}; }
+  std::optional<ClosedForm> closed_form(const Settings& s) const override {
+    const auto scheme = map_scheme(s);
+    const std::string& transfer = s.text("transfer");
+    if (!scheme || (transfer != "flip" && transfer != "pic")) return std::nullopt;
+    return ClosedForm{plate_limit(*scheme, {s.integer("ppc"), s.number("place_x"), s.number("place_y")}, s.number("nu")),
+                      "two by two matrices of the waves on one node a cell"};
+  }
+  // A matrix of four points has many waves to look at, and a patch with a reach of eight cells many points.
+  Prediction predicted(const Settings& settings, double width) const override {
+    Experiment experiment = experiment_of(*this, settings);
+    experiment.least_reach = settings.text("shape") == "linear" ? 3 : 5;
+    return predict(experiment, scan(settings), std::max(width, 1e-6));
+  }
+  std::vector<MapPlan> maps(Tier tier) const override {
+    std::vector<MapPlan> all;
+    const bool full = tier == Tier::full;
+    const std::vector<double> places = full ? std::vector<double>{0.02, 0.14, 0.26, 0.38, 0.5}
+                                            : std::vector<double>{0.02, 0.5};
+    for (const Method& method : methods({"linear"}, {"flip"})) {
+      if (!full && method.integrator != "musl" && method.integrator != "usl") continue;
+      all.push_back({.kind = "limit",
+                     .title = "largest stable step, one point a cell",
+                     .overrides = method.overrides(),
+                     .x = {"place_x", "place of the points in their cells along x", places},
+                     .y = {"place_y", "along y", places}});
+    }
+    return all;
+  }
+};
+
+PLUMBLINE_STABILITY_PROBLEM(Plane);
+
+}  // namespace
+}  // namespace plumbline
