@@ -12,7 +12,6 @@ namespace plumbline {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr int far_reach = 16;
 constexpr double least_tail = 1e-10;  // what is cut off at the patch's edge: below this it moves no eigenvalue by 1e-9
 
 }  // namespace

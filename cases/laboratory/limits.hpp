@@ -61,6 +61,7 @@ using GrowthOfStep = std::function<Growth(double dt, const std::vector<WaveNumbe
 Prediction predict(const GrowthOfStep& growth, const Scan& scan, double width = 1e-9);
 
 // How many periods a step of dt (units of the scene's time) reaches. Explicit steps reach a few, implicit ones all.
+inline constexpr int far_reach = 16;  // beyond what explicit steps reach
 int reach_of_step(const Experiment& experiment, double dt);
 
 // Spectral radii at one step (units of the scene's time) of waves along the first direction of the lattice.

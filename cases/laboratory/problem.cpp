@@ -7,6 +7,7 @@
 
 #include "cases/harness/errors.hpp"
 #include "cases/harness/pool.hpp"
+#include "cases/laboratory/bar_patch.hpp"
 #include "kernel/time_integrator.hpp"
 
 namespace plumbline {
@@ -126,6 +127,15 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
+// At most the end of the scan; not a number where the step cannot be taken or has no derivative.
+double limit_for_map(const StabilityProblem& problem, const Settings& settings) {
+  try {
+    return std::min(problem.predicted(settings, 1e-5).limit(), problem.scan(settings).high);
+  } catch (const std::runtime_error&) {
+    return none;
+  }
+}
+
 void draw_limits(const StabilityProblem& problem, const MapPlan& plan, int threads, StabilityMap& map) {
   const std::size_t columns = plan.x.values.size(), rows = plan.y.values.size();
   map.values.assign(rows, std::vector<double>(columns, 0));
@@ -136,7 +146,7 @@ void draw_limits(const StabilityProblem& problem, const MapPlan& plan, int threa
     overrides.emplace_back(plan.x.key, plan.x.values[i]);
     overrides.emplace_back(plan.y.key, plan.y.values[j]);
     const Settings settings = stability_settings(problem, plan.scheme, overrides);
-    map.values[j][i] = problem.predicted(settings, 1e-5).limit();
+    map.values[j][i] = limit_for_map(problem, settings);
     if (const auto closed = problem.closed_form(settings)) map.closed_form[j][i] = closed->limit;
   });
   const auto has = [](const auto& row) { return std::any_of(row.begin(), row.end(), [](double v) { return v == v; }); };
@@ -160,7 +170,11 @@ void draw_growth(const StabilityProblem& problem, const MapPlan& plan, int threa
   const Experiment experiment = experiment_of(problem, settings);
   map.values.assign(plan.y.values.size(), {});
   for_all(plan.y.values.size(), threads, [&](std::size_t j) {
-    map.values[j] = radii_over_waves(experiment, plan.y.values[j], plan.x.values);
+    try {
+      map.values[j] = radii_over_waves(experiment, plan.y.values[j], plan.x.values);
+    } catch (const std::runtime_error&) {
+      map.values[j].assign(plan.x.values.size(), none);
+    }
   });
   if (plan.observe.empty()) return;
   const Configuration seen = examine(problem, plan.scheme, settings, true);
@@ -198,6 +212,17 @@ std::vector<Method> methods(const std::vector<std::string>& shapes, const std::v
       }
     }
   }
+  return all;
+}
+
+std::vector<Method> explicit_methods(const std::vector<std::string>& shapes, const std::vector<std::string>& transfers) {
+  std::vector<Method> all = methods(shapes, transfers);
+  const auto far = [](const Method& method) {
+    const MapChoice maps{method.shape, method.transfer, 2};
+    const auto patch = [maps](const Extent& extent) { return bar_patch(maps, 1, 0.5, extent); };
+    return reach_of_step({patch, {method.integrator, {}}, Positions::frozen}, 3) > far_reach;
+  };
+  all.erase(std::remove_if(all.begin(), all.end(), far), all.end());
   return all;
 }
 

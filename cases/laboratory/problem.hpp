@@ -127,5 +127,7 @@ struct Method {
   std::vector<Override> overrides() const;
 };
 std::vector<Method> methods(const std::vector<std::string>& shapes, const std::vector<std::string>& transfers);
+// Those of them whose step reaches a few cells of a bar, not all of it: maps of the others cost too much.
+std::vector<Method> explicit_methods(const std::vector<std::string>& shapes, const std::vector<std::string>& transfers);
 
 }  // namespace plumbline

@@ -26,9 +26,15 @@ std::vector<double> depths(bool finely) {
 SafeStep safe_step_of_bar(const Method& method, int order, const std::map<std::string, double>& parameters, int ppc,
                           bool finely) {
   const MapChoice maps{method.shape, method.transfer, order};
-  const Scan scan{0.02, 4, 16};
+  const auto stepped = [&](std::function<Patch(const Extent&)> patch) {
+    return Experiment{std::move(patch), {method.integrator, parameters}, Positions::frozen};
+  };
+  const auto regular = [&](const Extent& extent) { return bar_patch(maps, ppc, 0.5, extent); };
+  // Implicit steps reach far and cost much: two large ones tell whether they have a limit at all.
+  const bool far = reach_of_step(stepped(regular), 3) > far_reach;
+  const Scan scan = far ? Scan{1, 4, 2} : Scan{0.02, 4, 16};
   const auto limit_of = [&](std::function<Patch(const Extent&)> patch) {
-    return predict(Experiment{std::move(patch), {method.integrator, parameters}, Positions::frozen}, scan, width).limit();
+    return predict(stepped(std::move(patch)), scan, width).limit();
   };
   SafeStep safe{method, order, ppc};
   safe.limit = safe.edge = HUGE_VAL;

@@ -50,8 +50,7 @@ Patch box_patch(const Settings& s) {
   return patch;
 }
 
-// What the rings move with after a short step, ring by ring along one line, if their energies are other than they should
-// be by `change`.
+// What the rings move with after a short step, ring by ring along one line, with `change` added to their energies.
 Eigen::VectorXd velocities_after(const Patch& patch, const Settings& s, const Eigen::VectorXd& change) {
   constexpr double dt = 0.01;
   Patch changed = patch;
@@ -99,22 +98,26 @@ class AxisymmetricGas final : public StabilityProblem {
         .source = "Sulsky, Schreyer 1996, doi 10.1016/S0045-7825(96)01091-2; York 1997, SAND97-1893, section 6.3",
         .statement =
             "A gas at rest in a can around the axis, `width` cells in radius and `height` cells high, between mirrors, "
-            "round(√ppc)² rings a cell. At the axis the hoop strain v_r/r is as large as the radial one, and rings weigh "
+            "round(√ppc)² rings a cell. At the axis the hoop strain v_r/r is as large as the radial one, and rings "
+            "weigh "
             "little. `geometry` = plane is the same box in the plane, to compare with.\n\n"
-            "Linear shapes leave a uniform gas at rest. Smooth ones push it about by a few thousandths of its pressure in "
-            "the first two cells, where sums over rings are not the integrals; the rings' energies are then changed by the "
+            "Linear shapes leave a uniform gas at rest. Smooth ones push it about by a few thousandths of its pressure "
+            "in "
+            "the first two cells, where sums over rings are not the integrals; the rings' energies are then changed by "
+            "the "
             "least that leaves no force. Positions are held.",
         .equations = {"ε = (∂v_r/∂r, ∂v_z/∂z, v_r/r, ∂v_r/∂z + ∂v_z/∂r)", "V_p = r_p Δr Δz"},
         .sampled = "all modes of the can; one lattice of rings"};
   }
   Kind kind() const override { return Kind::gas; }
   std::vector<Key> keys() const override {
-    return {{.name = "geometry",
-             .value = "axis",
-             .choices = {"axis", "plane"},
-             .description = "rings around the axis at x = 0, or the same box in the plane"},
-            {.name = "width", .value = 5.0, .low = 2, .high = 20, .integer = true, .description = "of the box, in cells"},
-            {.name = "height", .value = 2.0, .low = 2, .high = 20, .integer = true, .description = "of the box, in cells"}};
+    return {
+        {.name = "geometry",
+         .value = "axis",
+         .choices = {"axis", "plane"},
+         .description = "rings around the axis at x = 0, or the same box in the plane"},
+        {.name = "width", .value = 5.0, .low = 2, .high = 20, .integer = true, .description = "of the box, in cells"},
+        {.name = "height", .value = 2.0, .low = 2, .high = 20, .integer = true, .description = "of the box, in cells"}};
   }
   std::vector<Override> choices(const std::string&) const override { return {{"ppc", 4.0}, {"positions", "frozen"}}; }
   Patch patch(const Settings& s, const Extent&) const override {

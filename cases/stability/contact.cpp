@@ -25,10 +25,12 @@ class ContactProblem final : public StabilityProblem {
             .title = "Two bars in contact",
             .source = "kernel/README.md, \"Touching\"; York 1997, SAND97-1893, appendix A.1",
             .statement =
-                "Two linear elastic bars of about eight cells, each leaning on a wall, face each other in a cell of the grid, "
+                "Two linear elastic bars of about eight cells, each leaning on a wall, face each other in a cell of "
+                "the grid, "
                 "`interface` of a cell above a node. Each has a velocity field of its own.\n\n`touching`: they are "
                 "pressed together by one hundredth of strain, at rest, and every node they share is in contact. "
-                "`apart`: without stress, a tenth of the points' distance too far from each other to touch; they still share "
+                "`apart`: without stress, a tenth of the points' distance too far from each other to touch; they still "
+                "share "
                 "nodes.\n\nYork's criteria compare the velocities at the start of the step, so that bars at rest under "
                 "pressure are let go in one step and caught in the next: no state of rest is touching. Predicted "
                 "limits are those of steps with bars that approach (`touching`) or part (`apart`) at a hundredth of c, "
@@ -76,9 +78,12 @@ class ContactProblem final : public StabilityProblem {
   }
   std::vector<MapPlan> maps(Tier tier) const override {
     const bool full = tier == Tier::full;
-    const Axis interface{"interface", "where the bars meet in their cell",
-                         full ? std::vector<double>{0.01, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875}
-                              : std::vector<double>{0.01, 0.25, 0.5}};
+    const Axis interface {
+      "interface", "where the bars meet in their cell",
+          full ? std::vector<double>{0.01, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875} : std::vector<double> {
+        0.01, 0.25, 0.5
+      }
+    };
     std::vector<MapPlan> all;
     for (const char* scheme : {"default", "york1997"}) {
       for (const char* side : {"touching", "apart"}) {

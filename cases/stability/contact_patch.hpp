@@ -6,9 +6,9 @@
 namespace plumbline {
 
 struct ContactPatch {
-  static constexpr int cells = 8;             // of each bar
-  static constexpr double pressure = 1e-2;    // minus the strain of bars that touch
-  static constexpr double distance = 0.1;     // of bars that do not, in spacings of points
+  static constexpr int cells = 8;           // of each bar
+  static constexpr double pressure = 1e-2;  // minus the strain of bars that touch
+  static constexpr double distance = 0.1;   // of bars that do not, in spacings of points
   int ppc = 2;
   double interface = 0.5;  // where they meet in their cell, [0, 1)
   bool touching = true;

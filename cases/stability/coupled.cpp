@@ -17,44 +17,52 @@ class Coupled final : public StabilityProblem {
         .title = "Membrane in a gas",
         .source = "York 1997, SAND97-1893, chapter 6; an analysis \"has not been conducted\", chapter 8",
         .statement =
-            "A straight membrane of mass m_s and stiffness E t per width in a gas at rest. Both put their masses and forces "
+            "A straight membrane of mass m_s and stiffness E t per width in a gas at rest. Both put their masses and "
+            "forces "
             "on the same nodes, and nothing else couples them.\n\n"
-            "`dim` = 1: motion along the membrane, with a layer of gas one cell high, without ends: waves of all lengths. "
-            "`dim` = 2: a box that the membrane divides at the height `place` of a middle cell, between mirrors, so that "
-            "waves have half lengths of a whole number of times its sides; 2 x 3 cells with four points of gas each and "
-            "two of the membrane a cell are the fewest in which it has gas beside it that it does not share nodes with.\n\n"
+            "`dim` = 1: motion along the membrane, with a layer of gas one cell high, without ends: waves of all "
+            "lengths. "
+            "`dim` = 2: a box that the membrane divides at the height `place` of a middle cell, between mirrors, so "
+            "that "
+            "waves have half lengths of a whole number of times its sides; 2 x 3 cells with four points of gas each "
+            "and "
+            "two of the membrane a cell are the fewest in which it has gas beside it that it does not share nodes "
+            "with.\n\n"
             "The membrane is about to pull, on the taut side of its one-way law. york1997 holds the positions, as his "
-            "chapter 8 does: with points that move the gas in the plane, on bilinear shapes, grows at every step, by half "
+            "chapter 8 does: with points that move the gas in the plane, on bilinear shapes, grows at every step, by "
+            "half "
             "its size in the time h/c. In the box growth slower than `slow` is not counted as a matter of the step.",
         .equations = {"long waves: c_l² = (ρ c² h + E t)/(ρ h + m_s)", "C = c Δt / h"},
-        .sampled = "on a line all wave numbers; in the box those of its size; one lattice of gas, one height of the "
-                   "membrane"};
+        .sampled =
+            "on a line all wave numbers; in the box those of its size; one lattice of gas, one height of the "
+            "membrane"};
   }
   Kind kind() const override { return Kind::coupled; }
   std::vector<Key> keys() const override {
-    return {{.name = "dim",
-             .value = 1.0,
-             .low = 1,
-             .high = 2,
-             .integer = true,
-             .description = "a layer of gas h high along the membrane, or a box that it divides"},
-            positive_key("density_ratio", 1, "1", "m_s/(rho h), m_s the membrane's mass per area"),
-            positive_key("stiffness_ratio", 1, "1", "E t/(rho c^2 h), E t the membrane's tension per strain"),
-            {.name = "place",
-             .value = 0.5,
-             .low = 0,
-             .high = 1,
-             .low_open = true,
-             .high_open = true,
-             .description = "height of the membrane in its cell, in cells; on a line, of its points in their shares"},
-            {.name = "width", .value = 2.0, .low = 2, .high = 20, .integer = true, .description = "of the box, in cells"},
-            {.name = "height", .value = 3.0, .low = 2, .high = 20, .integer = true, .description = "of the box, in cells"},
-            {.name = "slow",
-             .value = 0.05,
-             .unit = "c/h",
-             .low = 0,
-             .high = 10,
-             .description = "in the box, growth per time that is no matter of the step, and not counted"}};
+    return {
+        {.name = "dim",
+         .value = 1.0,
+         .low = 1,
+         .high = 2,
+         .integer = true,
+         .description = "a layer of gas h high along the membrane, or a box that it divides"},
+        positive_key("density_ratio", 1, "1", "m_s/(rho h), m_s the membrane's mass per area"),
+        positive_key("stiffness_ratio", 1, "1", "E t/(rho c^2 h), E t the membrane's tension per strain"),
+        {.name = "place",
+         .value = 0.5,
+         .low = 0,
+         .high = 1,
+         .low_open = true,
+         .high_open = true,
+         .description = "height of the membrane in its cell, in cells; on a line, of its points in their shares"},
+        {.name = "width", .value = 2.0, .low = 2, .high = 20, .integer = true, .description = "of the box, in cells"},
+        {.name = "height", .value = 3.0, .low = 2, .high = 20, .integer = true, .description = "of the box, in cells"},
+        {.name = "slow",
+         .value = 0.05,
+         .unit = "c/h",
+         .low = 0,
+         .high = 10,
+         .description = "in the box, growth per time that is no matter of the step, and not counted"}};
   }
   std::vector<Override> choices(const std::string& scheme) const override {
     std::vector<Override> chosen{{"ppc", 4.0}, {"membrane.ppc", 2.0}};
@@ -79,8 +87,10 @@ class Coupled final : public StabilityProblem {
     if (s.integer("dim") == 2) return watch_beside(s.number("slow"), scan(s));
     Watch watch;
     watch.steps = 1000;
-    watch.grown = 1e6;
-    watch.grown_slowly = 1e3;
+    // A velocity makes stresses of its size times the root of the stiffness.
+    const double stresses = std::sqrt(1 + s.number("stiffness_ratio"));
+    watch.grown = 1e6 * stresses;
+    watch.grown_slowly = 1e3 * stresses;
     return watch;
   }
   Prediction predicted(const Settings& s, double width) const override {
@@ -89,16 +99,18 @@ class Coupled final : public StabilityProblem {
   }
   std::vector<MapPlan> maps(Tier tier) const override {
     const bool full = tier == Tier::full;
-    const Axis masses{"density_ratio", "m_s/(ρ h)", full ? std::vector<double>{0.01, 0.1, 1, 10, 100}
-                                                        : std::vector<double>{0.1, 1, 10}};
-    const Axis stiffnesses{"stiffness_ratio", "E t/(ρ c² h)", full ? std::vector<double>{0.01, 0.1, 1, 10, 100, 1e4}
-                                                                   : std::vector<double>{0.1, 1, 10}};
+    const Axis masses{"density_ratio", "m_s/(ρ h)",
+                      full ? std::vector<double>{0.01, 0.1, 1, 10, 100} : std::vector<double>{0.1, 1, 10}};
+    const Axis stiffnesses{"stiffness_ratio", "E t/(ρ c² h)",
+                           full ? std::vector<double>{0.01, 0.1, 1, 10, 100, 1e4} : std::vector<double>{0.1, 1, 10}};
     const Axis places{"place", "place of the membrane in its cell", {0.02, 0.25, 0.5, 0.75, 0.98}};
     std::vector<MapPlan> all;
     for (const std::string scheme : {"default", "york1997"}) {
-      all.push_back({.title = "largest stable step along the membrane", .scheme = scheme, .x = masses, .y = stiffnesses});
+      all.push_back(
+          {.title = "largest stable step along the membrane", .scheme = scheme, .x = masses, .y = stiffnesses});
       if (!full) continue;
-      all.push_back({.title = "largest stable step along the membrane", .scheme = scheme, .x = places, .y = stiffnesses});
+      all.push_back(
+          {.title = "largest stable step along the membrane", .scheme = scheme, .x = places, .y = stiffnesses});
       all.push_back({.title = "largest stable step in the box",
                      .scheme = scheme,
                      .overrides = {{"dim", 2.0}},

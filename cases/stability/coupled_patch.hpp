@@ -9,8 +9,8 @@
 namespace plumbline {
 
 struct CoupledCell {
-  double place = 0.5;         // of the membrane to the grid in cells, (0, 1): its height; on a line that of its points
-  double density_ratio = 1;   // m_s/(rho h), m_s the membrane's mass per area, > 0
+  double place = 0.5;          // of the membrane to the grid in cells, (0, 1): its height; on a line that of its points
+  double density_ratio = 1;    // m_s/(rho h), m_s the membrane's mass per area, > 0
   double stiffness_ratio = 1;  // E t/(rho c^2 h), E t its tension per strain, > 0
 };
 

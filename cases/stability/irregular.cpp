@@ -8,7 +8,8 @@
 namespace plumbline {
 namespace {
 
-// Points of a period of `cells` cells, in cells: the regular ones, each moved at random by up to `jitter` of half a spacing.
+// Points of a period of `cells` cells, in cells: the regular ones, each moved at random by up to `jitter` of half a
+// spacing.
 std::vector<double> irregular_points(int cells, int ppc, double jitter, unsigned long seed) {
   std::mt19937_64 random(seed);
   std::vector<double> all;
@@ -22,29 +23,37 @@ std::vector<double> irregular_points(int cells, int ppc, double jitter, unsigned
 class Irregular final : public StabilityProblem {
  public:
   ProblemStatement statement() const override {
-    return {.name = "irregular",
-            .title = "Elastic bar with irregular points",
-            .source = "Bai, Schroeder 2022, Stability analysis of explicit MPM, doi 10.1111/cgf.14620",
-            .statement =
-                "A linear elastic bar without ends, at rest and free of stress, whose points stand at random within their "
-                "shares, alike in every period of `period` cells. Bai and Schroeder report growth at arbitrarily small "
-                "steps of transfers with affine velocities; here is where to look for it.",
-            .equations = {"x_k = (k + 1/2 + jitter u_k/2) h/ppc, u_k uniform in (-1, 1)"},
-            .sampled = "all wave numbers of one random layout, positions held"};
+    return {
+        .name = "irregular",
+        .title = "Elastic bar with irregular points",
+        .source = "Bai, Schroeder 2022, Stability analysis of explicit MPM, doi 10.1111/cgf.14620",
+        .statement =
+            "A linear elastic bar without ends, at rest and free of stress, whose points stand at random within their "
+            "shares, alike in every period of `period` cells. Bai and Schroeder report growth at arbitrarily small "
+            "steps of transfers with affine velocities; here is where to look for it.",
+        .equations = {"x_k = (k + 1/2 + jitter u_k/2) h/ppc, u_k uniform in (-1, 1)"},
+        .sampled = "all wave numbers of one random layout, positions held"};
   }
   Kind kind() const override { return Kind::solid; }
   std::vector<Key> keys() const override {
-    return {{.name = "period", .value = 4.0, .low = 1, .high = 50, .integer = true, .description = "of the layout, in cells"},
-            {.name = "jitter",
-             .value = 0.9,
-             .low = 0,
-             .high = 1,
-             .high_open = true,
-             .description = "how far points stand from where regular ones would, in halves of their spacing"},
-            {.name = "seed", .value = 1.0, .low = 0, .high = 1e9, .integer = true, .description = "of the random places"}};
+    return {
+        {.name = "period",
+         .value = 4.0,
+         .low = 1,
+         .high = 50,
+         .integer = true,
+         .description = "of the layout, in cells"},
+        {.name = "jitter",
+         .value = 0.9,
+         .low = 0,
+         .high = 1,
+         .high_open = true,
+         .description = "how far points stand from where regular ones would, in halves of their spacing"},
+        {.name = "seed", .value = 1.0, .low = 0, .high = 1e9, .integer = true, .description = "of the random places"}};
   }
   std::vector<Override> choices(const std::string&) const override {
-    return {{"shape", "quadratic"}, {"transfer", "apic"}, {"integrator", "musl"}, {"positions", "frozen"}, {"ppc", 2.0}};
+    return {
+        {"shape", "quadratic"}, {"transfer", "apic"}, {"integrator", "musl"}, {"positions", "frozen"}, {"ppc", 2.0}};
   }
   Patch patch(const Settings& s, const Extent& extent) const override {
     const int cells = s.integer("period"), periods = extent.core + 2 * extent.margin;

@@ -38,7 +38,12 @@ class Plane final : public StabilityProblem {
   }
   Kind kind() const override { return Kind::solid; }
   std::vector<Key> keys() const override {
-    return {{.name = "nu", .value = 0.0, .low = -1, .high = 0.5, .low_open = true, .high_open = true,
+    return {{.name = "nu",
+             .value = 0.0,
+             .low = -1,
+             .high = 0.5,
+             .low_open = true,
+             .high_open = true,
              .description = "Poisson's ratio"},
             place_key("place_x", "x"),
             place_key("place_y", "y")};
@@ -56,8 +61,9 @@ class Plane final : public StabilityProblem {
     const auto scheme = map_scheme(s);
     const std::string& transfer = s.text("transfer");
     if (!scheme || (transfer != "flip" && transfer != "pic")) return std::nullopt;
-    return ClosedForm{plate_limit(*scheme, {s.integer("ppc"), s.number("place_x"), s.number("place_y")}, s.number("nu")),
-                      "two by two matrices of the waves on one node a cell"};
+    return ClosedForm{
+        plate_limit(*scheme, {s.integer("ppc"), s.number("place_x"), s.number("place_y")}, s.number("nu")),
+        "two by two matrices of the waves on one node a cell"};
   }
   // A matrix of four points has many waves to look at, and a patch with a reach of eight cells many points.
   Prediction predicted(const Settings& settings, double width) const override {

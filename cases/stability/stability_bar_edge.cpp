@@ -19,15 +19,12 @@ struct Column {
 };
 constexpr std::array<double, 4> depths{0.25, 0.1, 0.01, 1e-4};
 const std::vector<Column>& table() {
-  static const std::vector<Column> all{{"linear", "usf", {1.732, 1.617, 1.435, 1.411}},
-                                       {"linear", "musl", {1.732, 1.617, 1.435, 1.411}},
-                                       {"linear", "usl", {0.657, 0.435, 0.141, 0.0141}},
-                                       {"gimp", "usf", {1.732, 1.939, 1.967, 1.967}},
-                                       {"gimp", "musl", {1.732, 1.939, 1.967, 1.967}},
-                                       {"gimp", "usl", {0.657, 0.704, 0.709, 0.708}},
-                                       {"quadratic", "usf", {2.282, 2.235, 2.170, 2.162}},
-                                       {"quadratic", "musl", {2.282, 2.235, 2.170, 2.162}},
-                                       {"quadratic", "usl", {0.999, 0.963, 0.917, 0.910}}};
+  static const std::vector<Column> all{
+      {"linear", "usf", {1.732, 1.617, 1.435, 1.411}},    {"linear", "musl", {1.732, 1.617, 1.435, 1.411}},
+      {"linear", "usl", {0.657, 0.435, 0.141, 0.0141}},   {"gimp", "usf", {1.732, 1.939, 1.967, 1.967}},
+      {"gimp", "musl", {1.732, 1.939, 1.967, 1.967}},     {"gimp", "usl", {0.657, 0.704, 0.709, 0.708}},
+      {"quadratic", "usf", {2.282, 2.235, 2.170, 2.162}}, {"quadratic", "musl", {2.282, 2.235, 2.170, 2.162}},
+      {"quadratic", "usl", {0.999, 0.963, 0.917, 0.910}}};
   return all;
 }
 
@@ -65,7 +62,8 @@ Findings against_table(const std::string& far_end, double length) {
     findings.measures.push_back(scalar_measure(name_of(column) + ".departure", from_table, 0, 1e-15, "1"));
     findings.profile.columns.push_back(std::move(limits));
   }
-  if (far_end == "free") findings.measures.push_back(scalar_measure("reference.departure", from_reference, 0, 1e-15, "1"));
+  if (far_end == "free")
+    findings.measures.push_back(scalar_measure("reference.departure", from_reference, 0, 1e-15, "1"));
   return findings;
 }
 
@@ -124,8 +122,10 @@ class StabilityBarEdge final : public TrialCase {
         "cell of its own. The node beyond has the mass of that share only, and a share of the force that does not "
         "fall with it.\n\n`table` judges a bar of eight cells with two free ends, as a table made beforehand did. At "
         "the other end the last point lies ½ − depth deep: the quadratic column of usl is that end's. And eight cells "
-        "are not long enough for the quadratic shapes: their worst mode feels both ends. `one-edge` has one end alone, on a "
-        "bar of sixteen cells against a wall: the limits of usf and musl there are up to 1 % higher, those of usl up to 7 %.";
+        "are not long enough for the quadratic shapes: their worst mode feels both ends. `one-edge` has one end alone, "
+        "on a "
+        "bar of sixteen cells against a wall: the limits of usf and musl there are up to 1 % higher, those of usl up "
+        "to 7 %.";
     s.equations = {"usf, musl: C = 2 / √λ_max(S M⁻¹ Gᵀ V E G M⁻¹ Sᵀ m)", "usl, linear: C = √(2 depth) (1 + O(depth))"};
     s.cells_along = "nothing: trials are not refined";
     s.reference_name = "free-bar limit";
@@ -139,7 +139,8 @@ class StabilityBarEdge final : public TrialCase {
     return {{"table", "two free ends, eight cells", "Nine columns at four depths.",
              [] { return against_table("free", 8); }},
             {"one-edge", "one free end", "The same depths.", [] { return against_table("wall", 16); }, Tier::full},
-            {"shallow", "usl with linear shapes, the last point ever less deep", "One light node.", [] { return shallow(); }},
+            {"shallow", "usl with linear shapes, the last point ever less deep", "One light node.",
+             [] { return shallow(); }},
             {"runs", "limits that runs show, one free end", "Random states of sixteen cells.", [] { return runs(); },
              Tier::full}};
   }
@@ -154,27 +155,27 @@ class StabilityBarEdge final : public TrialCase {
       const Gate one = declare("one-edge/" + name, {{}, 0.01}, Origin::target, "the table within 1 %");
       all.push_back(error_gate("one-edge", name + ".departure", trial_level, one, Tier::full));
     }
-    all.push_back(error_gate("one-edge", "quadratic-usl.departure", trial_level,
-                             expected_failure(declare("one-edge/quadratic-usl", {{}, 0.01}, Origin::target,
-                                                      "the table within 1 %"),
-                                              "the table's column is that of its other end, ½ − depth deep",
-                                              {0.06, 0.075}, measured_on),
-                             Tier::full));
+    all.push_back(error_gate(
+        "one-edge", "quadratic-usl.departure", trial_level,
+        expected_failure(declare("one-edge/quadratic-usl", {{}, 0.01}, Origin::target, "the table within 1 %"),
+                         "the table's column is that of its other end, ½ − depth deep", {0.06, 0.075}, measured_on),
+        Tier::full));
     all.push_back(error_gate("table", "reference.departure", trial_level,
                              declare("table/reference", {{}, 2e-6}, Origin::theory,
                                      "differentiating the step gives the eigenvalues of the symmetric matrix; a radius "
                                      "up to 1 + 1e-6 counts as stable, where usl's grows with twice the step's")));
-    all.push_back(value_gate("shallow", "departure_over_depth", trial_level,
-                             declare("shallow/root", {{}, 1}, Origin::theory,
-                                     "the light node's own limit is the root of twice the depth, next order in depth")));
-    all.push_back(error_gate("runs", "observed.departure", trial_level,
-                             declare("runs/limit", {{}, 0.01}, Origin::target,
-                                     "observed limits within 1 % of the predicted ones"),
-                             Tier::full));
-    all.push_back(value_gate("runs", "observed.brackets", trial_level,
-                             declare("runs/brackets", {1, 1}, Origin::theory,
-                                     "below the limit all steps are stable, above it none"),
-                             Tier::full));
+    all.push_back(
+        value_gate("shallow", "departure_over_depth", trial_level,
+                   declare("shallow/root", {{}, 1}, Origin::theory,
+                           "the light node's own limit is the root of twice the depth, next order in depth")));
+    all.push_back(error_gate(
+        "runs", "observed.departure", trial_level,
+        declare("runs/limit", {{}, 0.01}, Origin::target, "observed limits within 1 % of the predicted ones"),
+        Tier::full));
+    all.push_back(value_gate(
+        "runs", "observed.brackets", trial_level,
+        declare("runs/brackets", {1, 1}, Origin::theory, "below the limit all steps are stable, above it none"),
+        Tier::full));
     return all;
   }
 

@@ -69,8 +69,8 @@ Findings runs(const std::string& scheme, const std::vector<std::vector<Override>
     brackets = larger(brackets, seen.brackets);
     least = std::min(least, seen.predicted);
   }
-  findings.measures = {scalar_measure("observed.departure", worst, 0, 1e-15, "1"), finding("observed.brackets", brackets),
-                       finding("limit.least", least, "h/c")};
+  findings.measures = {scalar_measure("observed.departure", worst, 0, 1e-15, "1"),
+                       finding("observed.brackets", brackets), finding("limit.least", least, "h/c")};
   return findings;
 }
 
@@ -95,8 +95,8 @@ Findings the_switch() {
   };
   const double closing = limit({.side = Side::closing}), opening = limit({.side = Side::opening});
   Findings findings;
-  findings.measures = {finding("compressed", limit({.compression = 0.01}) / closing),
-                       finding("expanding", limit({.compression = -0.01}) / opening)};
+  findings.measures = {finding("compressed", limit({.compression = 0.003}) / closing),
+                       finding("expanding", limit({.compression = -0.003}) / opening)};
   const double both = look("york1997", {{"side", "both"}}).observed;
   findings.measures.push_back(finding("both", (both - closing) / (opening - closing)));
   return findings;
@@ -119,9 +119,10 @@ double speed_of_sound(const std::string& scheme, const std::vector<Override>& ov
 
 Findings sound() {
   Findings findings;
-  findings.measures = {finding("default", speed_of_sound("default", {})),
-                       finding("york1997", speed_of_sound("york1997", {{"side", "opening"}})),
-                       finding("york1997.quadratic", speed_of_sound("york1997", {{"side", "opening"}, {"shape", "quadratic"}}))};
+  findings.measures = {
+      finding("default", speed_of_sound("default", {})),
+      finding("york1997", speed_of_sound("york1997", {{"side", "opening"}})),
+      finding("york1997.quadratic", speed_of_sound("york1997", {{"side", "opening"}, {"shape", "quadratic"}}))};
   return findings;
 }
 
@@ -132,7 +133,8 @@ Findings viscosities() {
   for (const std::string scheme : {"default", "york1997"}) {
     std::vector<double> limits;
     for (const double nu : at) {
-      const Settings settings = stability_settings(gas(), scheme, {{"viscosity", nu}, {"side", "opening"}, {"ppc", 3.0}});
+      const Settings settings = stability_settings(gas(), scheme,
+                                                   {{"viscosity", nu}, {"side", "opening"}, {"ppc", 3.0}});
       limits.push_back(gas().predicted(settings, 1e-4).limit());
     }
     double rise = 0;
@@ -172,19 +174,26 @@ class StabilityGas final : public TrialCase {
     s.title = "Largest stable steps of a gas";
     s.source = "York 1997, SAND97-1893, chapter 4; his chapter 8 analyses elastic bars alone";
     s.claim =
-        "The limits of a gas, which York left open, are foretold by the step itself and met by runs: 1.44 h/c by default, "
+        "The limits of a gas, which York left open, are foretold by the step itself and met by runs: 1.44 h/c by "
+        "default, "
         "1.09 to 1.20 by his choices under compression.";
     s.physics =
-        "An ideal gas at rest without ends, on a line, its points moving. What a point pushes with, V p = (γ − 1) m e, does "
-        "not depend on its density. Linear shapes do not notice that a point moves within its cell: waves so small that no "
+        "An ideal gas at rest without ends, on a line, its points moving. What a point pushes with, V p = (γ − 1) m e, "
+        "does "
+        "not depend on its density. Linear shapes do not notice that a point moves within its cell: waves so small "
+        "that no "
         "point changes cells travel with √((γ − 1)/γ) c, and their limit is 1.87 times that of a bar. Cubic shapes see "
         "points move.\n\n"
-        "The artificial viscosity, c_L = 1, acts on a gas that closes and not on one that opens. Its limits on both sides, "
+        "The artificial viscosity, c_L = 1, acts on a gas that closes and not on one that opens. Its limits on both "
+        "sides, "
         "1.20 and 3.14 h/c, are found on smooth ground; a run across the switch lies between.\n\n"
-        "York's steps lay below the limits: 0.013 h/c in Sod's tube (dt = 1e-4, h = 0.01), 0.24 h/c in the expansion (dt = "
+        "York's steps lay below the limits: 0.013 h/c in Sod's tube (dt = 1e-4, h = 0.01), 0.24 h/c in the expansion "
+        "(dt = "
         "1e-3, h = 0.05).\n\n"
-        "In the plane a gas at rest is unstable at every step, slowly: waves of shear take energy from the pressure. By "
-        "FLIP on bilinear shapes they grow by 0.6 c/h however small the step; by APIC, which damps them at each step, by 0.04 "
+        "In the plane a gas at rest is unstable at every step, slowly: waves of shear take energy from the pressure. "
+        "By "
+        "FLIP on bilinear shapes they grow by 0.6 c/h however small the step; by APIC, which damps them at each step, "
+        "by 0.04 "
         "(Δt c/h) c/h on cubic ones: less, the smaller the step.";
     s.equations = {"linear, FLIP, one point a cell: C = C_bar(N) √(γ/(γ − 1))", "q = ρ c_L c h |∂u/∂x|: ν = c_L c h",
                    "ν ≫ c h: Δt ∝ h²/ν"};
@@ -203,8 +212,9 @@ class StabilityGas final : public TrialCase {
                      "Points that stay in their cells push a bar of the modulus (γ − 1) p.",
                      [name] { return closed_forms(name); }});
     }
-    all.push_back({"default-runs", "default: limits that runs show", "24 periods carry 24 of all wave numbers.",
-                   [] { return runs("default", {{}, {{"offset", 0.2}, {"ppc", 3.0}}}); }});
+    all.push_back({"default-runs", "default: limits that runs show", "24 periods carry 24 of all wave numbers.", [] {
+                     return runs("default", {{}, {{"offset", 0.2}, {"ppc", 3.0}}});
+                   }});
     all.push_back({"york1997-runs", "york1997: limits that runs show, on both sides of the viscosity's switch",
                    "Three points a cell at three offsets.", [] {
                      return runs("york1997", {{},
@@ -213,13 +223,14 @@ class StabilityGas final : public TrialCase {
                                               {{"side", "opening"}},
                                               {{"offset", 0.2}, {"side", "opening"}}});
                    }});
-    all.push_back({"switch", "A gas that closes, one that opens, and the switch between",
-                   "The limit of a gas that is compressed, its own switch on, is that of a viscosity 4/3 μ = c_L ρ c h.",
-                   the_switch});
+    all.push_back(
+        {"switch", "A gas that closes, one that opens, and the switch between",
+         "The limit of a gas that is compressed, its own switch on, is that of a viscosity 4/3 μ = c_L ρ c h.",
+         the_switch});
     all.push_back({"sound", "How fast sound of no amplitude travels", "π/31 a cell.", sound});
     all.push_back({"viscosity", "Limits with physical viscosity", "From none to 30 c h.", viscosities, Tier::full});
-    all.push_back({"plane", "Growth in the plane, at steps of 0.1 and 0.2 h/c", "All wave numbers, 2 x 2 points a cell.",
-                   plane});
+    all.push_back(
+        {"plane", "Growth in the plane, at steps of 0.1 and 0.2 h/c", "All wave numbers, 2 x 2 points a cell.", plane});
     return all;
   }
 
@@ -236,13 +247,15 @@ class StabilityGas final : public TrialCase {
     }
     for (const std::string scheme : {"default", "york1997"}) {
       const std::string trial = scheme + "-runs";
-      all.push_back(error_gate(trial, "observed.departure", trial_level,
-                               declare(trial + "/limit", {{}, 0.02}, Origin::target,
-                                       "observed limits within 2 % of the predicted ones")));
-      value(trial, "observed.brackets",
-            declare(trial + "/brackets", {1, 1}, Origin::theory, "below the limit all steps are stable, above it none"));
+      all.push_back(error_gate(
+          trial, "observed.departure", trial_level,
+          declare(trial + "/limit", {{}, 0.02}, Origin::target, "observed limits within 2 % of the predicted ones")));
+      value(
+          trial, "observed.brackets",
+          declare(trial + "/brackets", {1, 1}, Origin::theory, "below the limit all steps are stable, above it none"));
     }
-    const std::string same = "the same law on this side of its switch; 2 % for the compression of 0.01 c/h and 5 % a step";
+    const std::string same =
+        "the same law on this side of its switch; 2 % for the compression of 0.003 c/h and 5 % a step";
     value("switch", "compressed", declare("switch/compressed", {0.98, 1.02}, Origin::identity, same));
     value("switch", "expanding", declare("switch/expanding", {0.98, 1.02}, Origin::identity, same));
     value("switch", "both", declare("switch/both", {0, 1}, Origin::theory, "a mean of both sides"));
@@ -263,11 +276,12 @@ class StabilityGas final : public TrialCase {
                     "of great viscosity the limit falls as h²/ν; from 10 to 30 c h all but (c h/ν)²"),
             Tier::full);
     }
-    value("plane", "york1997.rate",
-          expected_failure(declare("plane/york1997-rate", {{}, 1e-5}, Origin::theory, "a gas at rest stays at rest"),
-                           "the mixed derivative of bilinear shapes, but not their second ones, changes forces as points "
-                           "move: waves of shear grow",
-                           {0.55, 0.7}));
+    value(
+        "plane", "york1997.rate",
+        expected_failure(declare("plane/york1997-rate", {{}, 1e-5}, Origin::theory, "a gas at rest stays at rest"),
+                         "the mixed derivative of bilinear shapes, but not their second ones, changes forces as points "
+                         "move: waves of shear grow",
+                         {0.55, 0.7}));
     value("plane", "york1997.ratio",
           declare("plane/york1997-ratio", {1.9, 2.2}, Origin::theory,
                   "FLIP damps nothing: growth per time does not depend on the step, growth per step is in proportion"));
@@ -282,7 +296,7 @@ class StabilityGas final : public TrialCase {
     return all;
   }
 
-  GateCount gate_count() const override { return {0, 0}; }
+  GateCount gate_count() const override { return {49, 57}; }
 };
 
 PLUMBLINE_CASE(StabilityGas);

@@ -45,8 +45,8 @@ Findings his_list(const std::string& at) {
   Findings findings;
   findings.measures.push_back(finding("first_unstable", first_unstable(at, grows), "h/c"));
   for (std::size_t k = 0; k < steps.size(); ++k) {
-    findings.measures.push_back(finding("highest_energy_" + to_text(steps[k]),
-                                        *std::max_element(histories[k].begin(), histories[k].end())));
+    findings.measures.push_back(
+        finding("highest_energy_" + to_text(steps[k]), *std::max_element(histories[k].begin(), histories[k].end())));
   }
   findings.profile = energy_profile(steps, histories);
   return findings;
@@ -74,8 +74,7 @@ Findings true_limit(const std::string& at) {
     const Configuration found = examine(york, "york1997", settings, true);
     const std::string prefix = std::string(ends) + ".";
     // Held or free, the stiffest mode is the same one.
-    const reference::Bounded exact =
-        reference::free_bar_courant_limit({}, reference::york_points(york_offset(at)), 1);
+    const reference::Bounded exact = reference::free_bar_courant_limit({}, reference::york_points(york_offset(at)), 1);
     findings.measures.push_back(
         scalar_measure(prefix + "predicted", found.predicted.limit(), exact.value, exact.bound, "h/c"));
     const auto& seen = found.observed->brackets;
@@ -96,7 +95,8 @@ class StabilityYork final : public TrialCase {
     s.title = "York's stability test";
     s.source = "York 1997, SAND97-1893, section 8.5, Table 10, Fig. 91, appendix A.4.11";
     s.claim =
-        "The five points bear 2.103 h/c at the centres of their cells and 1.0517 h/c at the sides. York's list of steps, "
+        "The five points bear 2.103 h/c at the centres of their cells and 1.0517 h/c at the sides. York's list of "
+        "steps, "
         "whose first unstable ones were 2 and 1.1, is met at the sides; at the centres it is met if nodes at the ends "
         "are held after forces have acted but not before.";
     s.physics =
@@ -146,9 +146,9 @@ class StabilityYork final : public TrialCase {
                                     declare(id + "predicted", {{}, 1e-6}, Origin::theory,
                                             "differentiating the step gives the eigenvalues of the symmetric matrix; "
                                             "a radius up to 1 + 1e-6 counts as stable")));
-        all.push_back(relative_gate(study, ends + ".observed",
-                                    declare(id + "observed", {{}, 1e-3}, Origin::target,
-                                            "runs bracket the limit to 0.1 %")));
+        all.push_back(
+            relative_gate(study, ends + ".observed",
+                          declare(id + "observed", {{}, 1e-3}, Origin::target, "runs bracket the limit to 0.1 %")));
         all.push_back(value_gate(study, ends + ".bracket_width", trial_level,
                                  declare(id + "width", {{}, 1e-3}, Origin::target, "bracketed to 0.1 %")));
         all.push_back(value_gate(study, ends + ".brackets", trial_level,
@@ -191,10 +191,11 @@ class StabilityYork final : public TrialCase {
                              frozen("late-held-centres/limit", 1.93861, 1e-3, measured_on,
                                     "no closed form is known: bisected, as guard against drift")));
     const double half = std::sin(0.4 * std::numbers::pi);  // 2 h/c over the limit at the centres
-    all.push_back(value_gate("list-centres", "highest_energy_2", trial_level,
-                             declare("list-centres/energy-at-2", {1, (1 + half) / (1 - half)}, Origin::theory,
-                                     "the step keeps v² + ω²u² − Δt ω² u v of each mode, so the energy stays within (1 + "
-                                     "Ω/2)/(1 − Ω/2) of its start, Ω/2 = 2/2.103")));
+    all.push_back(
+        value_gate("list-centres", "highest_energy_2", trial_level,
+                   declare("list-centres/energy-at-2", {1, (1 + half) / (1 - half)}, Origin::theory,
+                           "the step keeps v² + ω²u² − Δt ω² u v of each mode, so the energy stays within (1 + "
+                           "Ω/2)/(1 − Ω/2) of its start, Ω/2 = 2/2.103")));
     all.push_back(value_gate("list-sides", "highest_energy_1.1", trial_level,
                              declare("list-sides/energy-at-1.1", {20, {}}, Origin::literature,
                                      "York's curve leaves the figure, whose axis ends at twenty times the kick's")));

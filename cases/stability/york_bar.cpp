@@ -44,7 +44,9 @@ Patch YorkBar::patch() const {
 
 namespace {
 
-int step_count(double courant) { return static_cast<int>(std::ceil(YorkBar::end_time / (courant * YorkBar::courant_step) - 1e-9)); }
+int step_count(double courant) {
+  return static_cast<int>(std::ceil(YorkBar::end_time / (courant * YorkBar::courant_step) - 1e-9));
+}
 
 // v and sigma as StepMap orders them, each in units of c and rho c^2.
 double energy_of(const StepMap& map, const std::vector<double>& state) {

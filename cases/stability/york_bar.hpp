@@ -1,4 +1,4 @@
-// York's five points, one a cell, and how their energy goes. [York 8.5]
+// York's five points, one a cell, and how their energy goes. York, section 8.5.
 #pragma once
 
 #include <string>

@@ -1,0 +1,110 @@
+// Cases of the catalog at shares of the limit that the laboratory foretells.
+#include <algorithm>
+#include <cmath>
+
+#include "cases/harness/experiment.hpp"
+#include "cases/harness/gates.hpp"
+#include "cases/laboratory/safe_step.hpp"
+#include "cases/stability/trial_case.hpp"
+
+namespace plumbline {
+namespace {
+
+// What became of the energy in a run: the largest store over that at the start (and what flowed in); infinite if the run
+// stopped.
+double growth_of(const Case& entry, const std::string& scheme, const std::vector<Override>& overrides) {
+  const RunResult run = run_experiment(entry, scheme, entry.settings(scheme, overrides));
+  if (!run.finished) return HUGE_VAL;
+  double scale = std::abs(run.ledger.energy.initial()), largest = 0;
+  for (const auto& series : run.history.series) {
+    if (series.quantity != "energy" || series.column != "store") continue;
+    for (const double store : series.values) largest = larger(largest, std::abs(store));
+  }
+  return largest / scale;
+}
+
+struct Entry {
+  const char *trial, *name, *scheme, *title;
+  std::vector<Override> overrides;
+};
+
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> all{
+      {"bar-vibration", "bar-vibration", "default", "default scheme of solids", {{"cells", 13.0}}},
+      {"bar-vibration-flip",
+       "bar-vibration",
+       "default",
+       "solids: musl, linear, FLIP",
+       {{"cells", 13.0}, {"integrator", "musl"}, {"shape", "linear"}, {"transfer", "flip"}, {"ppc", 2.0}}},
+      {"string-vibration", "string-vibration", "default", "default scheme of membranes", {{"cells", 20.0}}},
+      {"sod", "sod", "default", "default scheme of gases", {{"cells", 50.0}}}};
+  return all;
+}
+
+Findings shares_of(const Entry& chosen) {
+  const Case& entry = find_case(chosen.name);
+  std::vector<Override> overrides = chosen.overrides;
+  overrides.emplace_back("cfl", "auto");
+  const double limit = entry.settings(chosen.scheme, overrides).number("cfl") / auto_share;
+  Findings findings;
+  findings.measures.push_back(finding("limit", limit, "h/c"));
+  for (const auto& [name, share] : {std::pair{"at-0.5", 0.5}, {"at-0.9", 0.9}, {"at-1.1", 1.1}, {"at-2", 2.0}}) {
+    overrides.back() = {"cfl", share * limit};
+    findings.measures.push_back(finding(name, std::min(1e300, growth_of(entry, chosen.scheme, overrides))));
+  }
+  return findings;
+}
+
+class StabilityCatalog final : public TrialCase {
+ public:
+  Statement statement() const override {
+    Statement s;
+    s.name = "stability-catalog";
+    s.title = "Cases of the catalog at shares of the foretold limit";
+    s.source = "kernel/README.md, \"Stability\"";
+    s.claim = "At half and at nine tenths of the limit that the laboratory foretells, cases hold.";
+    s.physics =
+        "Each case runs at shares of the limit behind `cfl=auto`: the least that the laboratory finds over the places "
+        "of the points in their cells, and for solids at free ends. The number shown is the largest energy of the run "
+        "over that of its start; a run that stops has none.\n\nA case whose points never stand at the worst place "
+        "bears more than that limit, and one whose step conserves energy by giving losses back as heat cannot gain "
+        "any: what is unstable there heats the gas.";
+    s.equations = {"Δt = cfl min h / (c + |v|)"};
+    s.cells_along = "nothing: trials are not refined";
+    s.reference_name = "none";
+    s.reference_text = "The energy at the start.";
+    s.reference_bound = "Rounding.";
+    s.theory_orders = {{"at-0.9", 0, "nothing is refined"}};
+    return s;
+  }
+
+  std::vector<Trial> trials() const override {
+    std::vector<Trial> all;
+    for (const Entry& chosen : entries()) {
+      all.push_back({chosen.trial, chosen.title, "Shares 0.5, 0.9, 1.1 and 2 of the limit.",
+                     [chosen] { return shares_of(chosen); }});
+    }
+    return all;
+  }
+
+  std::vector<CaseGate> gates() const override {
+    std::vector<CaseGate> all;
+    for (const Entry& chosen : entries()) {
+      const std::string trial = chosen.trial;
+      for (const char* share : {"at-0.5", "at-0.9"}) {
+        all.push_back(value_gate(trial, share, trial_level,
+                                 declare(trial + "/" + share, {{}, 2}, Origin::target,
+                                         "below the limit a case holds: its energy stays within twice that of its "
+                                         "start, what gravity and walls give included")));
+      }
+    }
+    return all;
+  }
+
+  GateCount gate_count() const override { return {24, 24}; }
+};
+
+PLUMBLINE_CASE(StabilityCatalog);
+
+}  // namespace
+}  // namespace plumbline

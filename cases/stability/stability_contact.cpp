@@ -1,0 +1,116 @@
+// What the laboratory says of two bars in contact: each smooth side, and runs across the switch.
+#include <cmath>
+
+#include "cases/harness/gates.hpp"
+#include "cases/laboratory/problem.hpp"
+#include "cases/stability/trial_case.hpp"
+
+namespace plumbline {
+namespace {
+
+const std::vector<double>& interfaces() {
+  static const std::vector<double> all{0.01, 0.25, 0.4, 0.5};
+  return all;
+}
+
+// Predicted and observed limits of one side over the places of the interface.
+Findings limits(const std::string& scheme, const std::string& side) {
+  const StabilityProblem& contact = find_stability_problem("contact");
+  Findings findings;
+  double apart = 0, least = 1e300, least_seen = 1e300;
+  std::vector<double> predicted, observed;
+  for (const double at : interfaces()) {
+    const Settings settings = stability_settings(contact, scheme, {{"side", side}, {"interface", at}});
+    const Prediction found = contact.predicted(settings, 1e-6);
+    const Observation seen = contact.observed(settings, found.reach);
+    predicted.push_back(found.limit());
+    observed.push_back(seen.brackets.empty() ? std::nan("") : 0.5 * (seen.brackets[0].low + seen.brackets[0].high));
+    apart = larger(apart, std::abs(observed.back() / predicted.back() - 1));
+    least = smaller(least, predicted.back());
+    least_seen = smaller(least_seen, observed.back());
+  }
+  findings.measures = {scalar_measure("observed.departure", apart, 0, 1e-15, "1"), finding("least", least, "h/c"),
+                       finding("least_observed", least_seen, "h/c")};
+  findings.profile.abscissa = "interface";
+  findings.profile.columns = {{"interface", "1", "where the bars meet in their cell", interfaces()},
+                              {"predicted", "h/c", "largest stable step, " + side, predicted},
+                              {"observed", "h/c", "seen in runs", observed}};
+  return findings;
+}
+
+class StabilityContact final : public TrialCase {
+ public:
+  Statement statement() const override {
+    Statement s;
+    s.name = "stability-contact";
+    s.title = "Largest stable steps of bars in contact";
+    s.source = "York 1997, SAND97-1893, appendix A.1; kernel/README.md, \"Touching\"";
+    s.claim =
+        "Bars that touch bear no less than bars apart: contact that makes the midpoint velocity common leaves the "
+        "limit to "
+        "the bars and their ends. York's contact-release loses stability where neither of its two linear steps does: "
+        "by switching.";
+    s.physics =
+        "Two bars, each with a velocity field of its own. `touching`: pressed together at rest. `apart`: without "
+        "stress, "
+        "too far from each other to touch, yet at nodes that both use. Both sides are linear, and the laboratory "
+        "differentiates each.\n\nUnder York's criterion bars at rest are neither. His two linear steps take turns, "
+        "decided by "
+        "the sign of a velocity difference; a product of two stable steps need not be stable, and runs grow from steps "
+        "on "
+        "that both sides bear.";
+    s.equations = {"touching: v̄₁ = v̄₂ at every shared node", "apart: each field alone"};
+    s.cells_along = "nothing: trials are not refined";
+    s.reference_name = "none";
+    s.reference_text = "Predicted limits of each side; runs.";
+    s.reference_bound = "Width of the brackets, 0.2 %.";
+    s.theory_orders = {{"observed.departure", 0, "nothing is refined"}};
+    s.known_limits = {"One dimension: normals and the choice of touching points are not put to the test."};
+    return s;
+  }
+
+  std::vector<Trial> trials() const override {
+    std::vector<Trial> all;
+    for (const std::string scheme : {"default", "york1997"}) {
+      for (const std::string side : {"touching", "apart"}) {
+        all.push_back({scheme + "-" + side, scheme + ", bars " + side, "Four places of the interface.",
+                       [=] { return limits(scheme, side); }, Tier::full});
+      }
+    }
+    return all;
+  }
+
+  std::vector<CaseGate> gates() const override {
+    std::vector<CaseGate> all;
+    for (const std::string study : {"default-touching", "default-apart"}) {
+      all.push_back(error_gate(
+          study, "observed.departure", trial_level,
+          declare(study + "/observed", {{}, 0.01}, Origin::target, "observed limits within 1 % of the predicted ones"),
+          Tier::full));
+    }
+    for (const std::string study : {"default-touching", "default-apart", "york1997-touching", "york1997-apart"}) {
+      all.push_back(value_gate(
+          study, "least", trial_level,
+          declare(study + "/above-safe-step", {0.5, {}}, Origin::target, "cases of solids run at half of h/c"),
+          Tier::full));
+    }
+    for (const std::string study : {"york1997-touching", "york1997-apart"}) {
+      all.push_back(
+          error_gate(study, "observed.departure", trial_level,
+                     expected_failure(declare(study + "/observed", {{}, 0.01}, Origin::target,
+                                              "observed limits within 1 % of the predicted ones"),
+                                      "the criterion switches between two linear steps, each stable; their products "
+                                      "are not",
+                                      {0.1, 0.6}, "2026-11-22 8052781"),
+                     Tier::full));
+    }
+    return all;
+  }
+
+  GateCount gate_count() const override { return {0, 24}; }
+};
+
+PLUMBLINE_CASE(StabilityContact);
+
+}  // namespace
+}  // namespace plumbline
