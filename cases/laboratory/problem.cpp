@@ -193,7 +193,7 @@ StabilityMap draw_map(const StabilityProblem& problem, const MapPlan& plan, int 
   map.transfer = problem.has_grid() ? settings.text("transfer") : "none";
   if (map.transfer == "xpic" || map.transfer == "fmpm") map.transfer += to_text(settings["transfer_order"]);
   map.id = problem.name() + "/" + plan.scheme + "/" + map.integrator + "/" + map.shape + "/" + map.transfer + "/" +
-           plan.kind + "-" + plan.x.key + "-" + plan.y.key;
+           plan.kind + "-" + plan.x.key + "-" + plan.y.key + "/" + short_hash(settings.canonical()).substr(0, 6);
   if (plan.kind == "limit") draw_limits(problem, plan, threads, map);
   if (plan.kind == "growth") draw_growth(problem, plan, threads, map);
   return map;

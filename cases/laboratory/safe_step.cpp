@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "cases/harness/errors.hpp"
 
@@ -34,7 +35,11 @@ SafeStep safe_step_of_bar(const Method& method, int order, const std::map<std::s
   const bool far = reach_of_step(stepped(regular), 3) > far_reach;
   const Scan scan = far ? Scan{1, 4, 2} : Scan{0.02, 4, 16};
   const auto limit_of = [&](std::function<Patch(const Extent&)> patch) {
-    return predict(stepped(std::move(patch)), scan, width).limit();
+    try {
+      return predict(stepped(std::move(patch)), scan, width).limit();
+    } catch (const std::runtime_error&) {  // a step that cannot be taken behind this edge is none to call safe
+      return 0.0;
+    }
   };
   SafeStep safe{method, order, ppc};
   safe.limit = safe.edge = HUGE_VAL;

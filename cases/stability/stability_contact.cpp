@@ -46,10 +46,10 @@ class StabilityContact final : public TrialCase {
     s.title = "Largest stable steps of bars in contact";
     s.source = "York 1997, SAND97-1893, appendix A.1; kernel/README.md, \"Touching\"";
     s.claim =
-        "Bars that touch bear no less than bars apart: contact that makes the midpoint velocity common leaves the "
-        "limit to "
-        "the bars and their ends. York's contact-release loses stability where neither of its two linear steps does: "
-        "by switching.";
+        "Contact that makes the midpoint velocity common keeps about h/c: what bars bear with their ends, touching or "
+        "apart, "
+        "and runs meet it. York's contact-release loses stability where neither of its two linear steps does: by "
+        "switching.";
     s.physics =
         "Two bars, each with a velocity field of its own. `touching`: pressed together at rest. `apart`: without "
         "stress, "

@@ -93,6 +93,7 @@ TEST_P(Threads, NeighboursInAPackDoNotMeet) {
   const GridSpec grid = scenes::box(space, {12, 12, 12}, 1.0);
   for (const scenes::Combination& c : scenes::working_combinations()) {
     if (c.integrator.starts_with("test_")) continue;
+    if (c.integrator == "implicit-midpoint") continue;  // solves for all points at once: each rounds with every other
     SCOPED_TRACE(c);
     std::vector<scenes::Place> places;
     for (double x : {2.0, 9.0}) {

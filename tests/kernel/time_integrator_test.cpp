@@ -67,6 +67,7 @@ class Remembering final : public TimeIntegrator {
   std::vector<IntegratorParameter> parameters() override { return {{"test_share", &share, 0, 1, "of nothing"}}; }
   std::vector<State*> memory() override { return {&kept}; }
   void step(Stages&, double dt) override { kept.values.push_back(share * dt); }
+  std::string refusal(const std::string&, const std::string&) const override { return "nothing moves"; }
   double share = 0.25;
   State kept;
 };
