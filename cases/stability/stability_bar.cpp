@@ -3,6 +3,7 @@
 
 #include "cases/harness/gates.hpp"
 #include "cases/laboratory/problem.hpp"
+#include "cases/stability/bar_table.hpp"
 #include "cases/stability/trial_case.hpp"
 
 namespace plumbline {
@@ -87,6 +88,7 @@ class StabilityBar final : public TrialCase {
       all.push_back({name + "-runs", name + ": limits that runs show, at four places",
                      "24 periods carry 24 of all wave numbers; the limit is flat there.", [name] { return runs(name); }});
     }
+    for (Trial& trial : table_trials()) all.push_back(std::move(trial));
     return all;
   }
 
@@ -103,10 +105,11 @@ class StabilityBar final : public TrialCase {
                                declare(name + "-runs/brackets", {1, 1}, Origin::theory,
                                        "below the limit all steps are stable, above it none")));
     }
+    for (CaseGate& gate : table_gates()) all.push_back(std::move(gate));
     return all;
   }
 
-  GateCount gate_count() const override { return {33, 33}; }
+  GateCount gate_count() const override { return {33, 105}; }
 };
 
 PLUMBLINE_CASE(StabilityBar);

@@ -131,8 +131,9 @@ TEST(Stages, VelocitiesOfAState) {
   Scene scene = scenes::rough_gas(2, "quadratic", "flip");
   UniaxialMembrane law;
   law.youngs_modulus = law.density = 1;
-  scene.bodies.push_back(scenes::membrane_body(law, 2, {{0.2, 0.2}, {0.25, 0.2}}, 0.01,
-                                               [](const scenes::Place& x) { return scenes::Place{x[0], 3}; }));
+  scene.bodies.push_back(scenes::membrane_body(law, 2, {{0.2, 0.2}, {0.25, 0.2}}, 0.01, [](const scenes::Place& x) {
+    return scenes::Place{x[0], 3};
+  }));
   Ledger ledger;
   const auto engine = make_engine(scene, ledger, {});
   engine->initialise();
