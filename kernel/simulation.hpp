@@ -16,9 +16,9 @@ namespace plumbline {
 
 // The step: dt = cfl times the engine's step limit, or fixed.
 struct StepControl {
-  double cfl = 0.3;          // > 0
-  std::optional<double> dt;  // s, > 0; overrides cfl
-  int threads = 1;           // >= 1; no result depends on it
+  double cfl = 0.3;                               // > 0
+  std::optional<double> dt;                       // s, > 0; overrides cfl
+  int threads = 1;                                // >= 1; no result depends on it
   std::map<std::string, double> parameters = {};  // of the integrator, by name; those of others may stand here too
 };
 

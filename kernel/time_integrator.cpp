@@ -37,6 +37,7 @@ void set_parameters(TimeIntegrator& integrator, const std::map<std::string, doub
 
 RegisterIntegrator::RegisterIntegrator(IntegratorEntry entry) {
   if (find_integrator(entry.name)) throw std::logic_error("integrator " + entry.name + " is registered twice");
+  if (!entry.make || !entry.copy) throw std::logic_error("integrator " + entry.name + " cannot be made and copied");
   auto& all = registered();
   const auto place = std::upper_bound(all.begin(), all.end(), entry,
                                       [](const auto& a, const auto& b) { return a.name < b.name; });

@@ -59,7 +59,7 @@ const IntegratorEntry* find_integrator(const std::string& name);
 // out of range.
 void set_parameters(TimeIntegrator& integrator, const std::map<std::string, double>& chosen);
 
-// Registers at start, or when a plug-in is loaded. A name that is taken already throws std::logic_error.
+// Registers at start, or when a plug-in is loaded. A name that is taken already, or an entry without `make` or `copy`, throws std::logic_error.
 struct RegisterIntegrator {
   explicit RegisterIntegrator(IntegratorEntry entry);
 };
@@ -67,12 +67,10 @@ struct RegisterIntegrator {
 }  // namespace plumbline
 
 // Registers integrator class Type under a name, with a one-line title and its source.
-#define PLUMBLINE_INTEGRATOR(Type, name, title, source)            \
-  static const ::plumbline::RegisterIntegrator register_##Type {   \
-    {                                                              \
-      name, title, source, [] { return std::make_unique<Type>(); },                                \
-          [](const ::plumbline::TimeIntegrator& now) {                                               \
-            return std::make_unique<Type>(static_cast<const Type&>(now));                            \
-          }                                                                                          \
-    }                                                                                                \
+#define PLUMBLINE_INTEGRATOR(Type, name, title, source)                                                                \
+  static const ::plumbline::RegisterIntegrator register_##Type {                                                       \
+    {                                                                                                                  \
+      name, title, source, [] { return std::make_unique<Type>(); },                                                    \
+          [](const ::plumbline::TimeIntegrator& now) { return std::make_unique<Type>(static_cast<const Type&>(now)); } \
+    }                                                                                                                  \
   }

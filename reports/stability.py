@@ -262,7 +262,7 @@ def _problem(problem, anchor):
 def _choices(configurations):
     """(settings that all configurations share, of each configuration those that set it apart in words)."""
     settings = [configuration["settings"] for configuration in configurations]
-    keys = list(dict.fromkeys(key for entry in settings for key in entry))
+    keys = list(dict.fromkeys(key for entry in settings for key in entry if key != "integrator"))
     keys.sort(key=lambda key: (_FIRST_CHOICES.index(key) if key in _FIRST_CHOICES else len(_FIRST_CHOICES), key))
     shared = {
         key: settings[0][key]

@@ -95,7 +95,8 @@ void print(const Output& out, const Json& all) {
 }  // namespace
 
 Command add_list(CLI::App& app, Invocation& invocation) {
-  CLI::App* sub = app.add_subcommand("list", "cases, schemes, integrators, shapes, transfers, materials, references, stability problems");
+  CLI::App* sub = app.add_subcommand(
+      "list", "cases, schemes, integrators, shapes, transfers, materials, references, stability problems");
   sub->footer("Example: plumbline list --json -");
   add_json(*sub, invocation.options);
   return {sub, [&invocation] {

@@ -82,8 +82,10 @@ std::vector<std::pair<std::string, Settings>> settings_of(const StabilityProblem
   std::vector<std::pair<std::string, Settings>> found;
   for (const Chosen& chosen : choices_of(problem, options, all)) {
     for (const auto& assignments_made : typed) {
-      found.emplace_back(chosen.scheme,
-                         stability_settings(problem, chosen.scheme, chosen.overrides, assignments_made));
+      Settings settings = stability_settings(problem, chosen.scheme, chosen.overrides, assignments_made);
+      const bool there = std::any_of(found.begin(), found.end(),
+                                     [&](const auto& other) { return other.second == settings; });
+      if (!there) found.emplace_back(chosen.scheme, std::move(settings));
     }
   }
   return found;
@@ -101,13 +103,15 @@ void print(const Output& out, const StabilityProblem& problem, const Configurati
   for (const char* key : {"shape", "transfer", "ppc"}) {
     if (found.settings.has(key)) method += fmt::format(" {}", to_text(found.settings[key]));
   }
+  for (const auto& [name, value] : integrator_parameters(found.settings)) chosen += fmt::format(" {}={}", name, value);
   out.line("{}:{} [{}]", method, chosen, found.scheme);
   if (!found.note.empty()) {
     out.line("  nothing found: {}", found.note);
     return;
   }
   std::string stable;
-  for (const StableInterval& interval : found.predicted.stable) stable += (stable.empty() ? "" : ", ") + text_of(interval);
+  for (const StableInterval& interval : found.predicted.stable)
+    stable += (stable.empty() ? "" : ", ") + text_of(interval);
   if (found.predicted.always_unstable()) stable = "no step of the scan";
   out.line("  predicted stable  {} ({}){}", stable, found.unit,
            found.closed_form ? fmt::format("; closed form {:.8g}", found.closed_form->limit) : "");
@@ -136,21 +140,21 @@ void print(const Output& out, const StabilityProblem& problem, const Configurati
 Json safe_table(Tier tier, int threads) {
   const bool full = tier == Tier::full;
   std::vector<std::pair<Method, int>> rows;  // and points per cell
-  const std::vector<Method> all =
-      full ? methods({"linear", "gimp", "quadratic", "cubic"}, {"pic", "flip", "apic", "xpic", "fmpm"})
-           : methods({"linear", "quadratic"}, {"flip", "apic"});
+  const std::vector<Method> all = full ? methods({"linear", "gimp", "quadratic", "cubic"},
+                                                 {"pic", "flip", "apic", "xpic", "fmpm"})
+                                       : methods({"linear", "quadratic"}, {"flip", "apic"});
   for (const Method& method : all) {
     for (const int ppc : full ? std::vector<int>{1, 2, 3, 4} : std::vector<int>{2}) rows.emplace_back(method, ppc);
   }
   std::vector<Json> found(rows.size());
-  for_all(rows.size(), threads, [&](std::size_t k) {
-    found[k] = to_json(safe_step_of_bar(rows[k].first, 2, {}, rows[k].second, full));
-  });
+  for_all(rows.size(), threads,
+          [&](std::size_t k) { found[k] = to_json(safe_step_of_bar(rows[k].first, 2, {}, rows[k].second, full)); });
   return Json(found);
 }
 
 // What the laboratory finds; why it finds nothing is a result, too: a step that cannot be taken, or has no derivative.
-Configuration examined(const StabilityProblem& problem, const std::string& scheme, const Settings& settings, bool runs) {
+Configuration examined(const StabilityProblem& problem, const std::string& scheme, const Settings& settings,
+                       bool runs) {
   try {
     return examine(problem, scheme, settings, runs);
   } catch (const UsageError&) {
@@ -206,11 +210,13 @@ int execute(const Invocation& invocation, const StabilityOptions& own) {
 }  // namespace
 
 Command add_stability(CLI::App& app, Invocation& invocation) {
-  CLI::App* sub = app.add_subcommand("stability", "limits of the time step: foretold by the step itself, and seen in runs");
+  CLI::App* sub = app.add_subcommand("stability",
+                                     "limits of the time step: foretold by the step itself, and seen in runs");
   sub->footer("Example: plumbline stability bar --integrator usl --over N=0.1,0.3,0.5");
   auto options = std::make_shared<StabilityOptions>();
   sub->add_option("problem", options->problems, "the problems, or all")->required();
-  sub->add_option("--over", options->over, "key=value,value,...: each of the values (repeatable)")->allow_extra_args(false);
+  sub->add_option("--over", options->over, "key=value,value,...: each of the values (repeatable)")
+      ->allow_extra_args(false);
   sub->add_flag("--no-runs", options->no_runs, "foretell only");
   sub->add_flag("--maps", options->maps, "the problem's maps, too, and of `bar` the table of safe steps");
   sub->add_option("--tier", options->tier, "how fine the maps are")->check(CLI::IsMember({"quick", "full"}));

@@ -168,7 +168,8 @@ std::vector<Key> kind_keys(Kind kind) {
        .high = infinite,
        .low_open = true,
        .optional = true,
-       .description = "dt = cfl min_p h / (c_p + |v_p|), below the viscous limit too; auto: what the laboratory finds safe",
+       .description =
+           "dt = cfl min_p h / (c_p + |v_p|), below the viscous limit too; auto: what the laboratory finds safe",
        .words = {"auto"}},
       {.name = "dt",
        .value = std::monostate{},

@@ -111,7 +111,8 @@ void Settings::set_text(const std::string& assignment, const std::string& owner)
   } else if (text == "none") {
     set(key, std::monostate{}, owner);
   } else {
-    const bool word = found != keys_.end() && std::find(found->words.begin(), found->words.end(), text) != found->words.end();
+    const bool word = found != keys_.end() &&
+                      std::find(found->words.begin(), found->words.end(), text) != found->words.end();
     if (found != keys_.end() && found->choices.empty() && !word) {
       throw UsageError(key, text, found->allowed(), {},
                        fmt::format("{} = '{}' is not a number: {}", key, text, found->allowed()));

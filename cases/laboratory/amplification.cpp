@@ -52,12 +52,14 @@ Amplification::Amplification(const Patch& patch, const IntegratorChoice& integra
   StepMap map(patch.scene, patch.units, integrator, positions, dt);
   // Large changes round least, small ones see least of what is not linear, and least often cross a switch.
   constexpr double good_enough = 1e-9;
+  std::string stopped;
   for (const double size : {1e-3, 1e-4, 1e-5, 1e-6, 1e-8}) {
     Differences tried{size, 0};
     Blocks blocks;
     try {
       blocks = differentiate(patch, map, tried);
-    } catch (const InadmissibleState&) {  // where nodes are all but massless, a large change moves points too far
+    } catch (const InadmissibleState& state) {  // where nodes are all but massless, a large change moves points too far
+      stopped = state.what();
       continue;
     }
     if (!blocks_.empty() && tried.error >= differences_.error) continue;
@@ -65,11 +67,12 @@ Amplification::Amplification(const Patch& patch, const IntegratorChoice& integra
     blocks_ = std::move(blocks);
     if (tried.error <= good_enough) break;
   }
-  if (blocks_.empty()) throw std::runtime_error("no change of the state is small enough to be stepped");
+  if (blocks_.empty()) throw NotStepped("no change of the state is small enough to be stepped: " + stopped);
   unknowns_ = static_cast<int>(blocks_.at({0, 0}).rows());
   drop_idle();
   int outermost = 0;
-  for (const auto& [period, block] : blocks_) outermost = std::max({outermost, std::abs(period[0]), std::abs(period[1])});
+  for (const auto& [period, block] : blocks_)
+    outermost = std::max({outermost, std::abs(period[0]), std::abs(period[1])});
   for (const auto& [period, block] : blocks_) {
     if (directions_ == 0 || block.size() == 0) continue;
     if (std::max(std::abs(period[0]), std::abs(period[1])) == outermost) {
@@ -209,8 +212,8 @@ WorstWave climb(const Amplification& amplification, int directions, WorstWave fr
         return -amplification.spectral_radius(theta);
       };
       const double low = from.theta[d] - spacing, high = from.theta[d] + spacing;
-      const auto [t, value] =
-          boost::math::tools::brent_find_minima(lower, directions == 1 ? std::max(low, 0.5 * spacing) : low, high, 24);
+      const auto [t, value] = boost::math::tools::brent_find_minima(
+          lower, directions == 1 ? std::max(low, 0.5 * spacing) : low, high, 24);
       if (-value > from.radius) {
         from.radius = -value;
         from.theta[d] = t;

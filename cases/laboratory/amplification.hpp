@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <stdexcept>
 #include <vector>
 
 #include "cases/laboratory/patch.hpp"
@@ -20,12 +21,17 @@ struct Differences {
   double error = 0;  // largest difference of an entry from what changes of another size give
 };
 
+// However small the changes, the step stops on an inadmissible state.
+struct NotStepped : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 // What the points of one period become after a step when those of another change: one block per distance in periods.
 class Amplification {
  public:
   // Differentiates about the patch's own state. The patch holds one period and its margin. Points whose columns nothing
   // depends on, or that stay as they are whatever happens, are left out: they belong to the eigenvalues 0 and 1.
-  // Throws std::invalid_argument if the changes reach the patch's edge, with Unfit::reach, or if its state does not repeat.
+  // Throws NotStepped.
   Amplification(const Patch& patch, const IntegratorChoice& integrator, Positions positions, double dt);
 
   int unknowns() const { return unknowns_; }

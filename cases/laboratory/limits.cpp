@@ -29,14 +29,20 @@ class Predictor {
  public:
   explicit Predictor(const Experiment& experiment) : experiment_(experiment), reach_(experiment.least_reach) { make(); }
 
+  // A patch is too small while changes reach its edge; what stops there may be the edge's doing.
   Amplification at(double dt) {
     for (;;) {
-      Amplification found(patch_, experiment_.integrator, experiment_.positions, dt * patch_.units.time());
-      if (patch_.directions == 0 || found.tail() <= least_tail) return found;
-      if (2 * reach_ > experiment_.most_reach) {
-        throw std::runtime_error("a step of " + experiment_.integrator.name + " reaches further than " +
-                                 std::to_string(experiment_.most_reach) + " periods: what it does there is " +
-                                 std::to_string(found.tail()));
+      const bool last = patch_.directions == 0 || 2 * reach_ > experiment_.most_reach;
+      try {
+        Amplification found(patch_, experiment_.integrator, experiment_.positions, dt * patch_.units.time());
+        if (patch_.directions == 0 || found.tail() <= least_tail) return found;
+        if (last) {
+          throw std::runtime_error("a step of " + experiment_.integrator.name + " reaches further than " +
+                                   std::to_string(experiment_.most_reach) + " periods: what it does there is " +
+                                   std::to_string(found.tail()));
+        }
+      } catch (const NotStepped&) {
+        if (last || reach_ >= far_reach) throw;
       }
       reach_ *= 2;
       make();

@@ -96,8 +96,8 @@ Observation observe(const Experiment& experiment, const Scan& scan, const Watch&
 
 // Growth per step of a perturbation in one run; infinite where the run stops on an inadmissible state at once.
 struct Run {
-  double growth = 1;      // per step, over the last third
-  double amplified = 1;   // largest size over that at the start
+  double growth = 1;     // per step, over the last third
+  double amplified = 1;  // largest size over that at the start
   bool unstable = false;
 };
 // Follows the size of a perturbation from step to step. Where it grows, but is not large at the end, the run goes on for up

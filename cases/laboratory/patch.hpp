@@ -31,7 +31,7 @@ struct Patch {
   Scene scene;
   Units units = {};
   int directions = 0;
-  std::vector<std::vector<Place>> places = {};      // of each body's points by their numbers
+  std::vector<std::vector<Place>> places = {};     // of each body's points by their numbers
   std::array<std::array<double, 3>, 2> step = {};  // from a period to the next, m
 };
 

@@ -60,6 +60,7 @@ Settings stability_settings(const StabilityProblem& problem, const std::string& 
   }
   const std::vector<std::string> of_runs{"cells", "cfl", "dt", "split", "points"};
   const auto is_of_runs = [&](const std::string& key) {
+    if (key == "contact" && problem.kind() == Kind::solid && !problem.has_contact()) return true;
     return std::find(of_runs.begin(), of_runs.end(), key) != of_runs.end();
   };
   std::vector<Key> all;
@@ -85,9 +86,9 @@ Settings stability_settings(const StabilityProblem& problem, const std::string& 
   const IntegratorEntry* entry = find_integrator(settings.text("integrator"));
   const std::string &shape = settings.text("shape"), &transfer = settings.text("transfer");
   if (const std::string why = entry->make()->refusal(shape, transfer); !why.empty()) {
-    throw UsageError("integrator", entry->name, "another integrator, shape or transfer", {},
-                     "integrator=" + entry->name + " cannot work with shape=" + shape + ", transfer=" + transfer + ": " +
-                         why);
+    throw UsageError(
+        "integrator", entry->name, "another integrator, shape or transfer", {},
+        "integrator=" + entry->name + " cannot work with shape=" + shape + ", transfer=" + transfer + ": " + why);
   }
   return settings;
 }
@@ -114,7 +115,13 @@ Observation StabilityProblem::observed(const Settings& settings, int reach) cons
 
 Configuration examine(const StabilityProblem& problem, const std::string& scheme, const Settings& settings,
                       bool with_runs) {
-  Configuration found{scheme,       settings, problem.unit(), problem.scan(settings), {}, {}, problem.closed_form(settings),
+  Configuration found{scheme,
+                      settings,
+                      problem.unit(),
+                      problem.scan(settings),
+                      {},
+                      {},
+                      problem.closed_form(settings),
                       problem.statement().sampled};
   found.predicted = problem.predicted(settings, 1e-9);
   if (!with_runs) return found;
@@ -178,7 +185,8 @@ void draw_growth(const StabilityProblem& problem, const MapPlan& plan, int threa
   });
   if (plan.observe.empty()) return;
   const Configuration seen = examine(problem, plan.scheme, settings, true);
-  for (const Bracket& bracket : seen.observed->brackets) map.observed.push_back({none, none, bracket.low, bracket.high});
+  for (const Bracket& bracket : seen.observed->brackets)
+    map.observed.push_back({none, none, bracket.low, bracket.high});
 }
 
 }  // namespace
@@ -215,7 +223,8 @@ std::vector<Method> methods(const std::vector<std::string>& shapes, const std::v
   return all;
 }
 
-std::vector<Method> explicit_methods(const std::vector<std::string>& shapes, const std::vector<std::string>& transfers) {
+std::vector<Method> explicit_methods(const std::vector<std::string>& shapes,
+                                     const std::vector<std::string>& transfers) {
   std::vector<Method> all = methods(shapes, transfers);
   const auto far = [](const Method& method) {
     const MapChoice maps{method.shape, method.transfer, 2};

@@ -51,11 +51,12 @@ class StabilityProblem {
  public:
   virtual ~StabilityProblem() = default;
   virtual ProblemStatement statement() const = 0;
-  virtual Kind kind() const = 0;              // which schemes, and which keys beside its own
+  virtual Kind kind() const = 0;  // which schemes, and which keys beside its own
   // Whether points and grid take part. If not, the keys are its own and those of integrators, every integrator will do, and
   // there is no patch().
   virtual bool has_grid() const { return true; }
-  virtual std::vector<Key> keys() const = 0;  // its own
+  virtual bool has_contact() const { return false; }  // else there is no key `contact`
+  virtual std::vector<Key> keys() const = 0;          // its own
   // What it sets beside the scheme: points, positions, and all that a problem of a single method fixes.
   virtual std::vector<Override> choices(const std::string& scheme) const = 0;
   // Of one period and its margins. Ignores the extent where nothing repeats.
@@ -75,7 +76,7 @@ class StabilityProblem {
   std::string name() const { return statement().name; }
 };
 
-const std::vector<const StabilityProblem*>& stability_problems();        // in the order of their names
+const std::vector<const StabilityProblem*>& stability_problems();         // in the order of their names
 const StabilityProblem& find_stability_problem(const std::string& name);  // UsageError with the nearest names
 
 struct RegisterStabilityProblem {

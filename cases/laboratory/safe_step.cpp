@@ -92,8 +92,8 @@ double safe_courant_number(const Settings& settings, Kind kind, int dim) {
                                  .worst();
   if (!(limit > 0)) {
     throw UsageError("cfl", "auto", "a number", {},
-                     "cfl=auto: the laboratory finds no stable step for integrator=" + method.integrator + ", shape=" +
-                         method.shape + ", transfer=" + method.transfer + "; `plumbline stability " +
+                     "cfl=auto: the laboratory finds no stable step for integrator=" + method.integrator +
+                         ", shape=" + method.shape + ", transfer=" + method.transfer + "; `plumbline stability " +
                          (gas ? "gas" : "bar") + "` shows the growth");
   }
   return auto_share * limit / std::sqrt(dim);

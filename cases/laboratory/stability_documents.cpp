@@ -50,7 +50,8 @@ Json to_json(const Configuration& found) {
   if (p.always_stable()) document["always"] = "stable";
   if (p.always_unstable() && found.note.empty()) document["always"] = "unstable";
   if (found.observed) {
-    for (const Bracket& b : found.observed->brackets) document["observed"].push_back({{"low", b.low}, {"high", b.high}});
+    for (const Bracket& b : found.observed->brackets)
+      document["observed"].push_back({{"low", b.low}, {"high", b.high}});
     document["observed_growth"] = growth(found.observed->growth, false);
   }
   document["scanned"] = {{"low", found.scan.low}, {"high", found.scan.high}, {"steps", found.scan.steps}};
@@ -109,8 +110,8 @@ Json to_json(const SafeStep& safe) {
 
 Json problem_document(const StabilityProblem& problem) {
   const ProblemStatement s = problem.statement();
-  return {{"problem", s.name},           {"title", s.title},         {"source", s.source},
-          {"statement", s.statement},    {"equations", s.equations}, {"configurations", Json::array()}};
+  return {{"problem", s.name},        {"title", s.title},         {"source", s.source},
+          {"statement", s.statement}, {"equations", s.equations}, {"configurations", Json::array()}};
 }
 
 }  // namespace plumbline

@@ -10,9 +10,9 @@ namespace {
 // What a step may hand to the next. Masses and the sizes at rest never change; boxes and body forces are found anew in
 // every step, from what stands here. Tangents are those of the last step where that evaluated its stress last.
 const std::vector<ColumnId>& carried_columns() {
-  static const std::vector<ColumnId> all{column::position, column::velocity,    column::affine, column::strain,
-                                         column::deformation, column::density,  column::energy, column::volume,
-                                         column::pressure, column::stress,      column::strain_rate, column::tangent};
+  static const std::vector<ColumnId> all{column::position,    column::velocity, column::affine,      column::strain,
+                                         column::deformation, column::density,  column::energy,      column::volume,
+                                         column::pressure,    column::stress,   column::strain_rate, column::tangent};
   return all;
 }
 
@@ -87,8 +87,11 @@ void StepMap::add_slots() {
 
 // A state of the integrator's memory holds, body by body, positions, velocities and the internal variables of the points.
 void StepMap::add_memory_slots() {
-  const MaterialContext context{scene_->grid.dim, scene_->grid.h, scene_->density == DensityMethod::continuity,
-                                0,                scene_->density == DensityMethod::grid,
+  const MaterialContext context{scene_->grid.dim,
+                                scene_->grid.h,
+                                scene_->density == DensityMethod::continuity,
+                                0,
+                                scene_->density == DensityMethod::grid,
                                 false};
   const std::vector<State*> memory = integrator_->memory();
   for (std::size_t m = 0; m < memory.size(); ++m) {

@@ -77,7 +77,7 @@ class StepMap {
   double dt_;
   std::vector<Slot> slots_;
   std::vector<Entry> entries_;
-  std::vector<Columns> resting_;                // the points as the scene has them, in the order of their numbers
+  std::vector<Columns> resting_;                 // the points as the scene has them, in the order of their numbers
   mutable std::vector<std::vector<int>> place_;  // where the point of each number stands now, of each body
 };
 

@@ -67,8 +67,8 @@ class Bar final : public StabilityProblem {
     const bool full = tier == Tier::full;
     const std::vector<std::string> shapes = full ? std::vector<std::string>{"linear", "gimp", "quadratic", "cubic"}
                                                  : std::vector<std::string>{"linear", "quadratic"};
-    const std::vector<std::string> transfers =
-        full ? std::vector<std::string>{"pic", "flip", "apic", "xpic", "fmpm"} : std::vector<std::string>{"flip", "apic"};
+    const std::vector<std::string> transfers = full ? std::vector<std::string>{"pic", "flip", "apic", "xpic", "fmpm"}
+                                                    : std::vector<std::string>{"flip", "apic"};
     std::vector<MapPlan> all;
     for (const Method& method : explicit_methods(shapes, transfers)) {
       // A lattice at N is the mirror image of one at 1 - N.

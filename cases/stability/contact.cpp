@@ -41,6 +41,7 @@ class ContactProblem final : public StabilityProblem {
             .sampled = "both smooth sides of the switch at all shared nodes at once, one place of the interface"};
   }
   Kind kind() const override { return Kind::solid; }
+  bool has_contact() const override { return true; }
   std::vector<Key> keys() const override {
     return {{.name = "side",
              .value = "touching",

@@ -58,6 +58,8 @@ class StabilityBar final : public TrialCase {
   Statement statement() const override {
     Statement s;
     s.name = "stability-bar";
+    s.sketch =
+        R"svg(<svg viewBox="0 0 360 90" role="img" aria-label="A row of cells with one point in each, all at the same place N"><path d="M20 20h320v40h-320zM60 20v40M100 20v40M140 20v40M180 20v40M220 20v40M260 20v40M300 20v40" fill="none" stroke="currentColor" stroke-width="1.2"/><g fill="currentColor"><circle cx="32" cy="40" r="3"/><circle cx="72" cy="40" r="3"/><circle cx="112" cy="40" r="3"/><circle cx="152" cy="40" r="3"/><circle cx="192" cy="40" r="3"/><circle cx="232" cy="40" r="3"/><circle cx="272" cy="40" r="3"/><circle cx="312" cy="40" r="3"/></g><g fill="currentColor" font-size="12"><text x="20" y="80">N h</text><text x="120" y="80">one point a cell, for ever</text></g></svg>)svg";
     s.title = "Largest stable steps of an elastic bar";
     s.source = "York 1997, SAND97-1893, chapter 8, (8.36), (8.41)";
     s.claim =
@@ -86,7 +88,8 @@ class StabilityBar final : public TrialCase {
                      "The closed form is exact for linear elasticity with positions held.",
                      [name] { return closed_forms(name); }});
       all.push_back({name + "-runs", name + ": limits that runs show, at four places",
-                     "24 periods carry 24 of all wave numbers; the limit is flat there.", [name] { return runs(name); }});
+                     "24 periods carry 24 of all wave numbers; the limit is flat there.",
+                     [name] { return runs(name); }});
     }
     for (Trial& trial : table_trials()) all.push_back(std::move(trial));
     return all;

@@ -112,6 +112,8 @@ class StabilityBarEdge final : public TrialCase {
   Statement statement() const override {
     Statement s;
     s.name = "stability-bar-edge";
+    s.sketch =
+        R"svg(<svg viewBox="0 0 360 90" role="img" aria-label="The end of a bar: the last point stands little inside its cell"><path d="M20 20h320v40h-320zM60 20v40M100 20v40M140 20v40M180 20v40M220 20v40M260 20v40M300 20v40" fill="none" stroke="currentColor" stroke-width="1.2"/><g fill="currentColor"><circle cx="30" cy="40" r="3"/><circle cx="50" cy="40" r="3"/><circle cx="70" cy="40" r="3"/><circle cx="90" cy="40" r="3"/><circle cx="110" cy="40" r="3"/><circle cx="130" cy="40" r="3"/><circle cx="150" cy="40" r="3"/><circle cx="170" cy="40" r="3"/><circle cx="190" cy="40" r="3"/><circle cx="210" cy="40" r="3"/><circle cx="230" cy="40" r="3"/><circle cx="250" cy="40" r="3"/><circle cx="264" cy="40" r="3"/></g><g fill="currentColor" font-size="12"><text x="255" y="80">depth h</text><text x="40" y="80">two points a cell</text></g></svg>)svg";
     s.title = "Largest stable steps at the free end of a bar";
     s.source = "kernel/README.md, \"Stability\"; York 1997, SAND97-1893, section 3.3: why he maps momentum twice";
     s.claim =

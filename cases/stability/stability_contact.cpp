@@ -43,6 +43,8 @@ class StabilityContact final : public TrialCase {
   Statement statement() const override {
     Statement s;
     s.name = "stability-contact";
+    s.sketch =
+        R"svg(<svg viewBox="0 0 360 90" role="img" aria-label="Two bars pressed together between two walls"><path d="M20 20h320v40h-320zM60 20v40M100 20v40M140 20v40M180 20v40M220 20v40M260 20v40M300 20v40M20 10v60M340 10v60" fill="none" stroke="currentColor" stroke-width="1.2"/><g fill="currentColor"><circle cx="30" cy="36" r="3"/><circle cx="50" cy="36" r="3"/><circle cx="70" cy="36" r="3"/><circle cx="90" cy="36" r="3"/><circle cx="110" cy="36" r="3"/><circle cx="130" cy="36" r="3"/><circle cx="150" cy="36" r="3"/><circle cx="170" cy="36" r="3"/><rect x="188" y="41" width="5" height="5"/><rect x="208" y="41" width="5" height="5"/><rect x="228" y="41" width="5" height="5"/><rect x="248" y="41" width="5" height="5"/><rect x="268" y="41" width="5" height="5"/><rect x="288" y="41" width="5" height="5"/><rect x="308" y="41" width="5" height="5"/><rect x="328" y="41" width="5" height="5"/></g><g fill="currentColor" font-size="12"><text x="150" y="84">interface</text></g></svg>)svg";
     s.title = "Largest stable steps of bars in contact";
     s.source = "York 1997, SAND97-1893, appendix A.1; kernel/README.md, \"Touching\"";
     s.claim =

@@ -62,6 +62,8 @@ class StabilityMembrane final : public TrialCase {
   Statement statement() const override {
     Statement s;
     s.name = "stability-membrane";
+    s.sketch =
+        R"svg(<svg viewBox="0 0 300 140" role="img" aria-label="A string along the grid and one across its cells"><path d="M20 15h120v40h-120zM60 15v40M100 15v40M20 55h120v40h-120zM60 55v40M100 55v40M160 15h120v40h-120zM200 15v40M240 15v40M160 55h120v40h-120zM200 55v40M240 55v40M20 45h120M160 95l120 -60" fill="none" stroke="currentColor" stroke-width="1.2"/><g fill="currentColor"><circle cx="30" cy="45" r="3"/><circle cx="50" cy="45" r="3"/><circle cx="70" cy="45" r="3"/><circle cx="90" cy="45" r="3"/><circle cx="110" cy="45" r="3"/><circle cx="130" cy="45" r="3"/><circle cx="170" cy="90" r="3"/><circle cx="190" cy="80" r="3"/><circle cx="210" cy="70" r="3"/><circle cx="230" cy="60" r="3"/><circle cx="250" cy="50" r="3"/><circle cx="270" cy="40" r="3"/></g><g fill="currentColor" font-size="12"><text x="40" y="120">slope 0</text><text x="190" y="120">slope 1/2</text></g></svg>)svg";
     s.title = "Largest stable steps of a string";
     s.source = "York 1997, SAND97-1893, chapters 5 and 8; kernel/materials/segment_membrane.hpp";
     s.claim =

@@ -161,6 +161,8 @@ class StabilityOscillator final : public TrialCase {
   Statement statement() const override {
     Statement s;
     s.name = "stability-oscillator";
+    s.sketch =
+        R"svg(<svg viewBox="0 0 240 90" role="img" aria-label="A mass on a spring"><path d="M20 20v50M20 45h20l8 -12l14 24l14 -24l14 24l14 -24l14 24l8 -12h20M146 25h40v40h-40z" fill="none" stroke="currentColor" stroke-width="1.2"/><g fill="currentColor" font-size="12"><text x="160" y="50">m</text><text x="80" y="85">ω</text></g></svg>)svg";
     s.title = "Limits and orders of integrators on an oscillator";
     s.source =
         "kernel/README.md, \"Integrators of the laboratory\"; Hulbert, Chung 1996, doi 10.1016/S0045-7825(96)01036-5";

@@ -65,6 +65,8 @@ class StabilityWave final : public TrialCase {
   Statement statement() const override {
     Statement s;
     s.name = "stability-wave";
+    s.sketch =
+        R"svg(<svg viewBox="0 0 300 100" role="img" aria-label="A standing wave in a bar"><path d="M20 30h240v40h-240zM60 30v40M100 30v40M140 30v40M180 30v40M220 30v40M20 50q30 -40 60 0t60 0t60 0t60 0" fill="none" stroke="currentColor" stroke-width="1.2"/><g fill="currentColor"><circle cx="30" cy="50" r="2.5"/><circle cx="50" cy="50" r="2.5"/><circle cx="70" cy="50" r="2.5"/><circle cx="90" cy="50" r="2.5"/><circle cx="110" cy="50" r="2.5"/><circle cx="130" cy="50" r="2.5"/><circle cx="150" cy="50" r="2.5"/><circle cx="170" cy="50" r="2.5"/><circle cx="190" cy="50" r="2.5"/><circle cx="210" cy="50" r="2.5"/><circle cx="230" cy="50" r="2.5"/><circle cx="250" cy="50" r="2.5"/></g><g fill="currentColor" font-size="12"><text x="80" y="92">displacement, exaggerated</text></g></svg>)svg";
     s.title = "Orders of integrators on a standing wave";
     s.source = "kernel/README.md, \"Integrators of the laboratory\"";
     s.claim =

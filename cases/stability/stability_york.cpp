@@ -92,6 +92,8 @@ class StabilityYork final : public TrialCase {
   Statement statement() const override {
     Statement s;
     s.name = "stability-york";
+    s.sketch =
+        R"svg(<svg viewBox="0 0 360 130" role="img" aria-label="Five points, one in each of five cells, once at the centres and once at the sides"><path d="M60 15h200v40h-200zM100 15v40M140 15v40M180 15v40M220 15v40M60 75h200v40h-200zM100 75v40M140 75v40M180 75v40M220 75v40" fill="none" stroke="currentColor" stroke-width="1.2"/><g fill="currentColor"><circle cx="80" cy="35" r="3"/><circle cx="120" cy="35" r="3"/><circle cx="160" cy="35" r="3"/><circle cx="200" cy="35" r="3"/><circle cx="240" cy="35" r="3"/><circle cx="61" cy="95" r="3"/><circle cx="101" cy="95" r="3"/><circle cx="141" cy="95" r="3"/><circle cx="181" cy="95" r="3"/><circle cx="221" cy="95" r="3"/></g><g fill="currentColor" font-size="12"><text x="275" y="40">centres</text><text x="275" y="100">sides</text></g></svg>)svg";
     s.title = "York's stability test";
     s.source = "York 1997, SAND97-1893, section 8.5, Table 10, Fig. 91, appendix A.4.11";
     s.claim =

@@ -144,8 +144,10 @@ class Coasting final : public TimeIntegrator {
 
 void register_coasting() {
   if (find_integrator("coasting")) return;
-  RegisterIntegrator({"coasting", "moves points and leaves stresses as they are", "this test",
-                      [] { return std::make_unique<Coasting>(); }});
+  RegisterIntegrator(
+      {"coasting", "moves points and leaves stresses as they are", "this test",
+       [] { return std::make_unique<Coasting>(); },
+       [](const TimeIntegrator& now) { return std::make_unique<Coasting>(static_cast<const Coasting&>(now)); }});
 }
 
 TEST(VerifyCase, EveryRegisteredIntegratorAppearsWithGenericGates) {
