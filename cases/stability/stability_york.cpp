@@ -115,7 +115,7 @@ class StabilityYork final : public TrialCase {
     s.equations = {"centres: C = 2 / sin(2π/5)", "sides: C = 1 / sin(2π/5)",
                    "below the limit, Ω = 2 Δt/Δt_c: E ≤ E₀ (1 + Ω/2) / (1 − Ω/2)"};
     s.cells_along = "nothing: trials are not refined";
-    s.reference_name = "free-bar limit";
+    s.reference_name = "mpm-edge-stability";
     s.reference_text = "The largest eigenvalue of a symmetric matrix, reference/mpm_amplification.hpp.";
     s.reference_bound = "Rounding of the matrices and their eigenvalues.";
     s.theory_orders = {{"first_unstable", 0, "nothing is refined"}};
