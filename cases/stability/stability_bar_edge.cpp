@@ -130,7 +130,7 @@ class StabilityBarEdge final : public TrialCase {
         "to 7 %.";
     s.equations = {"usf, musl: C = 2 / √λ_max(S M⁻¹ Gᵀ V E G M⁻¹ Sᵀ m)", "usl, linear: C = √(2 depth) (1 + O(depth))"};
     s.cells_along = "nothing: trials are not refined";
-    s.reference_name = "free-bar limit";
+    s.reference_name = "mpm-edge-stability";
     s.reference_text = "The largest eigenvalue of a symmetric matrix, reference/mpm_amplification.hpp.";
     s.reference_bound = "Rounding of the matrices and their eigenvalues.";
     s.theory_orders = {{"reference.departure", 0, "nothing is refined"}};

@@ -81,7 +81,7 @@ class StabilityMembrane final : public TrialCase {
         "shown in the maps for what one step does, not judged here.";
     s.equations = {"T = A E ε where ε > 0, else 0"};
     s.cells_along = "nothing: trials are not refined";
-    s.reference_name = "mpm-amplification";
+    s.reference_name = "mpm-stability";
     s.reference_text = "Limits of a bar, reference/mpm_amplification.hpp, for strings along the grid.";
     s.reference_bound = "Rounding.";
     s.theory_orders = {{"observed.departure", 0, "nothing is refined"}};

@@ -92,7 +92,7 @@ class StabilityPlane final : public TrialCase {
     s.equations = {"1/C² = max over θ of B_x B_y λ_max(K̂) / 4 (usf, musl)",
                    "K̂ = [K_x B_y + κ B_x K_y, λ r + κ r*; λ r* + κ r, κ K_x B_y + B_x K_y], r = R_x R_y*"};
     s.cells_along = "nothing: trials are not refined";
-    s.reference_name = "waves of a plate";
+    s.reference_name = "plate-waves";
     s.reference_text =
         "The largest eigenvalue of a matrix of two rows over a fine grid of wave numbers, cases/stability/"
         "plate_waves.hpp.";

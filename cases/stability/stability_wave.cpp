@@ -80,7 +80,7 @@ class StabilityWave final : public TrialCase {
         "and points.";
     s.equations = {"v′_p = Σ a_i N_ip, ε′_p = Σ v_i ∇N_ip", "E = C Δt^q"};
     s.cells_along = "nothing: trials are not refined";
-    s.reference_name = "the semi-discrete equations";
+    s.reference_name = "semi-discrete";
     s.reference_text =
         "The exponential of the sixteen by sixteen matrix whose columns are the rates of unit states; a test compares "
         "the "
