@@ -1,5 +1,6 @@
 """ci/report and ci/test: what they call, and the exit status they end with. Every tool they call is a fake that logs."""
 import os
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -45,13 +46,33 @@ def tree(tmp_path):
     return Tree(tmp_path / "tree")
 
 
+def without_threads(calls):
+    """How many threads there are depends on the machine."""
+    return [re.sub(r" --threads [1-9]\d*", "", call) for call in calls]
+
+
+def stability(tier):
+    return f"plumbline stability all --maps --tier {tier} --json results/stability.json"
+
+
+@pytest.mark.parametrize("command, file", [("bench", "bench.json"), ("stability", "stability.json")])
+def test_documents_of_an_earlier_build_are_not_shown(tree, command, file):
+    stale = tree.root / "results" / file
+    stale.parent.mkdir()
+    stale.write_text("{}")
+    tree.fake("build/release/bin/plumbline", body=f"[[ $1 != {command} ]] || exit 3")
+    result = tree.run("report")
+    assert result.returncode == 0 and "(exit status 3)" in result.stdout
+    assert not stale.exists() and "chosen-python" in tree.calls()[-1]
+
+
 def test_report_sets_up_builds_verifies_and_renders(tree, tmp_path):
     result = tree.run("report", cwd=tmp_path)   # from any folder
     assert result.returncode == 0, result.stderr
     names = [call.split()[0] for call in tree.calls()]
-    assert names == ["setup", "cmake", "cmake", "plumbline", "plumbline", "chosen-python"]
-    assert tree.calls()[3:] == ["plumbline verify --tier quick --results results", "plumbline bench --points 1e6 --json results/bench.json",
-                                "chosen-python reports/render.py results report/index.html"]
+    assert names == ["setup", "cmake", "cmake", "plumbline", "plumbline", "plumbline", "chosen-python"]
+    assert without_threads(tree.calls())[3:] == ["plumbline verify --tier quick --results results", "plumbline bench --points 1e6 --json results/bench.json",
+                                stability("quick"), "chosen-python reports/render.py results report/index.html"]
     assert result.stdout.splitlines()[-1].endswith(f"{tree.root}/report/index.html")
 
 
@@ -59,16 +80,7 @@ def test_full_report(tree):
     assert tree.run("report", "--full").returncode == 0
     assert "plumbline verify --tier full --results results" in tree.calls()
     assert "plumbline bench --points 1e7 --json results/bench.json" in tree.calls()
-
-
-def test_times_of_an_earlier_build_are_not_shown(tree):
-    stale = tree.root / "results/bench.json"
-    stale.parent.mkdir()
-    stale.write_text("{}")
-    tree.fake("build/release/bin/plumbline", body='[[ $1 != bench ]] || exit 3')
-    result = tree.run("report")
-    assert result.returncode == 0 and "speed was not measured (exit status 3)" in result.stdout
-    assert not stale.exists() and "chosen-python" in tree.calls()[-1]
+    assert stability("full") in without_threads(tree.calls())
 
 
 @pytest.mark.parametrize("status", [1, 3, 4])
