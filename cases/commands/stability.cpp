@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "cases/commands/command.hpp"
@@ -20,7 +19,6 @@ struct StabilityOptions {
 struct Chosen {
   std::string scheme;
   std::vector<Override> overrides;
-  std::vector<std::string> typed;
 };
 
 // "key=v1,v2,...": the key with each of its values.
@@ -45,10 +43,10 @@ std::vector<std::string> assignments(const std::string& over) {
 std::vector<Chosen> choices_of(const StabilityProblem& problem, const CommonOptions& options, bool all) {
   std::vector<Chosen> found;
   if (!all || !options.schemes.empty() || !options.integrators.empty()) {
-    for (const SchemeChoice& chosen : chosen_schemes(options)) found.push_back({chosen.scheme, chosen.overrides, {}});
+    for (const SchemeChoice& chosen : chosen_schemes(options)) found.push_back({chosen.scheme, chosen.overrides});
     return found;
   }
-  if (!problem.compares_integrators()) return {{"default", {}, {}}, {"york1997", {}, {}}};
+  if (!problem.compares_integrators()) return {{"default", {}}, {"york1997", {}}};
   for (const IntegratorEntry& entry : integrators()) {
     for (const char* transfer : {"", "flip"}) {
       std::vector<Override> overrides{{"integrator", entry.name}};
@@ -58,11 +56,11 @@ std::vector<Chosen> choices_of(const StabilityProblem& problem, const CommonOpti
       } catch (const UsageError&) {
         continue;
       }
-      found.push_back({"default", overrides, {}});
+      found.push_back({"default", overrides});
       break;
     }
   }
-  if (problem.has_grid()) found.push_back({"york1997", {}, {}});
+  if (problem.has_grid()) found.push_back({"york1997", {}});
   return found;
 }
 

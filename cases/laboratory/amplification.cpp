@@ -8,6 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "cases/harness/measures.hpp"
 #include "kernel/inadmissible.hpp"
 
 namespace plumbline {
@@ -41,7 +42,7 @@ std::vector<double> combination(double f, const std::vector<double>& a, double g
 
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
   double largest = 0;
-  for (std::size_t j = 0; j < a.size(); ++j) largest = std::max(largest, std::abs(a[j] - b[j]));
+  for (std::size_t j = 0; j < a.size(); ++j) largest = larger(largest, std::abs(a[j] - b[j]));
   return largest;
 }
 
@@ -62,7 +63,8 @@ Amplification::Amplification(const Patch& patch, const IntegratorChoice& integra
       stopped = state.what();
       continue;
     }
-    if (!blocks_.empty() && tried.error >= differences_.error) continue;
+    if (std::isnan(tried.error)) continue;
+    if (!blocks_.empty() && !(tried.error < differences_.error)) continue;
     differences_ = tried;
     blocks_ = std::move(blocks);
     if (tried.error <= good_enough) break;
@@ -113,7 +115,7 @@ auto Amplification::differentiate(const Patch& patch, StepMap& map, Differences&
       error = largest_difference(fourth, coarse_fourth) / 15;
       slope = combination(16.0 / 15, fourth, -1.0 / 15, coarse_fourth);
     }
-    differences.error = std::max(differences.error, error);
+    differences.error = larger(differences.error, error);
     for (std::size_t j = 0; j < slope.size(); ++j) {
       auto& block = blocks[where[j].period];
       if (block.size() == 0) block = Eigen::MatrixXd::Zero(unknowns, unknowns);
