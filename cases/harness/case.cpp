@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "cases/harness/errors.hpp"
 #include "cases/laboratory/safe_step.hpp"
@@ -12,6 +13,11 @@ namespace {
 
 std::vector<const Case*>& registered() {
   static std::vector<const Case*> all;
+  return all;
+}
+
+std::map<const Case*, std::string>& source_files() {
+  static std::map<const Case*, std::string> all;
   return all;
 }
 
@@ -28,7 +34,8 @@ Vary vary_from(const std::string& text) {
   throw unknown_name("--vary", text, {vary_names.begin(), vary_names.end()});
 }
 
-RegisterCase::RegisterCase(const Case* entry) {
+RegisterCase::RegisterCase(const Case* entry, std::source_location where) {
+  source_files()[entry] = where.file_name();
   auto& all = registered();
   const auto place = std::upper_bound(all.begin(), all.end(), entry,
                                       [](const Case* a, const Case* b) { return a->name() < b->name(); });
@@ -36,6 +43,8 @@ RegisterCase::RegisterCase(const Case* entry) {
 }
 
 const std::vector<const Case*>& cases() { return registered(); }
+
+const std::string& source_file(const Case& entry) { return source_files().at(&entry); }
 
 const Case& find_case(const std::string& name) {
   std::vector<std::string> names;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <source_location>
 #include <string>
 #include <vector>
 
@@ -129,8 +130,11 @@ const std::vector<const Case*>& cases();         // in the order of their names
 const Case& find_case(const std::string& name);  // UsageError with the nearest names
 
 struct RegisterCase {
-  explicit RegisterCase(const Case* entry);
+  explicit RegisterCase(const Case* entry, std::source_location where = std::source_location::current());
 };
+// The file that registers a case, as the compiler was told it: "/.../cases/gas/sod.cpp". Several may share one.
+const std::string& source_file(const Case& entry);
+
 #define PLUMBLINE_CASE(Type)    \
   static const Type the_##Type; \
   static const ::plumbline::RegisterCase register_##Type { &the_##Type }
