@@ -79,10 +79,10 @@ int run(int argc, char** argv) {
   app.allow_extras();
   Invocation invocation;
   invocation.command = stored_command(argc, argv);
-  const std::vector<Command> commands{add_list(app, invocation),   add_explain(app, invocation),
-                                      add_run(app, invocation),    add_converge(app, invocation),
-                                      add_verify(app, invocation), add_reference(app, invocation),
-                                      add_bench(app, invocation),  add_stability(app, invocation)};
+  const std::vector<Command> commands{
+      add_list(app, invocation),     add_explain(app, invocation),   add_run(app, invocation),
+      add_converge(app, invocation), add_verify(app, invocation),    add_reference(app, invocation),
+      add_bench(app, invocation),    add_stability(app, invocation), add_sweep(app, invocation)};
   for (const Command& command : commands) command.app->allow_extras();
   try {
     app.parse(argc, argv);

@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 #include <fmt/color.h>
+#include <fnmatch.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -110,6 +111,25 @@ Progress terminal_progress(const std::string& what) {
 
 void end_progress() {
   if (::isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
+}
+
+std::vector<const Case*> matching_cases(const std::vector<std::string>& patterns) {
+  if (patterns.empty()) return cases();
+  std::vector<std::string> names;
+  for (const Case* entry : cases()) names.push_back(entry->name());
+  std::vector<bool> chosen(cases().size(), false);
+  for (const std::string& pattern : patterns) {
+    bool any = false;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      if (::fnmatch(pattern.c_str(), names[k].c_str(), 0) == 0) chosen[k] = any = true;
+    }
+    if (!any) throw unknown_name("case or pattern", pattern, names);
+  }
+  std::vector<const Case*> entries;
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    if (chosen[k]) entries.push_back(cases()[k]);
+  }
+  return entries;
 }
 
 void load_plugins(const std::vector<std::string>& files) {

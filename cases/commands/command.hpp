@@ -40,6 +40,7 @@ Command add_verify(CLI::App& app, Invocation& invocation);
 Command add_reference(CLI::App& app, Invocation& invocation);
 Command add_bench(CLI::App& app, Invocation& invocation);
 Command add_stability(CLI::App& app, Invocation& invocation);
+Command add_sweep(CLI::App& app, Invocation& invocation);
 
 // Adds --json (and, where asked, the options of commands that run something).
 void add_json(CLI::App& app, CommonOptions& options);
@@ -76,6 +77,9 @@ void write_json(const CommonOptions& options, const Json& document);
 // A progress line on a terminal; nothing elsewhere.
 Progress terminal_progress(const std::string& what);
 void end_progress();
+
+// The cases whose names match one of the patterns, all if there is none. Throws UsageError for a pattern without a match.
+std::vector<const Case*> matching_cases(const std::vector<std::string>& patterns);
 
 void load_plugins(const std::vector<std::string>& files);
 

@@ -1,6 +1,5 @@
-#include <chrono>
-
 #include "cases/commands/command.hpp"
+#include "cases/harness/estimate.hpp"
 
 namespace plumbline {
 namespace {
@@ -77,27 +76,18 @@ void print(const Output& out, const RunResult& run, const std::vector<JudgedGate
 
 int dry_run(const Output& out, const Invocation& invocation, const Case& entry, const std::string& scheme,
             const Settings& settings) {
-  const auto problem = entry.problem(settings);
-  Simulation simulation(problem->scene(), settings.text("integrator"), step_control(settings));
-  simulation.step(HUGE_VAL);
-  const double steps = std::ceil(problem->end_time() / simulation.last_dt());
-  const double points = static_cast<double>(simulation.points());
-  const GridSpec& grid = simulation.scene().grid;
-  const double cells = static_cast<double>(grid.cells[0]) * grid.cells[1] * grid.cells[2];
-  const double bytes = points * 8 * simulation.scene().bodies.front().points.doubles_per_point() +
-                       cells * 8 * (2 + 6 * grid.dim);
-  constexpr double rate = 1e7;  // point-steps per second of one slow core
-  out.line("{} under {}: {} points, {} cells, about {} steps, {:.3g} MB, about {:.2g} s", entry.name(), scheme, points,
-           cells, steps, bytes / 1e6, points * steps / rate);
+  const RunEstimate estimate = estimate_run(entry, settings);
+  out.line("{} under {}: {} points, {} cells, about {} steps, {:.3g} MB, about {:.2g} s", entry.name(), scheme,
+           estimate.points, estimate.cells, estimate.steps, estimate.bytes / 1e6, estimate.seconds);
   write_json(invocation.options, {{"case", entry.name()},
                                   {"scheme", scheme},
                                   {"settings", to_json(settings)},
                                   {"dry_run", true},
-                                  {"points", simulation.points()},
-                                  {"cells", static_cast<long>(cells)},
-                                  {"steps", static_cast<long>(steps)},
-                                  {"bytes", bytes},
-                                  {"estimated_s", points * steps / rate}});
+                                  {"points", estimate.points},
+                                  {"cells", static_cast<long>(estimate.cells)},
+                                  {"steps", static_cast<long>(estimate.steps)},
+                                  {"bytes", estimate.bytes},
+                                  {"estimated_s", estimate.seconds}});
   return 0;
 }
 
@@ -127,7 +117,7 @@ int execute(const Invocation& invocation, const RunOptions& options) {
   if (options.dry) return dry_run(out, invocation, entry, chosen[0].scheme, settings);
   const ResultsFolder folder(invocation.options.results);
   RunResult run = run_experiment(entry, chosen[0].scheme, settings, invocation.options.threads, frames);
-  if (chosen[0].scheme == "default") run.scheme = integrator_scheme(entry, settings.text("integrator"));
+  run.scheme = result_scheme(entry, chosen[0].scheme, settings);
   run.file = ResultsFolder::run_name(run);
   const auto declared = declared_run(entry, chosen[0].scheme, settings);
   const std::vector<JudgedGate> gates = judge_run(entry, run, declared);

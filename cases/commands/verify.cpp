@@ -1,5 +1,3 @@
-#include <fnmatch.h>
-
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
@@ -14,25 +12,6 @@ struct VerifyOptions {
   std::vector<std::string> patterns;
   std::string tier = "quick", junit;
 };
-
-std::vector<const Case*> matching(const std::vector<std::string>& patterns) {
-  if (patterns.empty()) return cases();
-  std::vector<std::string> names;
-  for (const Case* entry : cases()) names.push_back(entry->name());
-  std::vector<bool> chosen(cases().size(), false);
-  for (const std::string& pattern : patterns) {
-    bool any = false;
-    for (std::size_t k = 0; k < names.size(); ++k) {
-      if (::fnmatch(pattern.c_str(), names[k].c_str(), 0) == 0) chosen[k] = any = true;
-    }
-    if (!any) throw unknown_name("case or pattern", pattern, names);
-  }
-  std::vector<const Case*> entries;
-  for (std::size_t k = 0; k < chosen.size(); ++k) {
-    if (chosen[k]) entries.push_back(cases()[k]);
-  }
-  return entries;
-}
 
 void write_junit(const std::string& path, const std::vector<JudgedGate>& gates, bool allow_inconclusive) {
   boost::property_tree::ptree suite;
@@ -65,7 +44,7 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
   const std::vector<std::string> tiers{"quick", "full"};
   if (options.tier != tiers[0] && options.tier != tiers[1]) throw unknown_name("--tier", options.tier, tiers);
   const Selection selection{common.schemes, common.integrators, common.settings};
-  const auto entries = matching(options.patterns);
+  const auto entries = matching_cases(options.patterns);
   const ResultsFolder folder(common.results);
   const Provenance provenance = invocation.provenance();
   const Output out(common);

@@ -58,9 +58,11 @@ ResultsFolder::ResultsFolder(std::string path) : path_(std::move(path)) {
   std::filesystem::remove(probe, error);
 }
 
-std::string ResultsFolder::run_name(const RunResult& run) {
-  return fmt::format("{}-{}-{}-{}.h5", run.case_name, run.scheme, run.settings.integer("cells"),
-                     short_hash(run.case_name + "\n" + run.scheme + "\n" + run.settings.canonical()));
+std::string ResultsFolder::run_name(const RunResult& run) { return run_name(run.case_name, run.scheme, run.settings); }
+
+std::string ResultsFolder::run_name(const std::string& case_name, const std::string& scheme, const Settings& settings) {
+  return fmt::format("{}-{}-{}-{}.h5", case_name, scheme, settings.integer("cells"),
+                     short_hash(case_name + "\n" + scheme + "\n" + settings.canonical()));
 }
 
 std::string ResultsFolder::study_name(const StudyResult& study) {

@@ -21,6 +21,7 @@ class ResultsFolder {
   void write_run(const RunResult& run, const std::vector<JudgedGate>& gates, const Provenance& provenance) const;
   // The name of a run's file: case, scheme, cells and the hash of the settings.
   static std::string run_name(const RunResult& run);
+  static std::string run_name(const std::string& case_name, const std::string& scheme, const Settings& settings);
 
   // With a table /comparator/<name> for each of the case's comparators, which run now.
   void write_study(StudyResult& study, const std::vector<JudgedGate>& gates, const Provenance& provenance) const;

@@ -34,8 +34,7 @@ StudyResult run_study(const Case& entry, const StudyPlan& plan, const std::vecto
   for_all(planned.size(), threads, [&](std::size_t k) {
     const std::size_t at = order[k];
     results[at] = run_experiment(entry, plan.scheme, planned[at].settings, 1, planned[at].frames);
-    results[at]->scheme = plan.scheme == "default" ? integrator_scheme(entry, planned[at].settings.text("integrator"))
-                                                   : plan.scheme;
+    results[at]->scheme = result_scheme(entry, plan.scheme, planned[at].settings);
     results[at]->file = ResultsFolder::run_name(*results[at]);
     const std::lock_guard lock(guard);
     if (progress) progress(++done, planned.size(), *results[at]);
@@ -50,6 +49,10 @@ StudyResult run_study(const Case& entry, const StudyPlan& plan, const std::vecto
 std::string integrator_scheme(const Case& entry, const std::string& integrator) {
   const Settings settings = entry.settings("default", {});
   return settings.text("integrator") == integrator ? "default" : "default+" + integrator;
+}
+
+std::string result_scheme(const Case& entry, const std::string& scheme, const Settings& settings) {
+  return scheme == "default" ? integrator_scheme(entry, settings.text("integrator")) : scheme;
 }
 
 StudyPlan integrator_plan(const Case& entry, const std::string& integrator) {
@@ -112,6 +115,10 @@ std::vector<CaseGate> gates_on(const StudyResult& study, const std::vector<CaseG
 }
 
 }  // namespace
+
+std::vector<StudyPlan> selected_studies(const Case& entry, Tier tier, const Selection& selection) {
+  return selected_plans(entry, tier, selection).all;
+}
 
 void verify_case(const Case& entry, Tier tier, const Selection& selection, int threads, const ResultsFolder& folder,
                  const Provenance& provenance, const Progress& progress, Verification& verification) {

@@ -30,6 +30,9 @@ struct Selection {
   bool everything() const { return schemes.empty() && integrators.empty() && settings.empty(); }
 };
 
+// The studies of a selection in a tier, those of the integrators last. Throws UsageError for unknown names.
+std::vector<StudyPlan> selected_studies(const Case& entry, Tier tier, const Selection& selection);
+
 // All gates of one case in a tier; files go to `folder`. Adds to `verification`. Throws UsageError for unknown names.
 void verify_case(const Case& entry, Tier tier, const Selection& selection, int threads, const ResultsFolder& folder,
                  const Provenance& provenance, const Progress& progress, Verification& verification);
@@ -39,5 +42,8 @@ StudyPlan integrator_plan(const Case& entry, const std::string& integrator);
 
 // "default", or "default+I" for the default scheme with another integrator; likewise for overrides of --set.
 std::string integrator_scheme(const Case& entry, const std::string& integrator);
+
+// What results call the scheme of a run with these settings: any scheme's own name but for integrator_scheme.
+std::string result_scheme(const Case& entry, const std::string& scheme, const Settings& settings);
 
 }  // namespace plumbline

@@ -48,6 +48,12 @@ DOCUMENTS = {
                 "known_limits": ["none"], "gates": [{**CATALOG_GATE, "tier": "quick"}], "regenerate": "plumbline verify sod --tier quick"},
     "reference": {"name": "riemann", "settings": {"gamma": 1.4}, "values": {"pressure_star": 0.303130}, "bounds": {"pressure_star": 1e-14},
                   "at": [{"xi": 0.5, "density": 0, "velocity": 0, "pressure": 0}]},
+    "plan": {"plan": 1, "tier": "quick", "batches": [{"id": "0001-small", "size": "small", "estimated_s": 1.5, "memory_mb": 0.1, "runs": [
+        {"case": "sod", "scheme": "default", "study": "default", "cells": 100, "settings": {"ppc": 4, "transfer": "flip"},
+         "file": "sod-default-100-0123456789ab.h5", "frames": {"count": 10, "most_points": 20000}}]}]},
+    "sweep": {"tier": "none", "wanted": 2, "made": 1, "kept": 0, "runs": [{key: RUN[key] for key in (
+        "file", "case", "scheme", "settings", "steps", "points", "wall_s", "stop", "measures")}],
+              "failed": [{"file": "sod-default-200-0123456789ab.h5", "case": "sod", "error": "signal 6 (Aborted)"}]},
     "error": {"error": {"key": "cflx", "value": "1", "allowed": ["cfl", "dt"], "nearest": ["cfl"], "message": "unknown key cflx"}},
 }
 
