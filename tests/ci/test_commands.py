@@ -126,7 +126,7 @@ def test_tests_run_with_their_labels_and_never_none(tree):
     result = tree.run("test")
     assert result.returncode == 0, result.stderr
     (call,) = [call for call in tree.calls() if call.startswith("ctest")]
-    for option in ("--label-regex ^(unit|quick)$", "--no-tests=error", "--output-junit junit.xml", "--test-dir build/release"):
+    for option in ("--label-regex ^(unit|quick|slurm)$", "--no-tests=error", "--output-junit junit.xml", "--test-dir build/release"):
         assert option in call
     tree.run("test", "--full")
     assert "--label-regex" not in tree.calls()[-1]
@@ -140,7 +140,7 @@ def test_failed_tests_end_red(tree):
 def test_second_compiler_is_installed_for_its_presets(tree):
     for preset in ("clang", "sanitize"):
         assert tree.run("test", "--preset", preset).returncode == 0
-    assert [call for call in tree.calls() if call.startswith("setup")] == ["setup --with clang"] * 2
+    assert [call for call in tree.calls() if call.startswith("setup")] == ["setup --with clang --with slurm"] * 2
 
 
 @pytest.mark.parametrize("script, options", [("report", ["--fast"]), ("test", ["--fast"]), ("test", ["--preset"])])

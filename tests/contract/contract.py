@@ -4,7 +4,9 @@ import os
 import subprocess
 from pathlib import Path
 
+import h5py
 import jsonschema
+import numpy
 
 ROOT = Path(__file__).resolve().parents[2]
 SCHEMA = json.loads((ROOT / "cases/harness/schema/plumbline.schema.json").read_text(encoding="utf-8"))
@@ -35,6 +37,25 @@ def without_volatile(value):
     if isinstance(value, dict):
         return {key: without_volatile(item) for key, item in value.items() if key not in VOLATILE}
     return [without_volatile(item) for item in value] if isinstance(value, list) else value
+
+
+def contents(path):
+    """Everything in a result file: attributes, shapes, types, bytes; JSON and columns without the volatile fields."""
+    found = {}
+
+    def visit(name, item):
+        found[name + "@"] = {key: str(value) for key, value in item.attrs.items()}
+        if isinstance(item, h5py.Dataset) and name.rpartition("/")[2] not in VOLATILE:
+            value = item[()]
+            if isinstance(value, bytes):
+                found[name] = without_volatile(json.loads(value))
+            else:
+                found[name] = (str(item.dtype), numpy.shape(value), numpy.asarray(value).tobytes())
+
+    with h5py.File(path) as stored:
+        visit("", stored["/"])
+        stored.visititems(visit)
+    return found
 
 
 class Result:

@@ -1,10 +1,6 @@
 """Same binary: bitwise the same results, run by run and for any number of threads, but for the fields that tell of the run itself."""
-import json
-
-import h5py
-import numpy
 import pytest
-from contract import VOLATILE, Plumbline, without_volatile
+from contract import Plumbline, contents, without_volatile
 
 RUNS = {
     "sod": ["run", "sod", "--cells", 200],
@@ -18,25 +14,6 @@ RUNS = {
     "study": ["converge", "sod", "--cells", "20,40,80"],
     "verdicts": ["verify", "spring-mass", "--tier", "quick"],
 }
-
-
-def contents(path):
-    """Everything in a result file: attributes, shapes, types, bytes; JSON and columns without the volatile fields."""
-    found = {}
-
-    def visit(name, item):
-        found[name + "@"] = {key: str(value) for key, value in item.attrs.items()}
-        if isinstance(item, h5py.Dataset) and name.rpartition("/")[2] not in VOLATILE:
-            value = item[()]
-            if isinstance(value, bytes):
-                found[name] = without_volatile(json.loads(value))
-            else:
-                found[name] = (str(item.dtype), numpy.shape(value), numpy.asarray(value).tobytes())
-
-    with h5py.File(path) as stored:
-        visit("", stored["/"])
-        stored.visititems(visit)
-    return found
 
 
 def outcome(folder, arguments):
