@@ -144,7 +144,21 @@ def gather(folder):
         case.gates = most_urgent_first(case.gates)
         case.other_gates = most_urgent_first(case.other_gates)
         _label(case)
+        _name_gates(case)
     return dict(sorted(cases.items()))
+
+
+def _name_gates(case):
+    """An identifier for links to each gate, which stays the same from run to run."""
+    taken = Counter()
+    for gate in case.all_gates:
+        words = [case.name, gate.get("id") or "unnamed"]
+        scheme = gate.get("scheme") or ""
+        if scheme and scheme not in words[1]:
+            words.insert(1, scheme)
+        name = re.sub(r"[^A-Za-z0-9_.-]+", "-", "-".join(words))
+        taken[name] += 1
+        gate["anchor"] = f"gate-{name}" + (f"-{taken[name]}" if taken[name] > 1 else "")
 
 
 def newest_gates(folder):

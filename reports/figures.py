@@ -99,12 +99,23 @@ def _margins(values, factor=1.6):
     return min(positive) / factor, max(positive) * factor
 
 
-def _marks(axes, entry, x, y, used):
+def _marks(axes, entry, x, y, used, notes):
     """Filled marks for levels that enter the fit, hollow ones for those that do not."""
     colour, mark = svg.series_colour(entry.style), svg.series_mark(entry.style)
+    sizes = numpy.array(notes)
     for chosen, fill in ((used, colour), (~used, "none")):
         if chosen.any():
-            axes.plot(x[chosen], y[chosen], mark, color=colour, markerfacecolor=fill, markeredgewidth=1.1)
+            (line,) = axes.plot(
+                x[chosen], y[chosen], mark, color=colour, markerfacecolor=fill, markeredgewidth=1.1, label=entry.label
+            )
+            svg.note(line, sizes[chosen])
+
+
+def marked_line(axes, entry, x, y, joined="-"):
+    """Values of one line of the case in its colour and with its marks; it can be pointed at on the page."""
+    style = svg.series_mark(entry.style) + joined
+    (line,) = axes.plot(x, y, style, color=svg.series_colour(entry.style), linewidth=0.9, label=entry.label)
+    return line
 
 
 def _keys(series):
@@ -138,6 +149,7 @@ class _Levels:
     h: numpy.ndarray
     error: numpy.ndarray
     used: numpy.ndarray
+    notes: list  # what each level is
     fit: dict
 
 
@@ -145,12 +157,18 @@ def _levels(entry, measure):
     fit = entry.measures.get(measure) or {}
     used = fit.get("levels_used") or [True] * len(entry.levels)
     rows = [
-        (level.get("h"), ((level.get("measures") or {}).get(measure) or {}).get("error"), flag)
+        (level.get("h"), ((level.get("measures") or {}).get(measure) or {}).get("error"), flag, level_note(level))
         for level, flag in zip(entry.levels, used)
     ]
     rows = [row for row in rows if row[0] and row[1] and row[1] > 0]
-    h, error, used = (numpy.array(column) for column in zip(*rows)) if rows else (numpy.array([]),) * 3
-    return _Levels(h, error, used.astype(bool), fit)
+    h, error, used, notes = zip(*rows) if rows else ((),) * 4
+    return _Levels(numpy.array(h), numpy.array(error), numpy.array(used, bool), list(notes), fit)
+
+
+def level_note(level):
+    """What a level is, beside its place in a figure: its number of cells."""
+    cells = (level.get("settings") or {}).get("cells")
+    return f"{text.count(cells)} cells" if isinstance(cells, (int, float)) else ""
 
 
 def confidence_band(h, used_h, fit):
@@ -194,7 +212,7 @@ def convergence(case, measure, prefix):
             levels = _levels(entry, measure)
             shown += list(levels.error)
             _fitted_line(axes, entry, levels)
-            _marks(axes, entry, levels.h, levels.error, levels.used)
+            _marks(axes, entry, levels.h, levels.error, levels.used, levels.notes)
         _theory_line(axes, order, _levels(series[0], measure), shown)
         low, high = _margins(shown, 2.2)
         low = min([low] + _floor_lines(axes, low, bound, rounding))
@@ -236,10 +254,11 @@ def _fitted_line(axes, entry, levels):
     colour = svg.series_colour(entry.style)
     used_h = levels.h[levels.used]
     h = numpy.geomspace(used_h.min(), used_h.max(), 30)
-    axes.plot(h, levels.fit["constant"] * h ** levels.fit["order"], color=colour, linewidth=1.1)
+    (line,) = axes.plot(h, levels.fit["constant"] * h ** levels.fit["order"], color=colour, linewidth=1.1)
+    svg.belongs(line, entry.label)
     band = confidence_band(h, used_h, levels.fit)
     if band:
-        axes.fill_between(h, *band, color=colour, alpha=0.16, linewidth=0)
+        svg.belongs(axes.fill_between(h, *band, color=colour, alpha=0.16, linewidth=0), entry.label)
 
 
 def _theory_line(axes, order, levels, shown):
@@ -315,9 +334,7 @@ def pairwise(case, measure, prefix):
             ]
             x, y = (numpy.array(column) for column in zip(*pairs)) if pairs else (numpy.array([]),) * 2
             shown += list(y)
-            axes.plot(
-                x, y, svg.series_mark(entry.style) + "-", color=svg.series_colour(entry.style), linewidth=0.9
-            )
+            marked_line(axes, entry, x, y)
         if order is not None:
             axes.axhline(order, color=svg.MUTED, linewidth=0.9, dashes=(5, 3))
         axes.set(
@@ -365,13 +382,7 @@ def plateau(case, measure, prefix):
                 if value and level.get("h")
             ]
             x, y = (numpy.array(column) for column in zip(*rows))
-            axes.plot(
-                x,
-                y / y[x.argmin()],
-                svg.series_mark(entry.style) + "-",
-                color=svg.series_colour(entry.style),
-                linewidth=0.9,
-            )
+            marked_line(axes, entry, x, y / y[x.argmin()])
         axes.set(xscale="log", xlabel="cell size h", ylabel="E/hᵖ over its finest value")
         low, high = axes.get_ylim()
         axes.set_ylim(min(low, 0.7), max(high, 1.3))
@@ -444,13 +455,7 @@ def variation(case, vary, measure, prefix):
             values, shown = values + list(x), shown + list(y)
             if distance:
                 _fitted_line(axes, entry, _levels(entry, measure))
-            axes.plot(
-                x,
-                y,
-                svg.series_mark(entry.style) + ("" if distance else "-"),
-                color=svg.series_colour(entry.style),
-                linewidth=0.9,
-            )
+            marked_line(axes, entry, x, y, "" if distance else "-")
         scale = "linear" if vary == "offset" else "log"
         axes.set(xscale=scale, yscale="log", xlabel=_AXIS.get(vary, vary), ylabel=error_label(case, measure))
         if shown:
@@ -539,6 +544,10 @@ def cost(case, measure, kind, prefix):
     rows = [(entry, points) for entry, points in rows if points]
     if not rows:
         return None
+    notes = {
+        id(entry): [level_note(level) for level, error in entry.errors(measure) if price(level) and error > 0]
+        for entry, _ in rows
+    }
     sticks = [(entry, entry.costs(column, measure)) for entry in case.comparators]
     sticks = [(entry, points) for entry, points in sticks if points]
 
@@ -546,12 +555,8 @@ def cost(case, measure, kind, prefix):
         best = front([point for _, points in rows for point in points])
         axes.plot(*zip(*best), color=svg.INK, linewidth=3.2, alpha=0.16, solid_capstyle="round")
         for entry, points in rows:
-            axes.plot(
-                *zip(*points),
-                svg.series_mark(entry.style) + "-",
-                color=svg.series_colour(entry.style),
-                linewidth=0.9,
-            )
+            line = marked_line(axes, entry, *zip(*points))
+            svg.note(line, notes[id(entry)])
         for entry, points in sticks:
             axes.plot(
                 *zip(*points),
@@ -559,6 +564,7 @@ def cost(case, measure, kind, prefix):
                 color=svg.series_colour(entry.style),
                 linestyle=(0, (5, 3)),
                 linewidth=0.9,
+                label=entry.title,
             )
         axes.plot(
             *zip(*best),

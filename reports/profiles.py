@@ -71,21 +71,22 @@ def profile(entry, name, levels, prefix):
     if not present:
         return None
 
+    label = _label(last, name)
+    sizes = [f"{which} {_size(level)}" if len(levels) > 1 else _size(level) for which, level, _ in present]
+
     def paint(axes):
         upper, lower = axes
         columns = present[-1][2]
         x, y = envelope(columns[columns.abscissa], columns[name + REFERENCE])
-        upper.plot(x, y, color=svg.INK, linewidth=3.4, alpha=0.22, solid_capstyle="round")
-        for which, _, columns in present:
-            _computed(upper, lower, which, columns, name)
+        upper.plot(x, y, color=svg.INK, linewidth=3.4, alpha=0.22, solid_capstyle="round", label="exact")
+        for size, (which, _, columns) in zip(sizes, present):
+            _computed(upper, lower, which, columns, name, size)
         upper.set_ylabel(axis_label(last, name))
         figures.plain_axis(upper.yaxis)
         _error_axis(lower)
         lower.set_xlabel(axis_label(last, last.abscissa))
         figures.plain_axis(lower.xaxis)
 
-    label = _label(last, name)
-    sizes = [f"{which} {_size(level)}" if len(levels) > 1 else _size(level) for which, level, _ in present]
     caption = (
         f"{label[0].upper() + label[1:]} computed by {entry.label} over the exact solution (broad grey "
         "line), and below it the size of "
@@ -114,7 +115,7 @@ def profile(entry, name, levels, prefix):
     )
 
 
-def _computed(upper, lower, which, columns, name):
+def _computed(upper, lower, which, columns, name, label):
     colour = svg.LEVELS[LEVEL_NAMES.index(which)]
     x, y = columns[columns.abscissa], columns[name]
     style = (
@@ -122,13 +123,13 @@ def _computed(upper, lower, which, columns, name):
         if _is_sparse(columns, name)
         else {"linewidth": 1.0}
     )
-    (line,) = upper.plot(*envelope(x, y), color=colour, **style)
+    (line,) = upper.plot(*envelope(x, y), color=colour, label=label, **style)
     line.set_gid(f"class:level-{which}")
     edges, largest = largest_in_bins(x, y - columns[name + REFERENCE])
     largest[~(largest > 0)] = numpy.nan
     if numpy.isfinite(largest).any():
         (stairs,) = lower.plot(
-            numpy.repeat(edges, 2)[1:-1], numpy.repeat(largest, 2), color=colour, linewidth=0.9
+            numpy.repeat(edges, 2)[1:-1], numpy.repeat(largest, 2), color=colour, linewidth=0.9, label=label
         )
         stairs.set_gid(f"class:level-{which}")
 
@@ -196,7 +197,7 @@ def drift(quantity, finest, prefix):
             x, y = envelope(
                 result.ledger[quantity]["time"], numpy.where(relative > 0, relative, numpy.nan), _RESIDUAL_BINS
             )
-            axes.plot(x, y, color=svg.series_colour(entry.style), linewidth=1.0)
+            axes.plot(x, y, color=svg.series_colour(entry.style), linewidth=1.0, label=entry.label)
         axes.axhline(figures.ROUNDING, color=svg.MUTED, linewidth=0.9, dashes=(4, 1.5, 1, 1.5))
         high = max([relative.max() for _, _, relative in lines] + [1e-13])
         axes.set(yscale="log", ylim=(1e-18, high * 10), xlabel="time in s", ylabel="|residual| / scale")

@@ -16,7 +16,9 @@ import sys
 import jinja2
 
 import cases as gathering
+import compact
 import figures
+import libraries
 import normals
 import pictures
 import plumbline_results
@@ -28,6 +30,7 @@ import tables
 import text
 
 HERE = pathlib.Path(__file__).resolve().parent
+SHARED_STYLES = "/* styles of the drawings */"  # where compact.py puts them
 NORMS = (".L1", ".L2", ".Linf")
 MOST_PROFILES = 10  # lines of a case that are drawn over the exact solution
 
@@ -47,8 +50,28 @@ def render(folder):
     results = {result.name: result for result in folder.runs}
     pages = [case_page(case, results) for case in cases.values()]
     front = front_page(folder, cases)
-    style = (HERE / "templates" / "style.css").read_text(encoding="utf-8") + front["stability"].get("style", "")
-    return environment.get_template("page.html").render(style=_markup(style), pages=pages, **front)
+    page = environment.get_template("page.html").render(
+        style=_markup(style_sheet(front["stability"].get("style", ""))), scripts=scripts(), pages=pages, **front
+    )
+    page, rules = compact.with_shared_styles(page)
+    return page.replace(SHARED_STYLES, rules, 1)
+
+
+def style_sheet(more):
+    """All rules of the page; those of the dark page stand for the preference of the reader and for the switch."""
+    style, dark = ((HERE / "templates" / name).read_text(encoding="utf-8") for name in ("style.css", "dark.css"))
+    dark = (
+        f"@media screen and (prefers-color-scheme: dark) {{ :root:not([data-theme=light]) {{ {dark} color-scheme: dark; }} }}\n"
+        f"@media screen {{ :root[data-theme=dark] {{ {dark} color-scheme: dark; }} :root[data-theme=light] {{ color-scheme: light; }} }}"
+    )
+    return "\n".join((style, dark, more, SHARED_STYLES))
+
+
+def scripts():
+    """The scripts of the page by name, and what is said of the library among them."""
+    library, words = libraries.zoom()
+    own = {name: (HERE / "scripts" / f"{name}.js").read_text(encoding="utf-8") for name in ("theme", "figures", "page")}
+    return {**{name: _markup(script) for name, script in own.items()}, "library": _markup(library), "words": words}
 
 
 def front_page(folder, cases):
@@ -60,6 +83,7 @@ def front_page(folder, cases):
         "missed": _anchored(tables.missed(cases)),
         "expected_failures": _anchored(tables.expected_failures(cases)),
         "overview": overview,
+        "verdicts_present": [name for name in gathering.URGENCY if any(case.counts[name] for case in cases.values())],
         "damaged": folder.damaged,
         "meanings": tables.MEANINGS,
         "provenance": tables.provenance(folder),

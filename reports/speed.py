@@ -221,10 +221,11 @@ def cost_by_size(bench):
             below = [c - 1e9 / kernel["fastest"] for c, kernel in zip(cost, kernels)]
             above = [1e9 / kernel["slowest"] - c for c, kernel in zip(cost, kernels)]
             colour = svg.series_colour(number)
-            axes.errorbar(
+            bars = axes.errorbar(
                 points, cost, (below, above), fmt=svg.series_mark(number) + "-", color=colour, linewidth=0.9,
                 elinewidth=0.9, capsize=2.5,
             )  # fmt: skip
+            bars[0].set_label(text.plural(list(series)[number], "thread"))
         most = max(1e9 / kernel["slowest"] for kernels in series.values() for kernel in kernels)
         sizes = [kernel["points"] for kernels in series.values() for kernel in kernels]
         axes.set(xscale="log", xlim=(min(sizes) / 1.7, 1.7 * max(sizes)))
@@ -290,7 +291,9 @@ def memory_by_size(bench):
     def paint(axes):
         points = [kernel["points"] for kernel in kernels]
         held = [kernel["memory_bytes_per_point"] for kernel in kernels]
-        axes.plot(points, held, svg.series_mark(0) + "-", color=svg.series_colour(0), linewidth=0.9)
+        axes.plot(
+            points, held, svg.series_mark(0) + "-", color=svg.series_colour(0), linewidth=0.9, label="held, measured"
+        )
         axes.axhline(stored, color=svg.MUTED, linewidth=0.9, dashes=(5, 3))
         axes.set(xscale="log", xlabel="number of points", ylabel="memory per point in bytes")
         axes.set_ylim(0, 1.15 * max(held + [stored]))

@@ -535,7 +535,7 @@ def growth(problem, prefix):
             for configuration, choices in drawn:
                 if single or (configuration.get("integrator") or "") == integrator:
                     style = chosen.index((configuration.get("integrator") or "") if single else choices)
-                    _growth_line(panel, configuration, style)
+                    _growth_line(panel, configuration, style, chosen[style] or "default")
             panel.axhspan(-threshold, threshold, color=svg.MUTED, alpha=0.15, linewidth=0)
             if integrator:
                 panel.set_title(integrator, fontsize=8)
@@ -593,16 +593,22 @@ def _curve(entries):
     return [dt for dt, _ in known], [added for _, added in known]
 
 
-def _growth_line(panel, configuration, style):
+def _growth_line(panel, configuration, style, label):
     colour = svg.series_colour(style)
     steps, added = _curve(configuration["growth"])
     mark = _mark(style)
-    panel.plot(steps, added, mark + "-", color=colour, linewidth=1.0, markersize=3, markevery=max(1, len(steps) // 6))
+    every = max(1, len(steps) // 6)
+    panel.plot(
+        steps, added, mark + "-", color=colour, linewidth=1.0, markersize=3, markevery=every, label=label
+    )
     seen = _curve(configuration["observed_growth"])
     if seen[0]:
-        panel.plot(*seen, "o", color=colour, markerfacecolor="none", markersize=4, markeredgewidth=0.9)
+        (rings,) = panel.plot(
+            *seen, "o", color=colour, markerfacecolor="none", markersize=4, markeredgewidth=0.9, label=label
+        )
+        svg.note(rings, ["measured in runs"] * len(seen[0]))
     for limit in ends(configuration):
-        panel.axvline(limit, color=colour, linewidth=0.8, dashes=(1, 1.5))
+        svg.belongs(panel.axvline(limit, color=colour, linewidth=0.8, dashes=(1, 1.5)), label)
     if configuration.get("closed_form") is not None:
         panel.axvline(configuration["closed_form"], color=svg.MUTED, linewidth=0.7, dashes=(5, 3))
 

@@ -7,12 +7,13 @@ document.
 
 import io
 import re
-import zlib
 from xml.etree import ElementTree
 
 import matplotlib
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
+
+import compact
 
 INK, GRID, MUTED = "#010203", "#010204", "#010205"
 SERIES = tuple(f"#f100{index:02x}" for index in range(1, 7))  # one colour per line of a case
@@ -47,6 +48,8 @@ _STYLE = {
     "grid.color": GRID,
     "grid.linewidth": 0.6,
     "axes.axisbelow": True,
+    "xtick.major.size": 0,  # the grid is there
+    "ytick.major.size": 0,
     "axes.spines.top": False,
     "axes.spines.right": False,
     "lines.linewidth": 1.4,
@@ -68,50 +71,83 @@ def series_mark(style):
 
 
 def draw(paint, prefix, label, height=2.9, **subplots):
-    """SVG text of the figure that `paint(axes)` fills; `subplots` goes to Figure.subplots."""
+    """SVG text of the figure that `paint(axes)` fills; `subplots` goes to Figure.subplots.
+
+    Every line with a label (`axes.plot(..., label=...)`) can be pointed at on the page: its label, its values and what
+    `note(line, ...)` says of its points are shown.
+    """
     with matplotlib.rc_context():
         matplotlib.rcdefaults()
         matplotlib.rcParams.update(_STYLE)
         figure = Figure(figsize=(WIDTH, height))
         FigureCanvasSVG(figure)
         paint(figure.subplots(**subplots))
+        series = _name_parts(figure)
         stream = io.StringIO()
         figure.savefig(stream, format="svg", transparent=True, metadata={"Date": None})
-    return _inline(stream.getvalue(), prefix, label)
+        axes = {part.get_gid(): _axes(part) for part in figure.axes if part.get_gid().startswith("axes:")}
+    source = re.sub(r"font: ([\d.]+)px [^;\"]*", r"font: calc(\1px * var(--zoom)) var(--font)", stream.getvalue())
+    source = re.sub("|".join(_VARIABLES), lambda match: _VARIABLES[match.group(0)], source)
+    return compact.compact(source, identifier(prefix), label, {"axes": axes, "series": series})
 
 
-def escape(text):
-    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace('"', "&quot;")
+def note(line, words):
+    """Says of each point of a line what it is, for example the number of cells."""
+    line.plumbline_notes = [str(word) for word in words]
 
 
-def _inline(text, prefix, label):
-    text = text[text.index("<svg") :]
-    text = re.sub(r"<metadata>.*?</metadata>|<style.*?</style>|<!--.*?-->", "", text, flags=re.DOTALL)
-    box = re.search(r'viewBox="[^"]*"', text).group(0)
-    text = re.sub(r"^<svg[^>]*>", f'<svg {box} role="img" aria-label="{escape(label)}">', text)
-    text = text.replace("xlink:href", "href").replace(' transform="rotate(-0 ', ' transform="rotate(0 ')
-    text = re.sub(r"font: ([\d.]+)px [^;\"]*", r"font: calc(\1px * var(--zoom)) var(--font)", text)
-    text = re.sub("|".join(_VARIABLES), lambda match: _VARIABLES[match.group(0)], text)
-    text = re.sub(r'id="class:([\w-]+)[^"]*"', r'class="\1"', text)
-    text = re.sub(r' (?:d|x|y|width|height|transform)="[^"]*"', _rounded, text)
-    text = re.sub(r"<g[^>]*/>", "", text)  # parts that nothing was drawn in
-    text = re.sub(r"<g([^>]*)>\s*((?:<use [^>]*/>\s*){3,})</g>", _shared_style, text)
-    text = _own_identifiers(text, f"f{zlib.crc32(prefix.encode()):x}")
-    return re.sub(r">\s+<", "><", re.sub(r" *\n *", " ", text)).strip()
+def belongs(part, label):
+    """Lets a line or an area that cannot be pointed at itself appear and vanish with the line of this label."""
+    part.plumbline_series = label
 
 
-def _shared_style(group):
-    """Marks of one line repeat their style hundreds of times: it moves to the group around them."""
-    attributes, marks = group.groups()
-    styles = set(re.findall(r' style="([^"]*)"', marks))
-    if len(styles) != 1 or "style=" in attributes:
-        return group.group(0)
-    return f'<g{attributes} style="{styles.pop()}">' + re.sub(r' style="[^"]*"', "", marks) + "</g>"
+def _name_parts(figure):
+    """Gives axes and labelled lines the names by which compact.py finds them; returns the labels and their notes."""
+    series = []
+    figure.patch.set_gid("frame")
+    for number, axes in enumerate(figure.axes):
+        axes.patch.set_gid("frame")
+        for spine in axes.spines.values():
+            spine.set_gid("frame")
+        beside = axes.get_label() == "<colorbar>"
+        axes.set_gid(f"frame-{number}" if beside else f"axes:{number}")
+        for part in [*axes.lines, *axes.collections]:
+            own = str(part.get_label())
+            label = getattr(part, "plumbline_series", "" if own.startswith("_") else own)
+            classes = (part.get_gid() or "").removeprefix("class:") + (" b" if own.startswith("_") and label else "")
+            if label and label not in series:
+                series.append(label)
+            if (label or classes) and not beside:
+                notes = "|".join(getattr(part, "plumbline_notes", ()))
+                part.set_gid(f"line:{classes.strip()}:{series.index(label) if label else ''}:{notes}")
+    return series
 
 
-def _rounded(attribute):
-    """Two decimals of a point are finer than any screen; matplotlib writes six."""
-    return re.sub(r"(\.\d\d)\d+", r"\1", attribute.group(0))
+def _axes(axes):
+    """Place, scales, limits and labels of a pair of axes, as report.js reads them."""
+    height = 72 * axes.figure.get_figheight()
+    box = axes.get_window_extent().transformed(axes.figure.dpi_scale_trans.inverted())
+    place = [72 * box.x0, height - 72 * box.y1, 72 * box.width, 72 * box.height]
+    parts = [round(float(value), 2) for value in place]
+    for axis, limits in ((axes.xaxis, axes.get_xlim()), (axes.yaxis, axes.get_ylim())):
+        scale = axis.get_scale()
+        if scale == "symlog":
+            transform = axis.get_transform()
+            scale = [float(transform.linthresh), float(transform.linscale)]
+        parts += [scale if isinstance(scale, list) else int(scale == "log"), *(float(f"{limit:.7g}") for limit in limits)]
+    return parts + [_shared_label(axes, "x"), _shared_label(axes, "y")]
+
+
+def _shared_label(axes, name):
+    """The label of an axis; of axes that share one with others, whichever of them states it."""
+    group = getattr(axes, f"get_shared_{name}_axes")().get_siblings(axes)
+    labels = [getattr(part, f"get_{name}label")() for part in [axes, *sorted(group, key=lambda part: part.get_gid() or "")]]
+    return next((label for label in labels if label), name)
+
+
+def identifier(words):
+    """Words as an identifier for links within the page."""
+    return re.sub(r"[^A-Za-z0-9_-]+", "-", words).strip("-") or "unnamed"
 
 
 def _own_identifiers(text, prefix):

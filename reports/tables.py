@@ -78,6 +78,7 @@ def gate_row(gate):
         "note": gate.get("note") or "",
         "band": text.expected(gate["band"]) if gate.get("band") else "",
         "file": gate.get("file") or "",
+        "gate_anchor": gate.get("anchor") or "",
     }
 
 

@@ -112,7 +112,7 @@ class Chromium:
         ):
             self.messages.append(f"the page asked the network for {parameters['request']['url']}")
 
-    def open(self, path, width, height, scheme):
+    def open(self, path, width, height, scheme="light", hash=""):
         """Loads a file at the given viewport with the preferred colour scheme 'light' or 'dark'."""
         self.call(
             "Emulation.setDeviceMetricsOverride",
@@ -122,15 +122,30 @@ class Chromium:
             mobile=width < 600,
         )
         self.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
-        self.call("Page.navigate", url=pathlib.Path(path).resolve().as_uri())
+        self.call("Page.navigate", url="about:blank")  # so that a page is loaded anew when only the part after # differs
+        self.call("Page.navigate", url=pathlib.Path(path).resolve().as_uri() + hash)
         deadline = time.monotonic() + self.timeout
         while self.evaluate("document.readyState + location.protocol") != "completefile:":
             if time.monotonic() > deadline:
                 raise TimeoutError("the page does not finish loading")
 
+    def allow_scripts(self, allowed):
+        """Whether scripts of pages opened from now on run; evaluate() works either way."""
+        self.call("Emulation.setScriptExecutionDisabled", value=not allowed)
+
+    def mouse(self, kind, x, y, **more):
+        """'mouseMoved', 'mousePressed', 'mouseReleased' or 'mouseWheel' at a place of the viewport."""
+        self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **more)
+
+    def press(self, key, code=0, text=""):
+        """A key down and up, by its DOM name."""
+        more = {"windowsVirtualKeyCode": code, "text": text} if text else {"windowsVirtualKeyCode": code}
+        self.call("Input.dispatchKeyEvent", type="keyDown", key=key, **more)
+        self.call("Input.dispatchKeyEvent", type="keyUp", key=key, windowsVirtualKeyCode=code)
+
     def evaluate(self, expression):
-        """Value of a JavaScript expression in the page."""
-        answer = self.call("Runtime.evaluate", expression=expression, returnByValue=True)
+        """Value of a JavaScript expression in the page; a promise is waited for."""
+        answer = self.call("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)
         if "exceptionDetails" in answer:
             raise RuntimeError(str(answer["exceptionDetails"]))
         return answer["result"].get("value")
@@ -140,6 +155,6 @@ class Chromium:
         data = self.call("Page.captureScreenshot", format="png")["data"]
         pathlib.Path(path).write_bytes(base64.b64decode(data))
 
-    def pdf(self):
+    def pdf(self, **options):
         """The page as printed."""
-        return base64.b64decode(self.call("Page.printToPDF")["data"])
+        return base64.b64decode(self.call("Page.printToPDF", **options)["data"])
