@@ -10,6 +10,7 @@ it; a mutant
     type                     of an expression whose two forms have different types
     killed_by                [{"case", "gate"} or {"test"}]: those that must turn red on it
     equivalent               why no gate could: the program does the same
+    quick                    belongs to the subset that the tests of a change run; its file is no header
 """
 
 import json
@@ -18,7 +19,7 @@ import re
 from dataclasses import dataclass, field
 
 WRAPS = ("expression", "statement", "text")
-KNOWN = {"id", "kind", "file", "what", "find", "replace", "context", "wrap", "type", "killed_by", "equivalent"}
+KNOWN = {"id", "kind", "file", "what", "find", "replace", "context", "wrap", "type", "killed_by", "equivalent", "quick"}
 
 
 AREAS = (
@@ -52,6 +53,7 @@ class Mutant:
     type: str = ""
     killed_by: list = field(default_factory=list)
     equivalent: str = ""
+    quick: bool = False
     number: int = 0  # what PLUMBLINE_MUTANT is set to; 0 is no mutant
 
     @property
