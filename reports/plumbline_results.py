@@ -22,7 +22,7 @@ from dataclasses import dataclass, field
 import h5py
 import numpy
 
-FORMAT_VERSION = 1
+FORMAT_VERSION = 2
 OLDEST_FORMAT_VERSION = 1
 KINDS = ("run", "study", "verdicts")
 BENCH_FILE = "bench.json"
@@ -46,6 +46,7 @@ GATE_COLUMNS = (
 )
 MEASURE_COLUMNS = ("value", "error", "relative_error", "reference", "reference_bound", "unit")
 FIT_COLUMNS = ("order", "order_low", "order_high", "constant", "asymptotic", "reason")
+FRAME_FIELDS = ("position", "velocity", "pressure", "stress", "id")
 LEVEL_COLUMNS = (
     "h",
     "value",
@@ -372,8 +373,8 @@ def _read(file, name):
     result.ledger = {quantity: Columns(_columns(group)) for quantity, group in _groups(file, "ledger")}
     if "profile" in file:
         result.profile = _profile(file["profile"])
-    if "VTKHDF" in file:
-        result.frames = _frames(file)
+    if "frames" in file:
+        result.frames = _frames_of_format_1(file) if version == 1 else _frames(file["frames"])
     return result
 
 
@@ -437,18 +438,32 @@ def _profile(group):
     )
 
 
-def _frames(file):
+def _frames(group):
+    described = _json(group, "description", dict, required=True)
+    points = {name: group[name][()] for name in ("body", *FRAME_FIELDS)}
+    return _checked_frames(described, group["time"][()], group["start"][()], points)
+
+
+def _frames_of_format_1(file):
+    """Format 1 kept them as VTK's format has it, all steps in one group."""
     described, data = _json(file, "frames", dict, required=True), file["VTKHDF"]
-    starts = numpy.append(data["Steps/PointOffsets"][()], len(data["Points"]))
-    points = {name: values[()] for name, values in data["PointData"].items()}
+    points = {name: data[f"PointData/{name}"][()] for name in ("body", *FRAME_FIELDS) if name != "position"}
     points["position"] = data["Points"][()]
+    starts = numpy.append(data["Steps/PointOffsets"][()], len(data["Points"]))
+    return _checked_frames(described, data["Steps/Values"][()], starts, points)
+
+
+def _checked_frames(described, times, starts, points):
     lengths = {name: len(values) for name, values in points.items()}
-    if len(set(lengths.values())) > 1 or numpy.any(numpy.diff(starts) < 0):
+    whole = (
+        set(lengths.values()) == {int(starts[-1])}
+        and len(starts) == len(times) + 1
+        and not numpy.any(numpy.diff(starts) < 0)
+    )
+    if not whole:
         raise DamagedFile(f"the frames do not fit their points: {lengths}")
     grid = {name: described[name] for name in ("dim", "axisymmetric", "h", "low", "high", "walls")}
-    return Frames(
-        data["Steps/Values"][()], described["bodies"], grid, described["units"], described["every"], points, starts
-    )
+    return Frames(times, described["bodies"], grid, described["units"], described["every"], points, starts)
 
 
 def _comparator(group):

@@ -6,8 +6,9 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
+
+#include "cases/harness/text_file.hpp"
 
 namespace plumbline {
 
@@ -95,9 +96,7 @@ void write_json(const CommonOptions& options, const Json& document) {
     fmt::print("{}\n", text);
     return;
   }
-  std::ofstream file(options.json);
-  file << text << "\n";
-  if (!file.flush()) throw FileError(options.json, options.json + ": cannot be written");
+  write_text_file(options.json, text + "\n");
 }
 
 Progress terminal_progress(const std::string& what) {

@@ -1,5 +1,8 @@
+#include <filesystem>
+
 #include "cases/commands/command.hpp"
 #include "cases/harness/estimate.hpp"
+#include "cases/harness/paraview_files.hpp"
 
 namespace plumbline {
 namespace {
@@ -103,6 +106,15 @@ FrameRequest frames_of(const RunOptions& options) {
   return {options.frames, 0};
 }
 
+// The files for ParaView beside the run's own, and what its document says of them; nothing for a run without frames.
+Json write_films(const Output& out, const ResultsFolder& folder, const RunResult& run) {
+  const std::string name = std::filesystem::path(run.file).stem(), films = name + "-frames";
+  const std::string list = write_paraview_files(folder.path() + "/" + films, name, run.frames);
+  if (list.empty()) return nullptr;
+  out.line("  {} frames for ParaView: {}", run.frames.frames.size(), list);
+  return {{"count", run.frames.frames.size()}, {"series", fmt::format("{}/{}.hdf.series", films, name)}};
+}
+
 int execute(const Invocation& invocation, const RunOptions& options) {
   const Case& entry = find_case(options.case_name);
   const auto chosen = chosen_schemes(invocation.options);
@@ -126,6 +138,7 @@ int execute(const Invocation& invocation, const RunOptions& options) {
   print(out, run, gates, declared.has_value());
   Json document = run_document(run, gates, provenance);
   document["expectation"] = declared ? "declared" : "none";
+  if (Json films = write_films(out, folder, run); !films.is_null()) document["frames"] = std::move(films);
   write_json(invocation.options, document);
   return exit_of(run.stop.has_value(), gates, invocation.options.allow_inconclusive);
 }
@@ -139,7 +152,8 @@ Command add_run(CLI::App& app, Invocation& invocation) {
   sub->add_option("case", options->case_name, "the case")->required();
   sub->add_option("--cells", options->cells, "cells along the case's reference length");
   sub->add_option("--frames", options->frames,
-                  "keep so many snapshots of all points, evenly spaced in time, in the result file");
+                  "keep so many snapshots of all points, evenly spaced in time: in the result file, and as files that "
+                  "ParaView opens, in the folder named after it");
   sub->add_flag("--dry-run", options->dry, "print points, cells, steps, memory and estimated time only");
   add_run_options(*sub, invocation.options);
   return {sub, [&invocation, options, sub] {

@@ -1,9 +1,10 @@
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
-#include <fstream>
+#include <sstream>
 
 #include "cases/commands/command.hpp"
+#include "cases/harness/text_file.hpp"
 
 namespace plumbline {
 namespace {
@@ -33,10 +34,9 @@ void write_junit(const std::string& path, const std::vector<JudgedGate>& gates, 
   suite.put("<xmlattr>.failures", failures);
   boost::property_tree::ptree root;
   root.add_child("testsuite", suite);
-  std::ofstream file(path);
-  if (!file) throw FileError(path, path + ": cannot be written");
-  boost::property_tree::write_xml(file, root);
-  if (!file.flush()) throw FileError(path, path + ": cannot be written");
+  std::ostringstream text;
+  boost::property_tree::write_xml(text, root);
+  write_text_file(path, text.str());
 }
 
 int execute(const Invocation& invocation, const VerifyOptions& options) {

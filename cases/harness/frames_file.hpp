@@ -1,4 +1,4 @@
-// Frames in a result file: /VTKHDF as ParaView reads it, /frames for what that format has no place for.
+// Frames in a result file, as the report reads them.
 #pragma once
 
 #include "cases/harness/frames.hpp"
@@ -6,10 +6,11 @@
 
 namespace plumbline {
 
-// /VTKHDF: an UnstructuredGrid over time, version 2.0 of the format (docs.vtk.org, "VTKHDF format specification"): each
-// point a vertex, each chain one polyline; single precision, compressed. Point data `id`, `body` (its place in the list of
-// /frames), `velocity`, `pressure`, `stress`; what a body does not have is NaN. /frames: JSON with the bodies, the grid and
-// the units. Nothing is written of a set without frames.
+// /frames: `time` (s) and `start`, the place of each frame's first point and the end, in the columns `position` and
+// `velocity` (rows of three), `pressure`, `stress`, `id` and `body` (its place in the list of `description`), which hold
+// all frames one after another; single precision, compressed; what a body does not have is NaN. `description`: JSON with
+// the bodies, the grid and the units. Nothing is written of a set without frames. No group VTKHDF: readers of ParaView up
+// to 5.11 would take all frames for one (paraview_files.hpp writes what they read).
 void write_frames(Hdf5Writer& file, const FrameSet& set);
 
 }  // namespace plumbline

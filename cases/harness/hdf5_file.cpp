@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 #include <hdf5.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "cases/harness/errors.hpp"
+#include "cases/harness/text_file.hpp"
 
 namespace plumbline {
 namespace {
@@ -68,7 +68,7 @@ struct Hdf5Writer::Impl {
 Hdf5Writer::Hdf5Writer(std::string path) : impl_(std::make_unique<Impl>()) {
   silence_hdf5();
   impl_->path = std::move(path);
-  impl_->temporary = fmt::format("{}.{}.part", impl_->path, ::getpid());
+  impl_->temporary = temporary_name(impl_->path);
   impl_->file = H5Fcreate(impl_->temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   if (impl_->file < 0) throw FileError(impl_->path, fmt::format("{}: cannot be written", impl_->path));
 }

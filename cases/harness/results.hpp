@@ -8,7 +8,8 @@
 
 namespace plumbline {
 
-inline constexpr int results_format = 1;
+// 2: frames stand in a group of their own. 1: in a group /VTKHDF, which ParaView misread.
+inline constexpr int results_format = 2;
 
 class ResultsFolder {
  public:

@@ -75,7 +75,7 @@ def test_result_file_says_the_same_as_the_output(plumbline, case):
     assert len(files) == 1
     assert re.fullmatch(rf"{case}-default-{run['settings']['cells']}-[0-9a-f]{{12}}\.h5", files[0])
     with h5py.File(plumbline.folder / "results" / files[0]) as stored:
-        assert stored.attrs["plumbline_format"] == 1
+        assert stored.attrs["plumbline_format"] == 2
         assert stored.attrs["kind"] in ("run", b"run")
         text = {name: parse(stored[name][()].decode()) for name in ("run", "measures", "gates", "provenance", "settings")}
         validate("run", text["run"])

@@ -1,5 +1,6 @@
-"""Frames: `run --frames K` and what the result file then holds, in the layout that ParaView reads."""
+"""Frames: `run --frames K`, what the result file then holds, and the files beside it."""
 import json
+from pathlib import Path
 
 import h5py
 import numpy
@@ -8,11 +9,20 @@ from contract import without_volatile
 from test_errors import refused
 
 RUN = ("run", "two-disks", "--cells", 10)
+FIELDS = ("velocity", "pressure", "stress", "id")
 
 
 def file_of(plumbline):
-    (name,) = plumbline.files()
-    return h5py.File(plumbline.folder / "results" / name, "r")
+    (path,) = (plumbline.folder / "results").glob("*.h5")
+    return path
+
+
+def list_of(plumbline):
+    """(folder, [(file, time)]) as the list that ParaView opens has it."""
+    (path,) = (plumbline.folder / "results").rglob("*.hdf.series")
+    document = json.loads(path.read_text(encoding="utf-8"))
+    assert document["file-series-version"] == "1.0" and path.parent.name == file_of(plumbline).stem + "-frames"
+    return path.parent, [(entry["name"], entry["time"]) for entry in document["files"]]
 
 
 @pytest.mark.parametrize("count", ["0", "1", "-3", "1001"])
@@ -31,67 +41,61 @@ def test_what_is_no_number(plumbline, count):
 def test_no_other_number_changes(plumbline):
     plain = plumbline(*RUN, "--results", "plain", json=True).json()
     seen = plumbline(*RUN, "--results", "seen", "--frames", 5, json=True).json()
+    name = Path(plain["file"]).stem
+    assert seen.pop("frames") == {"count": 5, "series": f"{name}-frames/{name}.hdf.series"}
     assert without_volatile(plain) == without_volatile(seen)
-    assert plumbline.files("plain") == plumbline.files("seen")
+    frames = [f"{name}-frames/{name}-000{k}.hdf" for k in range(5)] + [f"{name}-frames/{name}.hdf.series"]
+    assert plumbline.files("seen") == sorted([plain["file"], *frames]) and plumbline.files("plain") == [plain["file"]]
     with h5py.File(plumbline.folder / "plain" / plain["file"]) as a, h5py.File(plumbline.folder / "seen" / plain["file"]) as b:
-        assert set(b) - set(a) == {"VTKHDF", "frames"}
+        assert set(b) - set(a) == {"frames"}
         for table in ("ledger", "profile"):
             a[table].visititems(lambda name, data: isinstance(data, h5py.Group) or numpy.testing.assert_array_equal(data, b[table][name]))
 
 
-def test_layout_is_that_of_vtkhdf(plumbline):
+def test_the_result_file_is_no_picture_that_readers_take_for_one_step(plumbline):
     assert plumbline(*RUN, "--frames", 5).code == 0
-    with file_of(plumbline) as file:
-        grid = file["VTKHDF"]
-        assert list(grid.attrs["Version"]) == [2, 0]
-        kind = grid.attrs.get_id("Type")
-        assert grid.attrs["Type"] == b"UnstructuredGrid"
-        assert kind.get_type().get_cset() == h5py.h5t.CSET_ASCII and kind.get_type().get_strpad() == h5py.h5t.STR_NULLPAD
-        steps = grid["Steps"]
-        assert steps.attrs["NSteps"] == 5
-        times = steps["Values"][()]
-        assert times[0] == 0 and times[-1] == pytest.approx(json.loads(file["run"][()])["time"]) and numpy.all(numpy.diff(times) > 0)
-        points = grid["Points"]
-        assert points.shape[1] == 3 and points.dtype == numpy.float32 and points.compression == "gzip"
-        for k in range(5):
-            part, cell, start = steps["PartOffsets"][k], steps["CellOffsets"][k, 0], steps["ConnectivityIdOffsets"][k, 0]
-            number, cells = grid["NumberOfPoints"][part], grid["NumberOfCells"][part]
-            offsets = grid["Offsets"][cell + part:cell + part + cells + 1]
-            assert offsets[0] == 0 and offsets[-1] == grid["NumberOfConnectivityIds"][part]
-            connectivity = grid["Connectivity"][start:start + offsets[-1]]
-            assert sorted(connectivity) == list(range(number))
-            assert set(grid["Types"][cell:cell + cells]) == {1}
-            assert steps["PointOffsets"][k] == k * number
-        assert len(points) == 5 * number
-        for name, data in grid["PointData"].items():
-            assert len(data) == len(points), name
-            assert list(steps["PointDataOffsets"][name]) == list(steps["PointOffsets"])
-        described = json.loads(file["frames"][()])
+    with h5py.File(file_of(plumbline)) as file:
+        assert "VTKHDF" not in file
+        group = file["frames"]
+        described = json.loads(group["description"][()])
         assert [body["name"] for body in described["bodies"]] == ["lower", "upper"]
-        assert described["dim"] == 2 and set(grid["PointData/body"][()]) == {0, 1}
+        assert described["dim"] == 2 and set(group["body"][()]) == {0, 1}
+        assert group["position"].shape[1] == 3 and group["position"].dtype == numpy.float32 and group["position"].compression == "gzip"
+        times, start = group["time"][()], group["start"][()]
+        assert len(times) == 5 and times[0] == 0 and numpy.all(numpy.diff(times) > 0)
+        assert times[-1] == pytest.approx(json.loads(file["run"][()])["time"])
+        assert start[0] == 0 and len(start) == 6 and all(len(group[name]) == start[-1] for name in (*FIELDS, "position", "body"))
 
 
-def test_points_that_come_later_make_a_new_part(plumbline):
-    """Gas that expands is split: frames with more points have cells of their own."""
-    assert plumbline("run", "gas-expansion", "--cells", 80, "--frames", 9).code == 0
-    with file_of(plumbline) as file:
-        grid, steps = file["VTKHDF"], file["VTKHDF/Steps"]
-        assert len(grid["NumberOfPoints"]) > 1
-        counts = grid["NumberOfPoints"][()][steps["PartOffsets"][()]]
-        assert numpy.all(numpy.diff(counts) >= 0) and counts.sum() == len(grid["Points"])
-        assert list(steps["PointOffsets"]) == list(numpy.cumsum(counts) - counts)
-        for k, (part, cell, start) in enumerate(zip(steps["PartOffsets"], steps["CellOffsets"][:, 0], steps["ConnectivityIdOffsets"][:, 0])):
-            offsets = grid["Offsets"][cell + part:cell + part + counts[k] + 1]
-            assert list(offsets) == list(range(counts[k] + 1))
-            assert list(grid["Connectivity"][start:start + counts[k]]) == list(range(counts[k]))
+def test_each_frame_is_a_file_of_version_1_0(plumbline):
+    """Attributes as VTK 9.1 wants them: a string of fixed length, ASCII."""
+    assert plumbline(*RUN, "--frames", 3).code == 0
+    folder, listed = list_of(plumbline)
+    for name, _ in listed:
+        with h5py.File(folder / name) as file:
+            grid = file["VTKHDF"]
+            kind = grid.attrs.get_id("Type").get_type()
+            assert list(grid.attrs["Version"]) == [1, 0] and grid.attrs["Type"] == b"UnstructuredGrid"
+            assert kind.get_cset() == h5py.h5t.CSET_ASCII and not kind.is_variable_str()
+            assert "Steps" not in grid
 
 
-def test_a_chain_is_one_line(plumbline):
-    assert plumbline("run", "pendulum", "--cells", 5, "--set", "t_end=0.01", "--frames", 2).code in (0, 1)
-    with file_of(plumbline) as file:
-        grid = file["VTKHDF"]
-        assert list(grid["Types"]) == [4] and list(grid["Offsets"]) == [0, grid["NumberOfPoints"][0]]
-        assert list(grid["Connectivity"]) == list(range(grid["NumberOfPoints"][0]))
+def test_a_shorter_list_leaves_no_frames_of_the_longer_one(plumbline):
+    assert plumbline(*RUN, "--frames", 6).code == 0
+    assert plumbline(*RUN, "--frames", 3).code == 0
+    folder, listed = list_of(plumbline)
+    assert len(listed) == 3 and sorted(path.name for path in folder.glob("*.hdf")) == sorted(name for name, _ in listed)
+
+
+def test_a_list_is_whole_or_absent(plumbline):
+    """A frame that cannot be written: exit status 4, the reason, and no list of frames that are not there."""
+    assert plumbline(*RUN, "--frames", 3).code == 0
+    folder, listed = list_of(plumbline)
+    (folder / listed[2][0]).unlink()
+    (folder / listed[2][0]).mkdir()
+    result = plumbline(*RUN, "--frames", 3)
+    assert result.code == 4 and listed[2][0] in result.err
+    assert not list(folder.glob("*.series")) and not list(folder.glob("*.part"))
 
 
 def test_verify_keeps_the_frames_that_a_study_asks_for(plumbline):
@@ -99,5 +103,6 @@ def test_verify_keeps_the_frames_that_a_study_asks_for(plumbline):
     with_frames = []
     for name in plumbline.files():
         with h5py.File(plumbline.folder / "results" / name) as file:
-            with_frames += [name] * ("VTKHDF" in file)
+            with_frames += [name] * ("frames" in file)
+            assert "VTKHDF" not in file
     assert len(with_frames) == 1 and with_frames[0].startswith("two-disks-default-40-")

@@ -34,4 +34,4 @@ def test_signal_leaves_nothing_half_written(plumbline, name, number, status):
     for file in plumbline.files(".") :
         assert file.startswith("results/") and file.endswith(".h5"), f"{file} is no result"
         with h5py.File(plumbline.folder / file) as stored:
-            assert stored.attrs["plumbline_format"] == 1
+            assert stored.attrs["plumbline_format"] == 2

@@ -81,7 +81,7 @@ def digest(*parts):
     return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()[:12]
 
 
-def create(path, kind, parts, version=1):
+def create(path, kind, parts, version=2):
     """A file with its root attributes and JSON parts; returned open."""
     file = h5py.File(path, "w")
     file.attrs["plumbline_format"] = numpy.int64(version)
@@ -260,17 +260,33 @@ def add_frames(path, axisymmetric=False, times=FRAME_TIMES):
         "bodies": FRAME_BODIES,
         "units": {"position": "m", "velocity": "m/s", "pressure": "Pa", "stress": "Pa", "time": "s"},
     }
+    bodies = [(number, body) for frame in frames for number, body in enumerate(frame)]
+    columns = {
+        name: numpy.concatenate([body[name] for _, body in bodies])
+        for name in ("position", "velocity", "pressure", "stress", "id")
+    }
+    columns["body"] = numpy.concatenate([numpy.full(len(body["id"]), number) for number, body in bodies])
+    for name in ("position", "velocity", "pressure", "stress"):
+        columns[name] = columns[name].astype(numpy.float32)
     with h5py.File(path, "a") as file:
-        file["frames"] = json.dumps(described)
-        group = file.create_group("VTKHDF")
-        group.attrs.update({"Version": [2, 0], "Type": numpy.bytes_("UnstructuredGrid")})
-        group["Steps/Values"] = times
-        group["Steps/PointOffsets"] = numpy.cumsum(counts) - counts
-        bodies = [(number, body) for frame in frames for number, body in enumerate(frame)]
-        for name, place in (("position", "Points"), *((name, f"PointData/{name}") for name in ("velocity", "pressure", "stress"))):
-            group[place] = numpy.concatenate([body[name] for _, body in bodies]).astype(numpy.float32)
-        group["PointData/id"] = numpy.concatenate([body["id"] for _, body in bodies])
-        group["PointData/body"] = numpy.concatenate([numpy.full(len(body["id"]), number) for number, body in bodies])
+        write = write_frames_of_format_1 if file.attrs["plumbline_format"] == 1 else write_frames
+        write(file, described, times, numpy.append(0, numpy.cumsum(counts)), columns)
+
+
+def write_frames(file, described, times, starts, columns):
+    file["frames/description"] = json.dumps(described)
+    file["frames/time"], file["frames/start"] = times, starts
+    for name, values in columns.items():
+        file[f"frames/{name}"] = values
+
+
+def write_frames_of_format_1(file, described, times, starts, columns):
+    file["frames"] = json.dumps(described)
+    group = file.create_group("VTKHDF")
+    group.attrs.update({"Version": [2, 0], "Type": numpy.bytes_("UnstructuredGrid")})
+    group["Steps/Values"], group["Steps/PointOffsets"] = times, starts[:-1]
+    for name, values in columns.items():
+        group["Points" if name == "position" else f"PointData/{name}"] = values
 
 
 def normals_profile():

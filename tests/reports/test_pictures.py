@@ -5,6 +5,7 @@ import re
 import struct
 import zlib
 
+import h5py
 import numpy
 import pytest
 
@@ -71,33 +72,40 @@ def test_a_run_without_frames_has_none(results):
     assert plumbline_results.load(folder / names["run"]).frames is None
 
 
-@pytest.mark.parametrize("part", ["frames", "VTKHDF/Steps", "VTKHDF/PointData/body"])
-def test_frames_that_lack_a_part_are_damaged(tmp_path, part):
-    import h5py
+def test_frames_of_the_previous_format_are_read_alike(tmp_path, run):
+    path = tmp_path / "old.h5"
+    synthetic_results.create(path, "run", {"run": {}}, version=1).close()
+    synthetic_results.add_frames(path)
+    old = plumbline_results.load(path)
+    assert old.format == 1 and run.format == 2 and old.frames.bodies == run.frames.bodies
+    assert numpy.array_equal(old.frames.times, run.frames.times) and old.frames.grid == run.frames.grid
+    for name, values in run.frames.points.items():
+        numpy.testing.assert_array_equal(old.frames.points[name], values)
 
+
+@pytest.fixture
+def with_frames(tmp_path):
     name = synthetic_results.spring_files_only(tmp_path)
     synthetic_results.add_frames(tmp_path / name)
-    with h5py.File(tmp_path / name, "a") as file:
-        del file[part]
-    if part.endswith("body"):
-        with pytest.raises(KeyError):
-            plumbline_results.load(tmp_path / name).frames.body(0, 0)
-        return
+    return tmp_path / name
+
+
+@pytest.mark.parametrize("part", ["description", "start", "time", "body", "stress"])
+def test_frames_that_lack_a_part_are_damaged(with_frames, part):
+    with h5py.File(with_frames, "a") as file:
+        del file[f"frames/{part}"]
     with pytest.raises(plumbline_results.DamagedFile):
-        plumbline_results.load(tmp_path / name)
+        plumbline_results.load(with_frames)
 
 
-def test_frames_of_unequal_length_are_damaged(tmp_path):
-    import h5py
-
-    name = synthetic_results.spring_files_only(tmp_path)
-    synthetic_results.add_frames(tmp_path / name)
-    with h5py.File(tmp_path / name, "a") as file:
-        shorter = file["VTKHDF/PointData/stress"][:-1]
-        del file["VTKHDF/PointData/stress"]
-        file["VTKHDF/PointData/stress"] = shorter
+@pytest.mark.parametrize("part", ["start", "time", "body", "stress", "position"])
+def test_frames_of_unequal_length_are_damaged(with_frames, part):
+    with h5py.File(with_frames, "a") as file:
+        shorter = file[f"frames/{part}"][:-1]
+        del file[f"frames/{part}"]
+        file[f"frames/{part}"] = shorter
     with pytest.raises(plumbline_results.DamagedFile, match="do not fit"):
-        plumbline_results.load(tmp_path / name)
+        plumbline_results.load(with_frames)
 
 
 # --- raster ---------------------------------------------------------------------------------------

@@ -107,8 +107,8 @@ def test_what_is_refused_and_why(tmp_path, what, reason):
 
 
 def test_newer_format_is_told_apart(tmp_path):
-    path = _file(tmp_path / "new.h5", version=2, verdicts="{}")
-    with pytest.raises(NewerFormat, match="format 2"):
+    path = _file(tmp_path / "new.h5", version=3, verdicts="{}")
+    with pytest.raises(NewerFormat, match="format 3"):
         plumbline_results.load(path)
     assert plumbline_results.load_folder(tmp_path).damaged[0][0] == "new.h5"
 

@@ -1,0 +1,64 @@
+#include "cases/harness/text_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+
+#include "cases/harness/errors.hpp"
+
+namespace plumbline {
+namespace {
+
+[[noreturn]] void fail(const std::string& path, int error) {
+  throw FileError(path, fmt::format("{}: cannot be written: {}", path, std::generic_category().message(error)));
+}
+
+// All of the text to an open file; the error number, 0 if there is none.
+int write_all(int file, const std::string& text) {
+  for (std::size_t done = 0; done < text.size();) {
+    const ::ssize_t count = ::write(file, text.data() + done, text.size() - done);
+    if (count < 0 && errno != EINTR) return errno;
+    if (count > 0) done += static_cast<std::size_t>(count);
+  }
+  return 0;
+}
+
+// `flush`: to the disk, where a full or failing one is noticed at the latest.
+int write_new(const std::string& path, const std::string& text, int flags, bool flush) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
+  if (file < 0) return errno;
+  int error = write_all(file, text);
+  if (error == 0 && flush && ::fsync(file) != 0) error = errno;
+  if (::close(file) != 0 && error == 0) error = errno;
+  return error;
+}
+
+}  // namespace
+
+std::string temporary_name(const std::string& path) {
+  std::array<char, 256> host{};
+  if (::gethostname(host.data(), host.size() - 1) != 0) host = {'h'};
+  return fmt::format("{}.{}-{}.part", path, host.data(), ::getpid());
+}
+
+void write_text_file(const std::string& path, const std::string& text) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    if (const int error = write_new(path, text, 0, false); error != 0) fail(path, error);
+    return;
+  }
+  const std::string temporary = temporary_name(path);
+  int error = write_new(temporary, text, O_CREAT | O_TRUNC, true);
+  if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
+  if (error == 0) return;
+  std::filesystem::remove(temporary, ignored);
+  fail(path, error);
+}
+
+}  // namespace plumbline

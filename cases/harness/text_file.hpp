@@ -1,0 +1,16 @@
+// Text files that are there whole or not at all.
+#pragma once
+
+#include <string>
+
+namespace plumbline {
+
+// Writes `text` under a temporary name beside `path` and renames it when all of it is on disk, so that a process that is
+// killed, or a disk that is full, leaves the file that was there before. A path that is no regular file (a pipe, a
+// device) is written to as it is. Throws FileError with the system's reason.
+void write_text_file(const std::string& path, const std::string& text);
+
+// The name under which this process writes `path` until it is whole: `path`.HOST-PROCESS.part.
+std::string temporary_name(const std::string& path);
+
+}  // namespace plumbline
