@@ -48,7 +48,10 @@ def tree(tmp_path):
 
 def without_threads(calls):
     """How many threads there are depends on the machine."""
-    return [re.sub(r" --threads [1-9]\d*", "", call) for call in calls]
+    return [re.sub(r" --(threads|jobs) [1-9]\d*", "", call) for call in calls]
+
+
+VERSION = "plumbline --version"   # asked for by every document, which is made again by another program
 
 
 def stability(tier):
@@ -66,19 +69,72 @@ def test_documents_of_an_earlier_build_are_not_shown(tree, command, file):
     assert not stale.exists() and "chosen-python" in tree.calls()[-1]
 
 
+DOCUMENTS = {"bench": "bench.json", "stability": "stability.json"}
+
+
+def made_documents(tree):
+    """The commands of documents that were called since the last time this was asked."""
+    made = [call.split()[1] for call in tree.calls() if call.split()[:2] in (["plumbline", name] for name in DOCUMENTS)]
+    tree.log.unlink()
+    return made
+
+
+@pytest.fixture
+def with_documents(tree):
+    """A tree whose program writes documents, after one report."""
+    for source in ("kernel/step.cpp", "cases/gas/lax.cpp", "cases/stability/bar.cpp", "cases/membrane/string.cpp",
+                   "cases/membrane/string.hpp"):
+        (tree.root / source).parent.mkdir(parents=True, exist_ok=True)
+        (tree.root / source).write_text("code")
+    tree.fake("build/release/bin/plumbline", 'echo "printed" ; [[ $* != *--json* ]] || echo "{}" > "${@: -1}"')
+    assert tree.run("report").returncode == 0
+    assert made_documents(tree) == ["bench", "stability"]
+    return tree
+
+
+def test_documents_of_the_same_code_are_kept(with_documents):
+    assert with_documents.run("report").returncode == 0
+    assert made_documents(with_documents) == []
+
+
+@pytest.mark.parametrize("source, made", [
+    ("cases/gas/lax.cpp", []), ("cases/membrane/string.cpp", ["bench", "stability"]), ("cases/stability/bar.cpp", ["stability"]),
+    ("cases/stability/new.cpp", ["stability"]), ("kernel/step.cpp", ["bench", "stability"])])
+def test_documents_of_other_code_are_made_again(with_documents, source, made):
+    (with_documents.root / source).write_text("other code")
+    assert with_documents.run("report").returncode == 0
+    assert made_documents(with_documents) == made
+
+
+@pytest.mark.parametrize("change", [lambda file: file.unlink(), lambda file: file.write_text("{ }"), lambda file: file.write_text("")])
+def test_document_that_is_not_the_one_made_is_made_again(with_documents, change):
+    change(with_documents.root / "results/bench.json")
+    assert with_documents.run("report").returncode == 0
+    assert made_documents(with_documents) == ["bench"]
+
+
+def test_documents_of_another_tier_or_program_are_made_again(with_documents):
+    assert with_documents.run("report", "--full").returncode == 0
+    assert made_documents(with_documents) == ["bench", "stability"]
+    with_documents.fake("build/release/bin/plumbline", 'echo printed; echo "another compiler"; [[ $* != *--json* ]] || echo "{}" > "${@: -1}"')
+    assert with_documents.run("report", "--full").returncode == 0
+    assert made_documents(with_documents) == ["bench", "stability"]
+
+
 def test_report_sets_up_builds_verifies_and_renders(tree, tmp_path):
     result = tree.run("report", cwd=tmp_path)   # from any folder
     assert result.returncode == 0, result.stderr
     names = [call.split()[0] for call in tree.calls()]
-    assert names == ["setup", "cmake", "cmake", "plumbline", "plumbline", "plumbline", "chosen-python"]
-    assert without_threads(tree.calls())[3:] == ["plumbline verify --tier quick --results results", "plumbline bench --points 1e6 --json results/bench.json",
-                                stability("quick"), "chosen-python reports/render.py results report/index.html"]
+    assert names[:3] == ["setup", "cmake", "cmake"]
+    assert [call for call in without_threads(tree.calls())[3:] if call != VERSION] == [
+        "plumbline verify --tier quick --results results",
+        "plumbline bench --points 1e6 --json results/bench.json", stability("quick"), "chosen-python reports/render.py results report/index.html"]
     assert result.stdout.splitlines()[-1].endswith(f"{tree.root}/report/index.html")
 
 
 def test_full_report(tree):
     assert tree.run("report", "--full").returncode == 0
-    assert "plumbline verify --tier full --results results" in tree.calls()
+    assert "plumbline verify --tier full --results results" in without_threads(tree.calls())
     assert "plumbline bench --points 1e7 --json results/bench.json" in tree.calls()
     assert stability("full") in without_threads(tree.calls())
 
