@@ -25,13 +25,17 @@ void add_json(CLI::App& app, CommonOptions& options) {
       ->allow_extra_args(false);
 }
 
-void add_run_options(CLI::App& app, CommonOptions& options) {
+void add_scheme_options(CLI::App& app, CommonOptions& options) {
   add_json(app, options);
   app.add_option("--scheme", options.schemes, "scheme (repeatable)")->allow_extra_args(false);
   app.add_option("--integrator", options.integrators, "the case's default scheme with this integrator (repeatable)")
       ->allow_extra_args(false);
   app.add_option("--set", options.settings, "key=value (repeatable); `plumbline explain CASE` lists the keys")
       ->allow_extra_args(false);
+}
+
+void add_run_options(CLI::App& app, CommonOptions& options) {
+  add_scheme_options(app, options);
   app.add_option("--threads", options.threads,
                  "threads: of the loops over points in run and bench, for runs side by side elsewhere")
       ->check(CLI::Range(1, 1024));

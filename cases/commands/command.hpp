@@ -41,10 +41,14 @@ Command add_reference(CLI::App& app, Invocation& invocation);
 Command add_bench(CLI::App& app, Invocation& invocation);
 Command add_stability(CLI::App& app, Invocation& invocation);
 Command add_sweep(CLI::App& app, Invocation& invocation);
+Command add_export(CLI::App& app, Invocation& invocation);
+Command add_score(CLI::App& app, Invocation& invocation);
 
 // Adds --json (and, where asked, the options of commands that run something).
 void add_json(CLI::App& app, CommonOptions& options);
 void add_run_options(CLI::App& app, CommonOptions& options);
+// --json, --scheme, --integrator and --set alone.
+void add_scheme_options(CLI::App& app, CommonOptions& options);
 
 // The schemes to run: --scheme, and default with each --integrator; `default` if neither is given. With the overrides
 // that each means.

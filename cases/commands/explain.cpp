@@ -1,4 +1,5 @@
 #include "cases/commands/command.hpp"
+#include "cases/exchange/final_state.hpp"
 
 namespace plumbline {
 namespace {
@@ -26,6 +27,9 @@ void print(const Output& out, const Case& entry) {
   }
   out.line("\nEvery study also passes the generic gates: finite, mass, momentum, energy ledger.\nKnown limits");
   for (const std::string& limit : s.known_limits) out.line("  {}", limit);
+  const std::string why_not = why_not_scored(entry, settings);
+  out.line("\nFinal states of other programs (`plumbline score`): {}",
+           why_not.empty() ? "can be judged" : "cannot be judged, " + why_not);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "cases/commands/command.hpp"
+#include "cases/exchange/final_state.hpp"
 #include "cases/laboratory/problem.hpp"
 #include "kernel/materials/material.hpp"
 #include "reference/registry.hpp"
@@ -34,7 +35,8 @@ Json case_entries() {
                     {"source", s.source},
                     {"cells_along", s.cells_along},
                     {"keys", keys},
-                    {"kind", name(entry->kind())}});
+                    {"kind", name(entry->kind())},
+                    {"scored", why_not_scored(*entry, entry->settings("default", {})).empty()}});
   }
   return list;
 }
@@ -73,7 +75,8 @@ void print(const Output& out, const Json& all) {
       if (e.contains("cells_along")) {
         std::string keys;
         for (const auto& key : e.at("keys")) keys += " " + key.get<std::string>();
-        out.line("  {:18} cells along {}; own keys:{}", "", e.at("cells_along").get<std::string>(), keys);
+        out.line("  {:18} cells along {}; own keys:{}{}", "", e.at("cells_along").get<std::string>(), keys,
+                 e.at("scored").get<bool>() ? "; scored" : "");
       }
       if (group == "schemes") {
         for (const auto& [case_name, settings] : e.at("settings").items()) {

@@ -43,6 +43,7 @@ std::shared_ptr<ExpansionWatch> watch_expansion(GasFlow& flow) {
     return body;
   };
   flow.observe = [watch](const Simulation& simulation) { watch->observe(simulation); };
+  for (const Measure& m : watch->measures()) flow.seen_on_the_way.push_back(m.name);
   return watch;
 }
 

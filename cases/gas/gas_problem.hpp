@@ -9,6 +9,7 @@
 
 #include "cases/gas/fill.hpp"
 #include "cases/harness/case.hpp"
+#include "cases/harness/judged_at_end.hpp"
 #include "reference/gas_problem.hpp"
 #include "reference/riemann.hpp"
 
@@ -62,6 +63,7 @@ struct GasFlow {
   // Fills the scene with gas. Default: the whole box, as `initial` says.
   std::function<Body(std::shared_ptr<const IdealGas>, const PointRule&, const GridSpec&)> fill;
   std::function<void(const Simulation&)> observe;  // after each step
+  std::vector<std::string> seen_on_the_way;        // names of further measures that are made of what `observe` saw
   // Measures beside the norms, of the points where they are judged.
   std::function<std::vector<Measure>(const std::vector<GasSample>& points, double time)> further;
 };
@@ -72,7 +74,7 @@ struct GasFlow {
 // Measures: density, pressure, energy (per mass), and velocity: the length of the vector v_p - u n; each L1, L2, Linf
 // over the points judged, weighted with V_p = m_p / rho_p. `coverage`: volume of the points over that of the space where
 // they are judged; a point across the end of that space counts with its share inside, V_p^(1/dim) long.
-class GasProblem final : public Problem {
+class GasProblem final : public Problem, public JudgedAtEnd {
  public:
   GasProblem(GasFlow flow, Settings settings);
 
@@ -81,6 +83,7 @@ class GasProblem final : public Problem {
   void observe(const Simulation& simulation) override {
     if (flow_.observe) flow_.observe(simulation);
   }
+  std::vector<std::string> seen_on_the_way() const override { return flow_.seen_on_the_way; }
   std::vector<Measure> measures(const Simulation& simulation) const override;
   Profile profile(const Simulation& simulation) const override;
 

@@ -32,6 +32,11 @@ class Handle {
 template <class Number>
 struct Type;
 template <>
+struct Type<double> {
+  static hid_t stored() { return H5T_IEEE_F64LE; }
+  static hid_t in_memory() { return H5T_NATIVE_DOUBLE; }
+};
+template <>
 struct Type<float> {
   static hid_t stored() { return H5T_IEEE_F32LE; }
   static hid_t in_memory() { return H5T_NATIVE_FLOAT; }
@@ -96,6 +101,14 @@ void Hdf5Writer::attribute(const std::string& object, const std::string& name, s
                                            H5P_DEFAULT, H5P_DEFAULT),
                          H5Aclose, impl_->path, "write attribute " + name);
   impl_->require(H5Awrite(attribute, H5T_NATIVE_INT64, &number) >= 0, name);
+}
+
+void Hdf5Writer::real_attribute(const std::string& object, const std::string& name, double number) {
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, impl_->path, "make a space");
+  const Handle attribute(H5Acreate_by_name(impl_->file, object.c_str(), name.c_str(), H5T_IEEE_F64LE, space,
+                                           H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose, impl_->path, "write attribute " + name);
+  impl_->require(H5Awrite(attribute, H5T_NATIVE_DOUBLE, &number) >= 0, name);
 }
 
 void Hdf5Writer::ascii_attribute(const std::string& object, const std::string& name, const std::string& text) {
@@ -172,6 +185,7 @@ void Hdf5Writer::array(const std::string& path, std::span<const Number> values, 
   if (values.empty()) return;
   impl_->require(H5Dwrite(data, Type<Number>::in_memory(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, path);
 }
+template void Hdf5Writer::array(const std::string&, std::span<const double>, std::size_t);
 template void Hdf5Writer::array(const std::string&, std::span<const float>, std::size_t);
 template void Hdf5Writer::array(const std::string&, std::span<const std::int64_t>, std::size_t);
 template void Hdf5Writer::array(const std::string&, std::span<const std::int32_t>, std::size_t);

@@ -20,13 +20,14 @@ class Hdf5Writer {
 
   void attribute(const std::string& object, const std::string& name, const std::string& text);
   void attribute(const std::string& object, const std::string& name, std::int64_t number);
+  void real_attribute(const std::string& object, const std::string& name, double number);
   // As VTK writes them: a fixed string of ASCII letters without an end mark, and a list of integers.
   void ascii_attribute(const std::string& object, const std::string& name, const std::string& text);
   void integers_attribute(const std::string& object, const std::string& name, const std::vector<std::int64_t>& values);
   void group(const std::string& path);
   void text(const std::string& path, const std::string& text);            // scalar UTF-8 string
   void numbers(const std::string& path, std::span<const double> values);  // 1-D float64, groups made as needed
-  // Number: float, std::int64_t, std::int32_t or std::uint8_t, stored as such and compressed; groups made as needed. One
+  // Number: double, float, std::int64_t, std::int32_t or std::uint8_t, stored as such and compressed; groups made as needed. One
   // dimension where `columns` is 0, else rows of as many values.
   template <class Number>
   void array(const std::string& path, std::span<const Number> values, std::size_t columns = 0);

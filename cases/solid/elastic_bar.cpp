@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cases/harness/judged_at_end.hpp"
 #include "cases/harness/schemes.hpp"
 #include "cases/solid/collision.hpp"
 #include "cases/solid/fill_solid.hpp"
@@ -11,7 +12,7 @@
 namespace plumbline {
 namespace {
 
-class ElasticBarProblem final : public Problem {
+class ElasticBarProblem final : public Problem, public JudgedAtEnd {
  public:
   ElasticBarProblem(ElasticBar bar, const Settings& settings) : settings_(settings), bar_(std::move(bar)) {
     h_ = bar_.length / settings.number("cells");
@@ -57,6 +58,13 @@ class ElasticBarProblem final : public Problem {
     history_.mean_velocity.push_back(momentum / mass);
     history_.displacement_error.push_back(std::sqrt(square));
     history_.energy.push_back(simulation.ledger().stores.total());
+  }
+
+  std::vector<std::string> seen_on_the_way() const override {
+    std::vector<std::string> names{"displacement.worst", "energy_rise", "energy_lost"};
+    if (!bar_.further) return names;
+    for (const Measure& m : bar_.further({})) names.push_back(m.name);
+    return names;
   }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/harness/judged_at_end.hpp"
 #include "cases/harness/schemes.hpp"
 
 namespace plumbline {
@@ -31,7 +32,7 @@ struct Difference {
   double distance() const { return std::sqrt(squared); }
 };
 
-class ManufacturedProblem final : public Problem {
+class ManufacturedProblem final : public Problem, public JudgedAtEnd {
  public:
   ManufacturedProblem(ManufacturedSetup setup, const Settings& settings)
       : settings_(settings),
@@ -73,6 +74,8 @@ class ManufacturedProblem final : public Problem {
       worst_time_ = t;
     }
   }
+
+  std::vector<std::string> seen_on_the_way() const override { return {"displacement.worst"}; }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {
     std::vector<Measure> all{worst_measure(simulation)};

@@ -4,6 +4,7 @@
 
 #include "cases/harness/extremes.hpp"
 #include "cases/harness/gates.hpp"
+#include "cases/harness/judged_at_end.hpp"
 #include "cases/harness/schemes.hpp"
 #include "cases/solid/collision.hpp"
 #include "cases/solid/fill_solid.hpp"
@@ -30,7 +31,7 @@ reference::BarVibrationProblem problem_from(const Settings& settings) {
   return problem;
 }
 
-class PlaneStressProblem final : public Problem {
+class PlaneStressProblem final : public Problem, public JudgedAtEnd {
  public:
   explicit PlaneStressProblem(const Settings& settings)
       : settings_(settings),
@@ -71,6 +72,8 @@ class PlaneStressProblem final : public Problem {
     mean_velocity_.push_back(momentum / mass);
     if (sheet_) watch_ratio(body);
   }
+
+  std::vector<std::string> seen_on_the_way() const override { return {"period", "energy_rise", "across_error"}; }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {
     const Body& body = simulation.scene().bodies.front();

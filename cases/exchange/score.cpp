@@ -1,0 +1,292 @@
+#include "cases/exchange/score.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "cases/exchange/result_file.hpp"
+#include "cases/harness/errors.hpp"
+#include "cases/harness/results.hpp"
+
+namespace plumbline {
+namespace {
+
+constexpr double same_time = 1e-9;  // of the end time: rounding of a sum of steps
+
+constexpr double kept = 1e-6;
+constexpr const char* kept_reason =
+    "the share of a number in single precision is 6e-8; a sum of such numbers is not off by more than ten times that "
+    "unless something is lost";
+
+// What points carry in sum.
+struct Sums {
+  double mass = 0, speed = 0;  // sum m, sum m |v|
+  std::array<double, 3> momentum{0, 0, 0};
+
+  void add(const Columns& points, int dim) {
+    for (int p = 0; p < points.points(); ++p) {
+      const double m = points(column::mass)[p];
+      double square = 0;
+      for (int d = 0; d < dim; ++d) {
+        const double v = points(column::velocity, d)[p];
+        momentum[static_cast<std::size_t>(d)] += m * v;
+        square += v * v;
+      }
+      mass += m;
+      speed += m * std::sqrt(square);
+    }
+  }
+};
+
+// Directions along which nothing outside the bodies pushes.
+std::vector<int> free_directions(const Scene& scene) {
+  std::vector<int> directions;
+  const bool loaded = std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& b) { return bool(b.load); });
+  for (int d = 0; d < scene.grid.dim; ++d) {
+    const auto k = static_cast<std::size_t>(d);
+    const auto& walls = scene.grid.walls[k];
+    bool pushed = loaded || scene.gravity[k] != 0 || walls[0] != Wall::free || walls[1] != Wall::free ||
+                  (scene.grid.axisymmetric && d == 0);
+    for (const Piston& piston : scene.pistons) pushed = pushed || piston.direction == d;
+    if (!pushed) directions.push_back(d);
+  }
+  return directions;
+}
+
+// What is compared with the start, of one file.
+struct Balance {
+  double mass = 0;                 // relative difference
+  std::optional<double> momentum;  // largest difference over sum m |v|; none where something pushes in all directions
+};
+
+struct Judged {
+  RunResult run;
+  Balance balance;
+};
+
+// Mass alone is booked; all else of the ledger is not known of a final state, and not a number.
+Ledger ledger_of(double mass_at_start, double mass_at_end) {
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  Totals totals;
+  totals.mass = mass_at_start;
+  totals.grid_mass = mass_at_end;
+  totals.momentum = totals.angular_momentum = {unknown, unknown, unknown};
+  totals.momentum_scale = totals.angular_scale = unknown;
+  totals.energy = {unknown, unknown, unknown};
+  Ledger ledger;
+  ledger.open(totals);
+  ledger.close_step(totals);
+  ledger.viscous = unknown;
+  return ledger;
+}
+
+UsageError does_not_fit(const ResultFile& file, const std::string& what, const std::string& value,
+                        const std::string& allowed) {
+  return UsageError("--result", value, allowed, {},
+                    fmt::format("{}: {} is {}; {} is wanted", file.path(), what, value, allowed));
+}
+
+// The choices that another program's run has: the case's own keys and the mesh.
+Settings physics_of(const Case& entry, const Settings& settings) {
+  std::vector<Key> keys;
+  for (const Key& key : settings.keys()) {
+    const auto own = entry.keys();
+    const bool physical = key.name == "cells" ||
+                          std::any_of(own.begin(), own.end(), [&](const Key& k) { return k.name == key.name; });
+    if (physical) keys.push_back(key);
+  }
+  return Settings(std::move(keys));
+}
+
+void require_fit(const ResultFile& file, const Case& entry, const Settings& settings, double end_time) {
+  if (file.case_name != entry.name()) throw does_not_fit(file, "the case", file.case_name, entry.name());
+  const std::string id = problem_id(entry, settings);
+  if (!file.problem.empty() && file.problem != id) {
+    throw does_not_fit(file, "problem", file.problem, id + ", that of the case's own keys with this --set");
+  }
+  if (!(std::abs(file.time - end_time) <= same_time * end_time)) {
+    throw does_not_fit(file, "time", fmt::format("{:.17g} s", file.time), fmt::format("{:.17g} s", end_time));
+  }
+}
+
+Judged judge_file(const Case& entry, const ResultFile& file, const std::vector<std::string>& typed) {
+  const Settings settings = entry.settings("default", {{"cells", static_cast<double>(file.cells)}}, typed);
+  const auto problem = entry.problem(settings);
+  require_fit(file, entry, settings, problem->end_time());
+  const Scene scene = problem->scene();
+  const std::vector<HandedIn> bodies = file.points(scene);
+  Sums start, end;
+  for (const Body& body : scene.bodies) start.add(body.points, scene.grid.dim);
+  for (const HandedIn& body : bodies) end.add(body.columns, scene.grid.dim);
+  const auto simulation = simulation_of(*problem, settings, bodies, problem->end_time());
+  Judged judged{RunResult(entry.name(), "foreign:" + file.program, physics_of(entry, settings)), {}};
+  RunResult& run = judged.run;
+  run.dim = scene.grid.dim;
+  run.axisymmetric = scene.grid.axisymmetric;
+  run.h = scene.grid.h;
+  run.end_time = problem->end_time();
+  run.steps = file.steps;
+  run.dt = file.steps > 0 ? file.time / static_cast<double>(file.steps) : 0;
+  run.points = simulation->points();
+  run.wall_s = file.wall_s;
+  run.ledger = ledger_of(start.mass, end.mass);
+  run.measures = measures_at_end(*problem, *simulation);
+  run.profile = problem->profile(*simulation);
+  if (run.profile.kind != "space") run.profile = {};
+  run.finished = true;
+  run.file = ResultsFolder::run_name(run);
+  judged.balance.mass = std::abs(end.mass / start.mass - 1);
+  for (const int d : free_directions(scene)) {
+    const auto k = static_cast<std::size_t>(d);
+    const double scale = std::max(start.speed, end.speed);
+    const double off = scale > 0 ? std::abs(end.momentum[k] - start.momentum[k]) / scale : 0;
+    judged.balance.momentum = std::max(judged.balance.momentum.value_or(0), off);
+  }
+  return judged;
+}
+
+// The case's study of its default scheme over meshes whose problem this is, and the settings of its level.
+std::optional<StudyPlan> declared_plan(const Case& entry, int cells, const std::vector<std::string>& typed) {
+  const Settings wanted = entry.settings("default", {{"cells", static_cast<double>(cells)}}, typed);
+  for (StudyPlan plan : entry.studies()) {
+    if (plan.vary != Vary::cells || plan.scheme != "default") continue;
+    plan.values = {static_cast<double>(cells)};
+    const Settings declared = planned_runs(entry, plan, Tier::quick).front().settings;
+    if (physics_of(entry, declared) == physics_of(entry, wanted)) return plan;
+  }
+  return std::nullopt;
+}
+
+CaseGate kept_gate(const std::string& id, const std::string& what, std::optional<double> value) {
+  Gate gate = declare(id, {{}, kept}, Origin::identity, kept_reason);
+  gate.quantity = what;
+  return study_gate("", std::move(gate), [value](const StudyResult&) {
+    Measured measured;
+    measured.value = value;
+    return measured;
+  });
+}
+
+// Gates that hold for any program.
+void judge_generic(const std::vector<Balance>& balances, const StudyResult& study, Score& score) {
+  Balance worst;
+  for (const Balance& b : balances) {
+    worst.mass = larger(worst.mass, b.mass);
+    if (b.momentum) worst.momentum = larger(worst.momentum.value_or(0), *b.momentum);
+  }
+  const std::string id = study.plan.id;
+  std::vector<CaseGate> gates{
+      kept_gate(id + "/foreign-mass", "relative difference of the points' mass to the start's", worst.mass)};
+  if (worst.momentum) {
+    gates.push_back(
+        kept_gate(id + "/foreign-momentum", "difference of momentum to the start's over sum m |v|", worst.momentum));
+  } else {
+    score.not_judged.push_back({id + "/foreign-momentum", "something outside the bodies pushes in every direction"});
+  }
+  if (study.levels.back().run.find("coverage")) {
+    gates.push_back(value_gate(id, "coverage", study.levels.back().value,
+                               declare(id + "/foreign-coverage", {0.99, 1.01}, Origin::identity,
+                                       "gas fills its space: volumes of the points add up to it, within 1 %")));
+  }
+  for (JudgedGate& gate : judge_gates(gates, study)) score.gates.push_back(std::move(gate));
+}
+
+// Why a declared gate says nothing of another program; empty if it does.
+std::string why_not(const CaseGate& gate, const StudyResult& study) {
+  if (gate.gate.origin == Origin::frozen) return "an earlier measurement of Plumbline's own scheme";
+  if (gate.gate.expected_failure) {
+    return "Plumbline's own scheme is expected to miss it: " + gate.gate.expected_failure->cause;
+  }
+  for (const std::string& other : gate.also) return "compares with the study " + other;
+  for (const double level : gate.levels) {
+    if (!study.level(level)) return fmt::format("asks for {} cells", level);
+  }
+  if (gate.levels.empty() && study.levels.size() < 2) return "asks for a refinement series";
+  return "";
+}
+
+bool all_measures_finite(const StudyResult& study) {
+  for (const StudyLevel& at : study.levels) {
+    for (const Measure& m : at.run.measures) {
+      if (!std::isfinite(m.error)) return false;
+    }
+  }
+  return true;
+}
+
+void judge_declared(const Case& entry, const StudyResult& study, Score& score) {
+  const bool finite = all_measures_finite(study);
+  for (const CaseGate& gate : entry.gates()) {
+    if (gate.study != study.plan.id) continue;
+    std::string reason = why_not(gate, study);
+    std::vector<JudgedGate> judged;
+    if (reason.empty()) judged = judge_gates({gate}, study);
+    // All that is not a measure is not a number here, and measures seen on the way are missing.
+    const bool reads_more = finite && !judged.empty() &&
+                            (judged.front().measured.invalid || std::isnan(judged.front().measured.value.value_or(0)));
+    if (reads_more) reason = "reads what a final state does not have: the ledger, or what was seen on the way";
+    if (reason.empty()) {
+      score.gates.push_back(judged.front());
+    } else {
+      score.not_judged.push_back({gate.gate.id, reason});
+    }
+  }
+}
+
+void require_one_series(const std::vector<std::unique_ptr<ResultFile>>& files) {
+  for (std::size_t k = 1; k < files.size(); ++k) {
+    const ResultFile &file = *files[k], &first = *files.front();
+    if (file.cells == files[k - 1]->cells) {
+      throw does_not_fit(file, "cells", std::to_string(file.cells), "each mesh once in a series");
+    }
+    if (file.program != first.program || file.version != first.version) {
+      throw does_not_fit(file, "program", file.program + " " + file.version, first.program + " " + first.version);
+    }
+  }
+}
+
+}  // namespace
+
+Score score(const Case& entry, const std::vector<std::string>& names, const std::vector<std::string>& typed) {
+  const std::string refused = why_not_scored(entry, entry.settings("default", {}, typed));
+  if (!refused.empty()) {
+    throw UsageError("case", entry.name(), "a case that `plumbline list` shows as scored", {},
+                     entry.name() + " cannot be scored: " + refused);
+  }
+  std::vector<std::unique_ptr<ResultFile>> files;
+  for (const std::string& name : names) files.push_back(std::make_unique<ResultFile>(name));
+  std::stable_sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a->cells < b->cells; });
+  require_one_series(files);
+
+  Score score;
+  score.program = files.front()->program;
+  score.version = files.front()->version;
+  std::vector<PlannedRun> planned;
+  std::vector<RunResult> runs;
+  std::vector<Balance> balances;
+  for (const auto& file : files) {
+    Judged judged = judge_file(entry, *file, typed);
+    planned.push_back({static_cast<double>(file->cells), judged.run.settings});
+    balances.push_back(judged.balance);
+    runs.push_back(std::move(judged.run));
+    score.files.push_back(file->path());
+  }
+  StudyPlan plan{.id = "foreign", .title = "final states of another program", .why = "No study of the case is this."};
+  if (const auto declared = declared_plan(entry, files.front()->cells, typed)) {
+    plan = *declared;
+    score.declared = plan.id;
+  }
+  plan.scheme = runs.front().scheme;
+  plan.overrides = {};
+  plan.values.clear();
+  for (const auto& file : files) plan.values.push_back(file->cells);
+  score.study = assemble_study(entry, plan, planned, std::move(runs));
+  judge_generic(balances, score.study, score);
+  judge_declared(entry, score.study, score);
+  return score;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,276 @@
+"""`export` and `score`: what the files hold, and every way in which a handed-in file can be wrong."""
+import json
+import os
+
+import h5py
+import numpy
+import pytest
+from contract import validate
+
+GAS = ("position", "velocity", "mass", "density", "energy", "pressure")
+
+
+def exported(plumbline, case="sod", *arguments, output="start.h5"):
+    result = plumbline("export", case, *arguments, "--output", output, json=True)
+    assert result.code == 0, result.text
+    return result.json("export"), plumbline.folder / output
+
+
+def hand_in(plumbline, start, name="result.h5", time=None, change=None, attributes=None):
+    """The start itself as a final state, changed by `change(group)`: wrong as physics, right as a file."""
+    path = plumbline.folder / name
+    with h5py.File(start) as source, h5py.File(path, "w") as file:
+        file.attrs.update(exchange_format=1, kind="final-state", case=source.attrs["case"], cells=source.attrs["cells"],
+                          problem=source.attrs["problem"], program="a b/c", version="1.2",
+                          time=source.attrs["end_time"] if time is None else time)
+        for key, value in (attributes or {}).items():
+            if value is None:
+                del file.attrs[key]
+            else:
+                file.attrs[key] = value
+        for body in source["bodies"]:
+            group = file.create_group(f"bodies/{body}")
+            for key in source["bodies"][body]:
+                if key != "load":
+                    group[key] = source["bodies"][body][key][()]
+        if change:
+            change(file)
+    return path
+
+
+def replaced(dataset, values):
+    def change(file):
+        old = file[f"bodies/gas/{dataset}"][()]
+        del file[f"bodies/gas/{dataset}"]
+        new = values(old)
+        if new is not None:
+            file[f"bodies/gas/{dataset}"] = new
+    return change
+
+
+def put(value, row=3):
+    def values(old):
+        old[row] = value
+        return old
+    return values
+
+
+def test_export_writes_the_same_description_beside_and_inside(plumbline):
+    description, path = exported(plumbline, "sod", "--cells", "20")
+    assert json.loads(path.with_suffix(".json").read_text()) == description
+    with h5py.File(path) as file:
+        assert json.loads(file["description"].asstr()[()]) == description
+        assert dict(file.attrs).keys() == {"exchange_format", "kind", "case", "problem", "cells", "end_time"}
+        body = description["bodies"][0]
+        assert set(file["bodies/gas"]) == set(body["datasets"])
+        for name, about in body["datasets"].items():
+            assert list(file[f"bodies/gas/{name}"].shape) == about["shape"]
+        mass, volume = file["bodies/gas/mass"][()], file["bodies/gas/volume"][()]
+    # Sums over the points are the integrals: a tube of 1 m, half of it 1 kg/m^3, half 0.125.
+    assert mass.sum() == pytest.approx(0.5625, rel=1e-14) and volume.sum() == pytest.approx(1, rel=1e-14)
+    assert body["material"]["parameters"]["gamma"] == {"value": 1.4, "unit": "1"}
+    assert description["grid"]["walls"] == {"x": ["symmetry", "symmetry"]}
+    assert description["scored"] and {"name": "density.L1", "unit": "kg/m^3", "norm": "sum_p V_p |e_p| / sum_p V_p"} in description["measures"]
+    assert sorted(plumbline.files(".")) == ["start.h5", "start.json"]
+
+
+def test_same_export_twice_is_the_same_file(plumbline):
+    first, second = (exported(plumbline, "sod", "--cells", "20", output=name)[1] for name in ("a.h5", "b.h5"))
+    assert first.read_bytes() == second.read_bytes()
+
+
+@pytest.mark.parametrize("case, arguments, body, dataset, components", [
+    ("bar-riemann", (), "bar", "stress", None),
+    ("mms-vortex", ("--cells", "8"), "ring", "deformation", ["xx", "xy", "yx", "yy"]),
+    ("spring-mass", (), None, "strain", None),
+    ("piston-shock", (), "gas", "pressure", None),
+    ("airbag-200", (), None, "rest_length", None),
+])
+def test_every_kind_of_scene_is_exported(plumbline, case, arguments, body, dataset, components):
+    description, path = exported(plumbline, case, *arguments)
+    bodies = {b["name"]: b for b in description["bodies"]}
+    holder = next(b for b in bodies.values() if dataset in b["datasets"]) if body not in bodies else bodies[body]
+    assert holder["datasets"][dataset].get("components") == components
+    if case == "mms-vortex":
+        assert holder["load"]["kind"] == "table"
+        with h5py.File(path) as file:
+            assert file[holder["group"]]["load/acceleration"].shape == (201, 2 * holder["points"])
+    if case == "piston-shock":
+        assert len(description["pistons"]) == 1
+    if case == "spring-mass":
+        assert holder["segments"]["shape"][1] == 2 and not description["scored"]
+        assert description["why_not_scored"] and description["measures"] == []
+
+
+def test_what_is_handed_in_is_judged_as_it_is(plumbline):
+    _, start = exported(plumbline, "sod", "--cells", "20")
+    results = {}
+    for name, dataset in (("plain", None), ("pressure", "pressure"), ("energy", "energy")):
+        change = replaced(dataset, lambda old: 2 * old) if dataset else None
+        path = hand_in(plumbline, start, f"{name}.h5", change=change)
+        document = plumbline("score", "sod", "--result", path.name, json=True).json("score")
+        results[name] = {key: m["error"] for key, m in document["levels"][0]["measures"].items()}
+    assert document["scheme"] == "foreign:a_b_c" and document["version"] == "1.2" and document["study"] == "default"
+    moved = {name: {key for key in results["plain"] if results[name][key] != results["plain"][key]} for name in results}
+    assert moved["pressure"] == {f"pressure.{norm}" for norm in ("L1", "L2", "Linf")}
+    assert moved["energy"] == {f"energy.{norm}" for norm in ("L1", "L2", "Linf")}
+
+
+@pytest.mark.parametrize("left_out, instead", [("density", "volume"), ("volume", "density"), ("energy", "pressure"), ("pressure", "energy")])
+def test_one_of_two_is_enough(plumbline, left_out, instead):
+    _, start = exported(plumbline, "sod", "--cells", "20")
+    whole = hand_in(plumbline, start, "whole.h5")
+    part = hand_in(plumbline, start, "part.h5", change=replaced(left_out, lambda old: None))
+    a, b = (plumbline("score", "sod", "--result", path.name, json=True).json("score")["levels"][0]["measures"] for path in (whole, part))
+    for name in a:
+        assert a[name]["error"] == pytest.approx(b[name]["error"], rel=1e-12), name
+
+
+WRONG_FILES = [
+    ("density", lambda old: None, {}, "volume", ["/bodies/gas/density is missing, and so is volume"]),
+    ("mass", lambda old: None, {}, None, ["/bodies/gas/mass is missing", "holds", "position"]),
+    ("mass", lambda old: old[:-1], {}, None, ["/bodies/gas/mass", "shape"]),
+    ("velocity", lambda old: numpy.hstack([old, old]), {}, None, ["/bodies/gas/velocity", "shape", "2)"]),
+    ("velocity", put(numpy.nan), {}, None, ["/bodies/gas/velocity is nan in row 3"]),
+    ("position", put(numpy.inf), {}, None, ["/bodies/gas/position is inf in row 3"]),
+    ("mass", put(-1.0), {}, None, ["/bodies/gas/mass is -1 in row 3", "> 0"]),
+    ("density", put(0.0), {}, None, ["/bodies/gas/density is 0 in row 3", "> 0"]),
+    ("energy", put(-1e-9), {}, None, ["/bodies/gas/energy is -1e-09 in row 3", ">= 0"]),
+    ("mass", lambda old: old.astype("S8"), {}, None, ["/bodies/gas/mass does not hold numbers"]),
+    ("mass", lambda old: old.reshape(-1, 1, 1), {}, None, ["/bodies/gas/mass has 3 dimensions"]),
+    ("position", lambda old: old[:0], {}, None, ["/bodies/gas/position has no rows"]),
+    (None, None, {"exchange_format": 2}, None, ["exchange_format is 2", "reads 1"]),
+    (None, None, {"kind": "initial-state"}, None, ["kind is initial-state", "final-state"]),
+    (None, None, {"time": None}, None, ["the attribute time is missing"]),
+    (None, None, {"cells": 20.5}, None, ["cells is 20.5"]),
+    (None, None, {"cells": "many"}, None, ["cells is not one number"]),
+    (None, None, {"steps": -1}, None, ["steps is -1"]),
+]
+
+
+@pytest.mark.parametrize("dataset, values, attributes, also, said", WRONG_FILES)
+def test_file_that_is_wrong_is_named(plumbline, dataset, values, attributes, also, said):
+    _, start = exported(plumbline, "sod", "--cells", "20")
+
+    def change(file):
+        if dataset:
+            replaced(dataset, values)(file)
+        if also:
+            del file[f"bodies/gas/{also}"]
+    path = hand_in(plumbline, start, change=change, attributes=attributes)
+    result = plumbline("score", "sod", "--result", path.name, json=True)
+    assert result.code == 4, result.text
+    for words in ["result.h5", *said]:
+        assert words in result.err, result.err
+    result.json("error")
+    assert [name for name in plumbline.files() if name.endswith(".h5")] == []
+
+
+@pytest.mark.parametrize("attributes, arguments, said", [
+    ({"case": "lax"}, (), ["case is lax", "sod is wanted"]),
+    ({"time": 0.1}, (), ["time is 0.1", "0.142999"]),
+    ({}, ("--set", "gamma=1.5"), ["problem is"]),
+])
+def test_file_of_another_problem_is_a_wrong_call(plumbline, attributes, arguments, said):
+    _, start = exported(plumbline, "sod", "--cells", "20")
+    path = hand_in(plumbline, start, attributes=attributes)
+    result = plumbline("score", "sod", "--result", path.name, *arguments)
+    assert result.code == 2, result.text
+    for words in said:
+        assert words in result.err, result.err
+
+
+def test_series_takes_each_mesh_once_of_one_program(plumbline):
+    _, start = exported(plumbline, "sod", "--cells", "20")
+    first, again = hand_in(plumbline, start, "a.h5"), hand_in(plumbline, start, "b.h5")
+    result = plumbline("score", "sod", "--result", first.name, "--result", again.name)
+    assert result.code == 2 and "each mesh once" in result.err
+    other = hand_in(plumbline, start, "c.h5", attributes={"cells": 40, "program": "another"})
+    result = plumbline("score", "sod", "--result", first.name, "--result", other.name)
+    assert result.code == 2 and "another" in result.err
+
+
+def test_lost_mass_and_space_are_red_by_name(plumbline):
+    _, start = exported(plumbline, "sod", "--cells", "20")
+
+    def lose(file):
+        for name in file["bodies/gas"]:
+            values = file[f"bodies/gas/{name}"][()]
+            del file[f"bodies/gas/{name}"]
+            file[f"bodies/gas/{name}"] = values[:-2]
+    for name, change, wanted in (("whole", None, ("PASS", "PASS")), ("lost", lose, ("FAIL", "FAIL")),
+                                 ("dense", replaced("density", lambda old: 1.03 * old), ("PASS", "FAIL"))):
+        path = hand_in(plumbline, start, f"{name}.h5", change=change)
+        result = plumbline("score", "sod", "--result", path.name, json=True)
+        gates = {gate["id"]: gate["verdict"] for gate in result.json("score")["gates"]}
+        assert (gates["default/foreign-mass"], gates["default/foreign-coverage"]) == wanted, name
+        assert result.code == (0 if name == "whole" else 1)
+
+
+def test_solids_are_judged_particle_by_particle(plumbline):
+    _, start = exported(plumbline, "bar-riemann", "--cells", "50")
+
+    def drop(file):
+        for name in file["bodies/bar"]:
+            values = file[f"bodies/bar/{name}"][()]
+            del file[f"bodies/bar/{name}"]
+            file[f"bodies/bar/{name}"] = values[1:]
+    path = hand_in(plumbline, start, change=drop)
+    result = plumbline("score", "bar-riemann", "--result", path.name)
+    assert result.code == 4 and "particle by particle" in result.err, result.text
+    path = hand_in(plumbline, start)
+    document = plumbline("score", "bar-riemann", "--result", path.name, json=True).json("score")
+    names = set(document["levels"][0]["measures"])
+    assert "displacement.L1" in names and not names & {"displacement.worst", "energy_rise", "energy_lost"}
+    assert {gate["id"] for gate in document["not_judged"]} >= {"default/velocity.L1-order"}
+    momentum = next(gate for gate in document["gates"] if gate["id"] == "default/foreign-momentum")
+    assert momentum["verdict"] == "PASS"
+
+
+@pytest.mark.parametrize("arguments, code, said", [
+    (("export", "sodd", "--output", "a.h5"), 2, "sod"),
+    (("export", "sod", "--output", "a.json"), 2, ".json"),
+    (("export", "sod", "--output", "nowhere/a.h5"), 4, "nowhere/a.h5"),
+    (("export", "sod"), 2, "--output"),
+    (("score", "sod"), 2, "--result"),
+    (("score", "sod", "--result", "nothing.h5"), 4, "nothing.h5"),
+    (("score", "pendulum", "--result", "nothing.h5"), 2, "membranes"),
+    (("score", "two-disks", "--result", "nothing.h5"), 2, "on the way"),
+])
+def test_wrong_calls(plumbline, arguments, code, said):
+    result = plumbline(*arguments)
+    assert result.code == code and said in result.err, result.text
+
+
+def test_file_that_is_no_hdf5(plumbline):
+    (plumbline.folder / "text.h5").write_text("no such thing")
+    (plumbline.folder / "empty.h5").write_bytes(b"")
+    _, start = exported(plumbline, "sod", "--cells", "20")
+    whole = hand_in(plumbline, start).read_bytes()
+    (plumbline.folder / "cut.h5").write_bytes(whole[: len(whole) // 2])
+    for name in ("text.h5", "empty.h5", "cut.h5"):
+        result = plumbline("score", "sod", "--result", name)
+        assert result.code == 4 and name in result.err, result.text
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
+def test_folder_that_cannot_be_written_to(plumbline):
+    plumbline.folder.chmod(0o500)
+    result = plumbline("export", "sod", "--output", "a.h5")
+    plumbline.folder.chmod(0o700)
+    assert result.code == 4 and plumbline.files(".") == []
+
+
+def test_list_and_explain_say_what_can_be_scored(plumbline):
+    cases = {entry["name"]: entry["scored"] for entry in plumbline("list", json=True).json("list")["cases"]}
+    scored = {name for name, is_scored in cases.items() if is_scored}
+    assert scored >= {"sod", "lax", "gas-expansion", "affine-expansion", "acoustic-pulse", "shear-decay", "noh", "piston-shock",
+                      "mms-bar", "mms-vortex", "mms-ring", "mms-axis-aligned", "bar-riemann", "bar-vibration", "plane-stress"}
+    assert not scored & {"pendulum", "spring-mass", "airbag-200", "two-bar", "two-disks", "stability-bar", "normals-cell", "ball-net"}
+    assert "can be judged" in plumbline("explain", "sod").out
+    assert "cannot be judged, points of membranes" in plumbline("explain", "pendulum").out
+
+
+def test_schema_refuses_other_documents():
+    with pytest.raises(AssertionError):
+        validate("score", {"case": "sod"})
