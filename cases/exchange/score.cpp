@@ -108,7 +108,7 @@ void require_fit(const ResultFile& file, const Case& entry, const Settings& sett
     throw does_not_fit(file, "problem", file.problem, id + ", that of the case's own keys with this --set");
   }
   if (!(std::abs(file.time - end_time) <= same_time * end_time)) {
-    throw does_not_fit(file, "time", fmt::format("{:.17g} s", file.time), fmt::format("{:.17g} s", end_time));
+    throw does_not_fit(file, "time", fmt::format("{} s", file.time), fmt::format("{} s", end_time));
   }
 }
 

@@ -168,7 +168,7 @@ def test_file_that_is_wrong_is_named(plumbline, dataset, values, attributes, als
 
 @pytest.mark.parametrize("attributes, arguments, said", [
     ({"case": "lax"}, (), ["case is lax", "sod is wanted"]),
-    ({"time": 0.1}, (), ["time is 0.1", "0.142999"]),
+    ({"time": 0.1}, (), ["time is 0.1", "0.143 s is wanted"]),
     ({}, ("--set", "gamma=1.5"), ["problem is"]),
 ])
 def test_file_of_another_problem_is_a_wrong_call(plumbline, attributes, arguments, said):
