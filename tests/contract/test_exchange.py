@@ -7,8 +7,6 @@ import numpy
 import pytest
 from contract import validate
 
-GAS = ("position", "velocity", "mass", "density", "energy", "pressure")
-
 
 def exported(plumbline, case="sod", *arguments, output="start.h5"):
     result = plumbline("export", case, *arguments, "--output", output, json=True)
@@ -70,7 +68,8 @@ def test_export_writes_the_same_description_beside_and_inside(plumbline):
     assert mass.sum() == pytest.approx(0.5625, rel=1e-14) and volume.sum() == pytest.approx(1, rel=1e-14)
     assert body["material"]["parameters"]["gamma"] == {"value": 1.4, "unit": "1"}
     assert description["grid"]["walls"] == {"x": ["symmetry", "symmetry"]}
-    assert description["scored"] and {"name": "density.L1", "unit": "kg/m^3", "norm": "sum_p V_p |e_p| / sum_p V_p"} in description["measures"]
+    norm = {"name": "density.L1", "unit": "kg/m^3", "norm": "sum_p V_p |e_p| / sum_p V_p"}
+    assert description["scored"] and norm in description["measures"]
     assert sorted(plumbline.files(".")) == ["start.h5", "start.json"]
 
 
@@ -116,8 +115,8 @@ def test_what_is_handed_in_is_judged_as_it_is(plumbline):
     assert moved["energy"] == {f"energy.{norm}" for norm in ("L1", "L2", "Linf")}
 
 
-@pytest.mark.parametrize("left_out, instead", [("density", "volume"), ("volume", "density"), ("energy", "pressure"), ("pressure", "energy")])
-def test_one_of_two_is_enough(plumbline, left_out, instead):
+@pytest.mark.parametrize("left_out", ["density", "volume", "energy", "pressure"])
+def test_one_of_two_is_enough(plumbline, left_out):
     _, start = exported(plumbline, "sod", "--cells", "20")
     whole = hand_in(plumbline, start, "whole.h5")
     part = hand_in(plumbline, start, "part.h5", change=replaced(left_out, lambda old: None))

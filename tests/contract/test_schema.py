@@ -54,6 +54,20 @@ DOCUMENTS = {
     "sweep": {"tier": "none", "wanted": 2, "made": 1, "kept": 0, "runs": [{key: RUN[key] for key in (
         "file", "case", "scheme", "settings", "steps", "points", "wall_s", "stop", "measures")}],
               "failed": [{"file": "sod-default-200-0123456789ab.h5", "case": "sod", "error": "signal 6 (Aborted)"}]},
+    "export": {"exchange_format": 1, "kind": "initial-state", "case": "sod", "problem": "0123456789ab", "cells": 100, "end_time": 0.143,
+               "grid": {"dim": 1, "axisymmetric": False, "h": 0.01, "low": [0], "high": [1], "cells": [100], "walls": {"x": ["symmetry", "free"]}},
+               "pistons": [{"direction": "x", "scene_lies": "above", "position": 0, "velocity": 1}], "gravity": [0], "contact": "none",
+               "scheme": "default", "settings": {"cells": 100}, "scored": True, "why_not_scored": None, "version": "0.5.0",
+               "measures": [{"name": "density.L1", "unit": "kg/m^3", "norm": "mean"}],
+               "bodies": [{"name": "gas", "group": "/bodies/gas", "points": 450, "velocity_field": "common",
+                           "material": {"name": "ideal_gas", "parameters": {"gamma": {"value": 1.4, "unit": "1"}}},
+                           "datasets": {name: {"shape": [450], "unit": "1"} for name in ("position", "velocity", "mass", "volume")},
+                           "segments": None, "load": None, "enclosure": None,
+                           "final_state": {"points": "any number", "datasets": [
+                               {"name": "mass", "unit": "kg", "components": 1, "instead": [], "what": "its mass"}]}}]},
+    "score": {"case": "sod", "scheme": "foreign:other", "program": "other", "version": "", "study": "default", "expectation": "declared",
+              "verdict": "PASS", "results": ["a.h5"], "levels": [{**RUN, "value": 100}], "measures": {"density.L1": FIT}, "gates": [GATE],
+              "not_judged": [{"id": "default/drift", "reason": "reads the ledger"}], "provenance": PROVENANCE},
     "error": {"error": {"key": "cflx", "value": "1", "allowed": ["cfl", "dt"], "nearest": ["cfl"], "message": "unknown key cflx"}},
 }
 
@@ -144,6 +158,12 @@ def test_stopped_run():
     ("explain", ["parameters", 0, "unit"], ...),
     ("explain", ["gates", 0, "reason"], " "),
     ("explain", ["regenerate"], "make"),
+    ("export", ["grid", "walls", "x"], ["symmetry", "sticky"]),
+    ("export", ["bodies", 0, "material", "parameters", "gamma", "unit"], ...),
+    ("export", ["bodies", 0, "datasets", "mass"], ...),
+    ("score", ["scheme"], "default"),                                # a foreign result says so
+    ("score", ["not_judged", 0, "reason"], ""),
+    ("score", ["levels", 0, "value"], ...),
     ("reference", ["values", "pressure_star"], "0.3"),
     ("error", ["error", "message"], ""),
     ("error", ["error", "nearest"], "cfl"),

@@ -8,6 +8,7 @@ Points carry mass, velocity and stress; a step maps mass and momentum to the nod
   M. L. Wilkins, J. Comput. Phys. 36 (1980) 281                                                artificial viscosity
 """
 import json
+import time
 
 import h5py
 import numpy
@@ -158,18 +159,21 @@ class Mpm:
 
     def run(self, end=None, cfl=0.3, dt=None):
         end = self.about["end_time"] if end is None else end
+        begun = time.perf_counter()
         while end - self.time > 1e-12 * end:
             longest = dt or cfl * self.line.h / numpy.max(self.material.sound() + abs(self.velocity))
             self.step(min(longest, end - self.time))
         if self.staggered:  # the other half of the last kick
             self.step(0)
             self.steps -= 1
+        self.wall_s = time.perf_counter() - begun
         return self
 
     def write(self, path, **attributes):
         with h5py.File(path, "w") as file:
             said = {"exchange_format": 1, "kind": "final-state", "case": self.about["case"], "cells": self.about["cells"],
-                    "problem": self.about["problem"], "time": self.time, "steps": self.steps, "program": "stranger", "version": "1"}
+                    "problem": self.about["problem"], "time": self.time, "steps": self.steps, "wall_s": self.wall_s,
+                    "program": "stranger", "version": "1"}
             file.attrs.update({**said, **attributes})
             group = file.create_group(f"bodies/{self.body}")
             for name, values in {"position": self.position, "velocity": self.velocity, "mass": self.mass,
