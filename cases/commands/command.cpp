@@ -8,12 +8,14 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "cases/harness/fingerprint.hpp"
 #include "cases/harness/text_file.hpp"
 
 namespace plumbline {
 
 Provenance Invocation::provenance() const {
   Provenance p = build_provenance();
+  p.fingerprint = code_fingerprint();
   p.threads = options.threads;
   p.command = command;
   return p;
@@ -41,6 +43,10 @@ void add_run_options(CLI::App& app, CommonOptions& options) {
       ->check(CLI::Range(1, 1024));
   app.add_option("--results", options.results, "results folder");
   app.add_flag("--allow-inconclusive", options.allow_inconclusive, "INCONCLUSIVE does not make the exit status red");
+}
+
+void add_reuse(CLI::App& app, CommonOptions& options) {
+  app.add_flag("--reuse", options.reuse, "take from the results folder the runs that the same code has made already");
 }
 
 std::vector<SchemeChoice> chosen_schemes(const CommonOptions& options) {
@@ -93,6 +99,10 @@ void Output::gates(const std::vector<JudgedGate>& gates) const {
   }
 }
 
+void print_reused(const Output& out, const RunStore& store) {
+  if (store.reuses()) out.line("{} runs reused, {} made", store.reused(), store.made());
+}
+
 void write_json(const CommonOptions& options, const Json& document) {
   if (options.json.empty()) return;
   const std::string text = document.dump(1);
@@ -141,6 +151,7 @@ void load_plugins(const std::vector<std::string>& files) {
     const std::string path = file.find('/') == std::string::npos ? "./" + file : file;
     if (!::dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL))
       throw FileError(file, fmt::format("plug-in {}: {}", file, ::dlerror()));
+    add_plugin_to_code(path);
   }
 }
 

@@ -17,7 +17,7 @@ struct CommonOptions {
   std::vector<std::string> schemes, integrators, settings, plugins;
   int threads = 1;
   std::string results = "results", json;
-  bool allow_inconclusive = false;
+  bool allow_inconclusive = false, reuse = false;
 };
 
 // One command: options into its own App, and what it does; returns the exit status.
@@ -50,6 +50,9 @@ void add_run_options(CLI::App& app, CommonOptions& options);
 // --json, --scheme, --integrator and --set alone.
 void add_scheme_options(CLI::App& app, CommonOptions& options);
 
+// Adds --reuse to a command of many runs.
+void add_reuse(CLI::App& app, CommonOptions& options);
+
 // The schemes to run: --scheme, and default with each --integrator; `default` if neither is given. With the overrides
 // that each means.
 struct SchemeChoice {
@@ -74,6 +77,9 @@ class Output {
 
 // The verdict's name, coloured on a terminal unless NO_COLOR is set.
 std::string coloured(Verdict verdict);
+
+// What of a command's runs was reused; nothing without --reuse.
+void print_reused(const Output& out, const RunStore& store);
 
 // Writes the document to the --json target, if any.
 void write_json(const CommonOptions& options, const Json& document);

@@ -103,20 +103,18 @@ int execute(const Invocation& invocation, const ConvergeOptions& options) {
     plans.push_back(plan_for(entry, choice, vary, options, common.settings));
   const ResultsFolder folder(common.results);
   const Output out(common);
-  const Provenance provenance = invocation.provenance();
+  const Provenance provenance = provenance_of(entry, invocation.provenance());
+  RunStore store(folder, provenance, common.reuse);
   Json document{{"case", entry.name()}, {"studies", Json::array()}};
   std::vector<JudgedGate> all;
   bool stopped = false;
   for (const auto& [plan, declared] : plans) {
     const auto planned = planned_runs(entry, plan, Tier::quick,
                                       declared ? std::vector<std::string>{} : common.settings);
-    StudyResult study = run_study(entry, plan, planned, common.threads,
-                                  terminal_progress(entry.name() + " " + plan.id));
+    StudyResult study = run_study(entry, plan, planned, common.threads, terminal_progress(entry.name() + " " + plan.id),
+                                  &store);
     end_progress();
-    for (StudyLevel& at : study.levels) {
-      folder.write_run(at.run, {}, provenance);
-      stopped = stopped || at.run.stop;
-    }
+    for (const StudyLevel& at : study.levels) stopped = stopped || at.run.stop;
     std::vector<CaseGate> gates;
     for (CaseGate& gate : entry.gates()) {
       if (declared && gate.study == plan.id) gates.push_back(std::move(gate));
@@ -130,6 +128,7 @@ int execute(const Invocation& invocation, const ConvergeOptions& options) {
     document["studies"].back()["expectation"] = declared ? "declared" : "none";
     all.insert(all.end(), judged.begin(), judged.end());
   }
+  print_reused(out, store);
   write_json(common, document);
   return exit_of(stopped, all, common.allow_inconclusive);
 }
@@ -144,6 +143,7 @@ Command add_converge(CLI::App& app, Invocation& invocation) {
   sub->add_option("--cells", options->cells, "meshes, separated by commas")->delimiter(',');
   sub->add_option("--vary", options->vary, "what is refined: cells, dt, ppc or offset");
   add_run_options(*sub, invocation.options);
+  add_reuse(*sub, invocation.options);
   return {sub, [&invocation, options] { return execute(invocation, *options); }};
 }
 

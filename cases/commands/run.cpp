@@ -128,13 +128,12 @@ int execute(const Invocation& invocation, const RunOptions& options) {
   const Output out(invocation.options);
   if (options.dry) return dry_run(out, invocation, entry, chosen[0].scheme, settings);
   const ResultsFolder folder(invocation.options.results);
-  RunResult run = run_experiment(entry, chosen[0].scheme, settings, invocation.options.threads, frames);
-  run.scheme = result_scheme(entry, chosen[0].scheme, settings);
-  run.file = ResultsFolder::run_name(run);
+  Making making;
+  const RunResult run = make_run(entry, chosen[0].scheme, settings, frames, making, invocation.options.threads);
   const auto declared = declared_run(entry, chosen[0].scheme, settings);
   const std::vector<JudgedGate> gates = judge_run(entry, run, declared);
-  const Provenance provenance = invocation.provenance();
-  folder.write_run(run, gates, provenance);
+  const Provenance provenance = provenance_of(entry, invocation.provenance());
+  folder.write_run(run, gates, provenance, making);
   print(out, run, gates, declared.has_value());
   Json document = run_document(run, gates, provenance);
   document["expectation"] = declared ? "declared" : "none";

@@ -47,11 +47,12 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
   const auto entries = matching_cases(options.patterns);
   const ResultsFolder folder(common.results);
   const Provenance provenance = invocation.provenance();
+  RunStore store(folder, provenance, common.reuse);
   const Output out(common);
   Verification verification;
   for (const Case* entry : entries) {
-    verify_case(*entry, options.tier == "full" ? Tier::full : Tier::quick, selection, common.threads, folder,
-                provenance, terminal_progress(entry->name()), verification);
+    verify_case(*entry, options.tier == "full" ? Tier::full : Tier::quick, selection, common.threads, store,
+                terminal_progress(entry->name()), verification);
     end_progress();
   }
   const Json document{{"gates", to_json(verification.gates)},
@@ -66,6 +67,7 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
     if (count.get<int>() > 0) counts += fmt::format(" {} {}", verdict, count.get<int>());
   }
   out.line("{} gates executed, {} declared:{}", verification.gates.size(), verification.declared, counts);
+  print_reused(out, store);
   write_json(common, document);
   if (!options.junit.empty()) write_junit(options.junit, verification.gates, common.allow_inconclusive);
   const bool complete = static_cast<int>(verification.gates.size()) == verification.declared;
@@ -83,6 +85,7 @@ Command add_verify(CLI::App& app, Invocation& invocation) {
   sub->add_option("--tier", options->tier, "quick or full");
   sub->add_option("--junit", options->junit, "write JUnit XML to a file");
   add_run_options(*sub, invocation.options);
+  add_reuse(*sub, invocation.options);
   return {sub, [&invocation, options] { return execute(invocation, *options); }};
 }
 

@@ -201,16 +201,69 @@ void Hdf5Writer::commit() {
   impl_->temporary.clear();
 }
 
-std::string read_hdf5_text(const std::string& file, const std::string& path) {
-  silence_hdf5();
-  const Handle handle(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, file, "be opened as HDF5");
-  const Handle data(H5Dopen2(handle, path.c_str(), H5P_DEFAULT), H5Dclose, file, "find " + path);
-  const Handle type(H5Dget_type(data), H5Tclose, file, "read the type of " + path);
-  std::string text(H5Tget_size(type), '\0');
-  if (H5Dread(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
+namespace {
+
+// A data set that is open, with its own type and number of elements.
+struct OpenData {
+  OpenData(hid_t handle, const std::string& file, const std::string& path)
+      : data(H5Dopen2(handle, path.c_str(), H5P_DEFAULT), H5Dclose, file, "find " + path),
+        type(H5Dget_type(data), H5Tclose, file, "read the type of " + path),
+        space(H5Dget_space(data), H5Sclose, file, "read the size of " + path) {}
+  Handle data, type, space;
+};
+
+template <class Number>
+std::vector<Number> read_numbers(hid_t handle, const std::string& file, const std::string& path, H5T_class_t wanted,
+                                 hid_t in_memory) {
+  const OpenData open(handle, file, path);
+  const hssize_t count = H5Sget_simple_extent_npoints(open.space);
+  if (count < 0 || H5Tget_class(open.type) != wanted) throw FileError(file, file + ": no numbers are " + path);
+  std::vector<Number> values(static_cast<std::size_t>(count));
+  if (count > 0 && H5Dread(open.data, in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
     throw FileError(file, file + ": cannot read " + path);
+  return values;
+}
+
+}  // namespace
+
+Hdf5Reader::Hdf5Reader(std::string path) : path_(std::move(path)) {
+  silence_hdf5();
+  file_ = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (file_ < 0) throw FileError(path_, fmt::format("{}: cannot be opened as HDF5", path_));
+}
+
+Hdf5Reader::~Hdf5Reader() { H5Fclose(file_); }
+
+bool Hdf5Reader::has(const std::string& path) const { return H5Lexists(file_, path.c_str(), H5P_DEFAULT) > 0; }
+
+std::int64_t Hdf5Reader::attribute(const std::string& object, const std::string& name) const {
+  const Handle attribute(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                         path_, "find attribute " + name);
+  std::int64_t number = 0;
+  if (H5Aread(attribute, H5T_NATIVE_INT64, &number) < 0) throw FileError(path_, path_ + ": cannot read " + name);
+  return number;
+}
+
+std::string Hdf5Reader::text(const std::string& path) const {
+  const OpenData open(file_, path_, path);
+  const bool is_text = H5Tget_class(open.type) == H5T_STRING && H5Tis_variable_str(open.type) == 0 &&
+                       H5Sget_simple_extent_npoints(open.space) == 1;
+  if (!is_text) throw FileError(path_, path_ + ": no text is " + path);
+  std::string text(H5Tget_size(open.type), '\0');
+  if (H5Dread(open.data, open.type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
+    throw FileError(path_, path_ + ": cannot read " + path);
   text.resize(text.find('\0') == std::string::npos ? text.size() : text.find('\0'));
   return text;
 }
+
+std::vector<double> Hdf5Reader::numbers(const std::string& path) const {
+  return read_numbers<double>(file_, path_, path, H5T_FLOAT, H5T_NATIVE_DOUBLE);
+}
+
+std::vector<std::uint8_t> Hdf5Reader::bytes(const std::string& path) const {
+  return read_numbers<std::uint8_t>(file_, path_, path, H5T_INTEGER, H5T_NATIVE_UINT8);
+}
+
+std::string read_hdf5_text(const std::string& file, const std::string& path) { return Hdf5Reader(file).text(path); }
 
 }  // namespace plumbline

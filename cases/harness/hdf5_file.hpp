@@ -42,6 +42,26 @@ class Hdf5Writer {
   std::unique_ptr<Impl> impl_;
 };
 
+// Reads a file. Throws FileError, also for a part that is missing or of another type.
+class Hdf5Reader {
+ public:
+  explicit Hdf5Reader(std::string path);
+  ~Hdf5Reader();
+  Hdf5Reader(const Hdf5Reader&) = delete;
+  Hdf5Reader& operator=(const Hdf5Reader&) = delete;
+
+  const std::string& name() const { return path_; }
+  bool has(const std::string& path) const;  // whose groups above must be there
+  std::int64_t attribute(const std::string& object, const std::string& name) const;
+  std::string text(const std::string& path) const;
+  std::vector<double> numbers(const std::string& path) const;
+  std::vector<std::uint8_t> bytes(const std::string& path) const;
+
+ private:
+  std::string path_;
+  std::int64_t file_ = -1;
+};
+
 // Reads one scalar string of a file.
 std::string read_hdf5_text(const std::string& file, const std::string& path);
 

@@ -9,6 +9,7 @@ namespace plumbline {
 struct Provenance {
   std::string version, git;
   bool dirty = false;
+  std::string fingerprint;  // of the code that made the numbers; cases/harness/fingerprint.hpp
   std::string compiler, flags, cpu, instruction_set;
   int threads = 1;
   std::map<std::string, std::string> libraries;

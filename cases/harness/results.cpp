@@ -72,8 +72,8 @@ std::string ResultsFolder::study_name(const StudyResult& study) {
                      short_hash(content));
 }
 
-void ResultsFolder::write_run(const RunResult& run, const std::vector<JudgedGate>& gates,
-                              const Provenance& provenance) const {
+void ResultsFolder::write_run(const RunResult& run, const std::vector<JudgedGate>& gates, const Provenance& provenance,
+                              const Making& making) const {
   Hdf5Writer file(path_ + "/" + run.file);
   begin(file, "run", provenance);
   file.text("/run", run_document(run, gates, provenance).dump());
@@ -99,7 +99,34 @@ void ResultsFolder::write_run(const RunResult& run, const std::vector<JudgedGate
     file.attribute(path, "label", column.label);
   }
   write_frames(file, run.frames);
+  write_restore(file, run, provenance.fingerprint, making);
   file.commit();
+}
+
+namespace {
+
+void require_readable(const Hdf5Reader& file) {
+  const std::int64_t format = file.attribute("/", "plumbline_format");
+  if (format > results_format)
+    throw FileError(file.name(), fmt::format("{}: of format {}, made by a newer version", file.name(), format));
+}
+
+}  // namespace
+
+std::optional<Stored> ResultsFolder::read_stored(const std::string& file) const {
+  const Hdf5Reader reader(path_ + "/" + file);
+  require_readable(reader);
+  return plumbline::read_stored(reader);
+}
+
+std::optional<RunResult> ResultsFolder::read_run(const std::string& file, const std::string& fingerprint) const {
+  const Hdf5Reader reader(path_ + "/" + file);
+  require_readable(reader);
+  const std::optional<Stored> stored = plumbline::read_stored(reader);
+  if (!stored || fingerprint.empty() || stored->fingerprint != fingerprint) return std::nullopt;
+  RunResult run = read_restore(reader);
+  if (run.file != file) throw FileError(reader.name(), fmt::format("{}: holds {}", reader.name(), run.file));
+  return run;
 }
 
 void ResultsFolder::write_study(StudyResult& study, const std::vector<JudgedGate>& gates,

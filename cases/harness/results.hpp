@@ -1,10 +1,12 @@
 // Result files in a results folder: one a run, one a study, one a verification.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cases/harness/documents.hpp"
+#include "cases/harness/restore.hpp"
 
 namespace plumbline {
 
@@ -19,7 +21,13 @@ class ResultsFolder {
   const std::string& path() const { return path_; }
 
   // Writes run.file whole, or not at all.
-  void write_run(const RunResult& run, const std::vector<JudgedGate>& gates, const Provenance& provenance) const;
+  void write_run(const RunResult& run, const std::vector<JudgedGate>& gates, const Provenance& provenance,
+                 const Making& making = {}) const;
+  // What a run's file says of how it was made; nothing if it is of an older version. FileError if it is damaged, newer or
+  // not there.
+  std::optional<Stored> read_stored(const std::string& file) const;
+  // The run of a file, bit for bit but for its frames, if the code of this fingerprint made it. FileError likewise.
+  std::optional<RunResult> read_run(const std::string& file, const std::string& fingerprint) const;
   // The name of a run's file: case, scheme, cells and the hash of the settings.
   static std::string run_name(const RunResult& run);
   static std::string run_name(const std::string& case_name, const std::string& scheme, const Settings& settings);

@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <system_error>
 
@@ -40,10 +42,31 @@ int write_new(const std::string& path, const std::string& text, int flags, bool 
 
 }  // namespace
 
+namespace {
+
+std::string host() {
+  std::array<char, 256> name{};
+  if (::gethostname(name.data(), name.size() - 1) != 0) name = {'h'};
+  return name.data();
+}
+
+}  // namespace
+
 std::string temporary_name(const std::string& path) {
-  std::array<char, 256> host{};
-  if (::gethostname(host.data(), host.size() - 1) != 0) host = {'h'};
-  return fmt::format("{}.{}-{}.part", path, host.data(), ::getpid());
+  return fmt::format("{}.{}-{}.part", path, host(), ::getpid());
+}
+
+void remove_abandoned(const std::string& folder) {
+  const std::string mark = "." + host() + "-";
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename();
+    const std::size_t at = name.rfind(mark);
+    if (entry.path().extension() != ".part" || at == std::string::npos) continue;
+    const long process = std::strtol(name.c_str() + at + mark.size(), nullptr, 10);
+    const bool gone = process > 0 && ::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH;
+    if (gone) std::filesystem::remove(entry.path(), ignored);
+  }
 }
 
 void write_text_file(const std::string& path, const std::string& text) {

@@ -13,4 +13,7 @@ void write_text_file(const std::string& path, const std::string& text);
 // The name under which this process writes `path` until it is whole: `path`.HOST-PROCESS.part.
 std::string temporary_name(const std::string& path);
 
+// Removes from a folder the files under such names of this machine's processes that are no more: killed ones could not.
+void remove_abandoned(const std::string& folder);
+
 }  // namespace plumbline

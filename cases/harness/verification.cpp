@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <mutex>
 #include <numeric>
-#include <set>
 
 #include "cases/harness/pool.hpp"
 #include "kernel/time_integrator.hpp"
@@ -23,21 +22,32 @@ bool in_tier(Tier needed, Tier tier) { return tier == Tier::full || needed == Ti
 }  // namespace
 
 StudyResult run_study(const Case& entry, const StudyPlan& plan, const std::vector<PlannedRun>& planned, int threads,
-                      const Progress& progress) {
-  std::vector<std::size_t> order(planned.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return cost(planned[a]) > cost(planned[b]); });
+                      const Progress& progress, RunStore* store) {
   std::vector<std::optional<RunResult>> results(planned.size());
+  std::vector<std::size_t> missing;
   std::size_t done = 0;
+  const auto report = [&](const RunResult& run) {
+    ++done;
+    if (progress) progress(done, planned.size(), run);
+  };
+  for (std::size_t k = 0; k < planned.size(); ++k) {
+    const std::string scheme = result_scheme(entry, plan.scheme, planned[k].settings);
+    const std::string file = ResultsFolder::run_name(entry.name(), scheme, planned[k].settings);
+    if (store) results[k] = store->take(entry, file, planned[k].frames);
+    if (!results[k]) missing.push_back(k);
+    if (results[k]) report(*results[k]);
+  }
+  std::stable_sort(missing.begin(), missing.end(),
+                   [&](std::size_t a, std::size_t b) { return cost(planned[a]) > cost(planned[b]); });
   std::mutex guard;
-  for_all(planned.size(), threads, [&](std::size_t k) {
-    const std::size_t at = order[k];
-    results[at] = run_experiment(entry, plan.scheme, planned[at].settings, 1, planned[at].frames);
-    results[at]->scheme = result_scheme(entry, plan.scheme, planned[at].settings);
-    results[at]->file = ResultsFolder::run_name(*results[at]);
+  for_all(missing.size(), threads, [&](std::size_t k) {
+    const std::size_t at = missing[k];
+    Making making;
+    RunResult run = make_run(entry, plan.scheme, planned[at].settings, planned[at].frames, making);
     const std::lock_guard lock(guard);
-    if (progress) progress(++done, planned.size(), *results[at]);
+    if (store) store->keep(entry, run, making);
+    results[at] = std::move(run);
+    report(*results[at]);
   });
   std::vector<RunResult> runs;
   for (auto& result : results) runs.push_back(std::move(*result));
@@ -120,23 +130,14 @@ std::vector<StudyPlan> selected_studies(const Case& entry, Tier tier, const Sele
   return selected_plans(entry, tier, selection).all;
 }
 
-void verify_case(const Case& entry, Tier tier, const Selection& selection, int threads, const ResultsFolder& folder,
-                 const Provenance& provenance, const Progress& progress, Verification& verification) {
+void verify_case(const Case& entry, Tier tier, const Selection& selection, int threads, RunStore& store,
+                 const Progress& progress, Verification& verification) {
   const Plans plans = selected_plans(entry, tier, selection);
   std::vector<std::vector<PlannedRun>> planned;  // all of them before the first run: a wrong call must not cost time
   for (const StudyPlan& plan : plans.all) planned.push_back(planned_runs(entry, plan, tier, selection.settings));
   StudySet studies;
-  std::set<std::string> with_frames;
-  for (std::size_t k = 0; k < plans.all.size(); ++k) {
-    studies.push_back(run_study(entry, plans.all[k], planned[k], threads, progress));
-    for (const StudyLevel& at : studies.back().levels) {
-      // The same run in a study that asks for no frames must not take them away.
-      if (!at.run.frames.frames.empty()) with_frames.insert(at.run.file);
-      if (at.run.frames.frames.empty() && with_frames.count(at.run.file) > 0) continue;
-      folder.write_run(at.run, {}, provenance);
-      for (const RunResult& other : at.offsets) folder.write_run(other, {}, provenance);
-    }
-  }
+  for (std::size_t k = 0; k < plans.all.size(); ++k)
+    studies.push_back(run_study(entry, plans.all[k], planned[k], threads, progress, &store));
   std::vector<CaseGate> declared;
   for (CaseGate& gate : entry.gates()) {
     if (in_tier(gate.tier, tier) && selection.settings.empty()) declared.push_back(std::move(gate));
@@ -149,7 +150,7 @@ void verify_case(const Case& entry, Tier tier, const Selection& selection, int t
     expected_here += static_cast<int>(gates.size());
     if (k >= plans.own) of_integrators += static_cast<int>(gates.size());
     const std::vector<JudgedGate> judged = judge_gates(gates, study);
-    folder.write_study(study, judged, provenance);
+    store.folder().write_study(study, judged, store.provenance(entry));
     verification.gates.insert(verification.gates.end(), judged.begin(), judged.end());
   }
   const GateCount count = entry.gate_count();

@@ -6,16 +6,17 @@
 #include <string>
 #include <vector>
 
-#include "cases/harness/results.hpp"
+#include "cases/harness/run_store.hpp"
 
 namespace plumbline {
 
 // Called as runs finish: how many of how many, and which.
 using Progress = std::function<void(std::size_t done, std::size_t of, const RunResult& last)>;
 
-// Runs a plan's levels and assembles the study. Larger runs start first.
+// Runs a plan's levels and assembles the study. Larger runs start first. Runs come from the store where it has them, and go
+// there as they finish.
 StudyResult run_study(const Case& entry, const StudyPlan& plan, const std::vector<PlannedRun>& planned, int threads,
-                      const Progress& progress = {});
+                      const Progress& progress = {}, RunStore* store = nullptr);
 
 struct Verification {
   std::vector<JudgedGate> gates;
@@ -33,9 +34,10 @@ struct Selection {
 // The studies of a selection in a tier, those of the integrators last. Throws UsageError for unknown names.
 std::vector<StudyPlan> selected_studies(const Case& entry, Tier tier, const Selection& selection);
 
-// All gates of one case in a tier; files go to `folder`. Adds to `verification`. Throws UsageError for unknown names.
-void verify_case(const Case& entry, Tier tier, const Selection& selection, int threads, const ResultsFolder& folder,
-                 const Provenance& provenance, const Progress& progress, Verification& verification);
+// All gates of one case in a tier; runs and studies go to the store and its folder. Adds to `verification`. Throws
+// UsageError for unknown names.
+void verify_case(const Case& entry, Tier tier, const Selection& selection, int threads, RunStore& store,
+                 const Progress& progress, Verification& verification);
 
 // The plan a generic study of an integrator follows: the case's default scheme with it, at the coarsest default level.
 StudyPlan integrator_plan(const Case& entry, const std::string& integrator);

@@ -21,6 +21,16 @@ if(PLUMBLINE_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${PLUMBLINE_CCACHE}")
 endif()
 
+# Cases know their file by name; where the sources stand must not show in what the compiler makes of them. A ccache with
+# a base folder sees to that itself, and would take the option for another program.
+if(PLUMBLINE_CCACHE)
+  execute_process(COMMAND ${PLUMBLINE_CCACHE} -k base_dir OUTPUT_VARIABLE PLUMBLINE_CCACHE_BASE
+    OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+endif()
+if(NOT PLUMBLINE_CCACHE_BASE)
+  add_compile_options(-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
+endif()
+
 if(PLUMBLINE_ARCH STREQUAL "auto")
   include(CheckCXXSourceRuns)
   set(CMAKE_REQUIRED_FLAGS "-march=x86-64-v3 -O1")

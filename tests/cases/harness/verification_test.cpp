@@ -29,7 +29,9 @@ Toy described() {
 Verification verified(const ToyCase& entry, Tier tier = Tier::quick, const Selection& selection = {}, int threads = 1) {
   const TemporaryFolder folder;
   Verification verification;
-  verify_case(entry, tier, selection, threads, ResultsFolder(folder.path()), Provenance{}, {}, verification);
+  const ResultsFolder results(folder.path());
+  RunStore store(results, Provenance{}, false);
+  verify_case(entry, tier, selection, threads, store, {}, verification);
   return verification;
 }
 
@@ -84,7 +86,9 @@ TEST(VerifyCase, AWrongCountIsNoticed) {
 TEST(VerifyCase, WritesEveryRunAndStudy) {
   const TemporaryFolder folder;
   Verification verification;
-  verify_case(ToyCase(described()), Tier::quick, {}, 1, ResultsFolder(folder.path()), Provenance{}, {}, verification);
+  const ResultsFolder results(folder.path());
+  RunStore store(results, Provenance{}, false);
+  verify_case(ToyCase(described()), Tier::quick, {}, 1, store, {}, verification);
   const auto names = folder.names();
   EXPECT_EQ(
       std::count_if(names.begin(), names.end(), [](const std::string& n) { return n.rfind("study-toy", 0) == 0; }), 2);
