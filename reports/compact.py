@@ -18,7 +18,7 @@ from xml.etree import ElementTree
 
 import numpy
 
-TOLERANCE = 0.1  # points by which a simplified line may be off
+TOLERANCE = 0.15  # points by which a simplified line may be off
 _FEW = 60  # marks of a line up to which the places have two decimals, so that values read back have three digits
 _SVG = "{http://www.w3.org/2000/svg}"
 _HREF = "{http://www.w3.org/1999/xlink}href"

@@ -229,13 +229,7 @@ def convergence(case, measure, prefix):
     orders = text.listing(
         f"{entry.label}: order {text.order(entry.measures.get(measure) or {})}" for entry in series
     )
-    caption = (
-        f"Error in {measure} against cell size; the mesh gets finer to the left. On these axes an error C "
-        "hᵖ is a straight "
-        f"line of slope p. Lines and shaded 95 % bands are the fits stated in the files ({orders}); hollow "
-        "marks did not "
-        f"enter a fit. {_floor_words(bound, rounding)}"
-    )
+    caption = f"Fitted orders with 95 % intervals: {orders}. {_floor_words(bound, rounding)}".strip()
     keys = _keys(series) + (
         [Key(f"theory: slope {text.number(order)}", "var(--muted)", dash=True)] if order is not None else []
     )
@@ -303,107 +297,71 @@ def _floor_words(bound, rounding):
         f"the reference is sure to {text.number(bound, 2)}" if bound else "",
         f"rounding sets in near {text.number(rounding, 2)}" if rounding else "",
     ]
-    known = [words for words in known if words]
-    return (
-        f"What cannot be resolved: {text.listing(known)}; errors near these floors would say nothing about "
-        "the scheme."
-        if known
-        else ""
-    )
+    known = text.listing(words for words in known if words)
+    return f"{known[0].upper()}{known[1:]}." if known else ""
 
 
-def pairwise(case, measure, prefix):
-    """Order between neighbouring levels."""
+def level_by_level(case, measure, prefix):
+    """Order between neighbouring levels above, and below it E/hᵖ over the levels, relative to the finest."""
     series = [
         entry
         for entry in _with_errors(case, "cells", measure)
-        if (entry.measures.get(measure) or {}).get("pairwise")
+        if any((entry.measures.get(measure) or {}).get("pairwise") or [])
+        or any((entry.measures.get(measure) or {}).get("plateau") or [])
     ]
     if not series:
         return None
     order = theory(case, measure)
 
     def paint(axes):
+        upper, lower = axes
         shown = [order] if order is not None else []
         for entry in series:
             sizes = [level.get("h") or numpy.nan for level in entry.levels]
             pairs = [
                 (numpy.sqrt(coarse * fine), value)
-                for coarse, fine, value in zip(sizes, sizes[1:], entry.measures[measure]["pairwise"])
+                for coarse, fine, value in zip(sizes, sizes[1:], entry.measures[measure].get("pairwise") or [])
                 if value is not None
             ]
-            x, y = (numpy.array(column) for column in zip(*pairs)) if pairs else (numpy.array([]),) * 2
-            shown += list(y)
-            marked_line(axes, entry, x, y)
+            shown += [value for _, value in pairs]
+            if pairs:
+                marked_line(upper, entry, *zip(*pairs))
+            _plateau_line(lower, entry, measure)
         if order is not None:
-            axes.axhline(order, color=svg.MUTED, linewidth=0.9, dashes=(5, 3))
-        axes.set(
-            xscale="log",
-            xlabel="cell size h (geometric mean of the two levels)",
-            ylabel="order between neighbours",
-            ylim=(min(shown) - 0.25, max(shown) + 0.25),
-        )
-        log_axis(axes.xaxis, *axes.get_xlim())
-        plain_axis(axes.yaxis)
+            upper.axhline(order, color=svg.MUTED, linewidth=0.9, dashes=(5, 3))
+        upper.set(xscale="log", ylabel="order")
+        if shown:
+            upper.set_ylim(min(shown) - 0.25, max(shown) + 0.25)
+        lower.axhspan(0.85, 1.15, color=svg.MUTED, alpha=0.14, linewidth=0)
+        lower.set(xscale="log", xlabel="cell size h", ylabel="E/hᵖ, relative")
+        low, high = lower.get_ylim()
+        lower.set_ylim(min(low, 0.7), max(high, 1.3))
+        log_axis(lower.xaxis, *lower.get_xlim())
+        for panel in axes:
+            panel.yaxis.set_major_locator(MaxNLocator(5))
+            plain_axis(panel.yaxis)
 
     caption = (
-        f"Order in {measure} from each pair of neighbouring levels. In the asymptotic range the values "
-        "settle on one level; "
-        "a trend to the left (finer meshes) means that the fitted order is not the final word."
+        "Above, the order from each pair of neighbouring levels, at the geometric mean of their sizes; below, the error "
+        "over hᵖ, p being the fitted order, relative to the finest level."
     )
-    keys = _keys(series) + (
-        [Key(f"theory: {text.number(order)}", "var(--muted)", dash=True)] if order is not None else []
-    )
-    return Figure(
-        svg.draw(paint, prefix, f"Order of {measure} between neighbouring levels", height=2.2),
-        "Order level by level",
-        caption,
-        _files(series),
-        keys,
-    )
+    keys = _keys(series)
+    if order is not None:
+        keys.append(Key(f"theory: {text.number(order)}", "var(--muted)", dash=True))
+    keys.append(Key("± 15 % of the finest", "var(--muted)", band=True))
+    drawing = svg.draw(
+        paint, prefix, f"Order of {measure} between neighbouring levels, and plateau of its error constant",
+        height=3.2, nrows=2, sharex=True,
+    )  # fmt: skip
+    return Figure(drawing, "Order and error constant, level by level", caption, _files(series), keys)
 
 
-def plateau(case, measure, prefix):
-    """E/hᵖ over the levels, relative to the finest."""
-    series = [
-        entry
-        for entry in _with_errors(case, "cells", measure)
-        if any((entry.measures.get(measure) or {}).get("plateau") or [])
-    ]
-    if not series:
-        return None
-
-    def paint(axes):
-        axes.axhspan(0.85, 1.15, color=svg.MUTED, alpha=0.14, linewidth=0)
-        for entry in series:
-            rows = [
-                (level.get("h"), value)
-                for level, value in zip(entry.levels, entry.measures[measure]["plateau"])
-                if value and level.get("h")
-            ]
-            x, y = (numpy.array(column) for column in zip(*rows))
-            marked_line(axes, entry, x, y / y[x.argmin()])
-        axes.set(xscale="log", xlabel="cell size h", ylabel="E/hᵖ over its finest value")
-        low, high = axes.get_ylim()
-        axes.set_ylim(min(low, 0.7), max(high, 1.3))
-        log_axis(axes.xaxis, *axes.get_xlim())
-        plain_axis(axes.yaxis)
-
-    caption = (
-        f"Error in {measure} divided by hᵖ, p being the fitted order of each line, relative to the finest "
-        "level. A flat line "
-        "means that one power of h describes all levels; the grey strip is the 15 % within which the three "
-        "finest must lie to "
-        "count as asymptotic."
-    )
-    keys = _keys(series) + [Key("± 15 % of the finest", "var(--muted)", band=True)]
-    return Figure(
-        svg.draw(paint, prefix, f"Plateau of {measure}", height=2.2),
-        "Plateau of the error constant",
-        caption,
-        _files(series),
-        keys,
-    )
+def _plateau_line(axes, entry, measure):
+    plateau = entry.measures[measure].get("plateau") or []
+    rows = [(level.get("h"), value) for level, value in zip(entry.levels, plateau) if value and level.get("h")]
+    if rows:
+        x, y = (numpy.array(column) for column in zip(*rows))
+        marked_line(axes, entry, x, y / y[x.argmin()])
 
 
 # --- one parameter alone --------------------------------------------------------------------------
@@ -417,23 +375,6 @@ def variation_measures(case, vary):
     return [case.measure] + [steps] * (
         vary == "dt" and any(steps in entry.measures for entry in case.studies(vary))
     )
-
-
-_SEE = {
-    "dt": (
-        "Mesh and points stay as they are. A level line means that the step costs no accuracy; an error that "
-        "grows towards small steps betrays a loss at every step."
-    ),
-    "ppc": "Mesh and step rule stay as they are; a level line means that more points would not help.",
-    "offset": (
-        "Only the place of the grid under the points changes, by less than one cell; the spread is the part of "
-        "the error that is an accident of this place."
-    ),
-    "step": (
-        "The distance of each run from that with the next smaller step: it falls with the order of the step, "
-        "even where the error of the mesh hides it."
-    ),
-}
 
 
 def variation(case, vary, measure, prefix):
@@ -468,8 +409,11 @@ def variation(case, vary, measure, prefix):
         dict.fromkeys(entry.why[0].upper() + entry.why[1:].rstrip(".") + "." for entry in series if entry.why)
     )
     name = VARIED.get(vary, vary)
-    see = _SEE["step"] if distance else _SEE.get(vary, "")
-    caption = f"Error in {measure} when only the {name} changes. {see} {why}".strip()
+    caption = (
+        f"Distance of each run in {measure} from that with the next smaller step. {why}"
+        if distance
+        else f"Error in {measure} when only the {name} changes. {why}"
+    ).strip()
     orders = text.listing(
         f"{text.order(entry.measures[measure])} ({entry.label})"
         for entry in series
@@ -508,14 +452,12 @@ COSTS = {
         "wall_s",
         "wall time in s, one core",
         "error against wall time",
-        "Wall time is that of the machine named below and varies from run to run.",
     ),
     "work": (
         point_steps,
         "cell_steps",
         "point-steps (points × steps)",
         "error against point-steps",
-        "Point-steps count the work free of the machine.",
     ),
 }
 
@@ -532,7 +474,7 @@ def front(points):
 
 def cost(case, measure, kind, prefix):
     """Error against cost of every line of the case, with the front of the best, beside other methods."""
-    price, column, axis, title, remark = COSTS[kind]
+    price, column, axis, title = COSTS[kind]
     rows = [
         (
             entry,
@@ -583,15 +525,10 @@ def cost(case, measure, kind, prefix):
 
     series = [entry for entry, _ in rows]
     beside = [entry for entry, _ in sticks]
-    caption = (
-        f"Error in {measure} against {axis.split(' in ')[0].split(' (')[0]}, one mark per run. Lower and "
-        "further left is better; ringed marks on the "
-        f"broad line are the front: no other run of these schemes is both cheaper and more accurate. {remark}"
-    )
+    caption = "One mark per run; ringed marks on the broad line are the front, which no other run beats in both."
     if beside:
         caption += (
-            f" The broken line is another method on the same problem: {text.listing(stick.title for stick in beside)}. "
-            "It is a measuring stick, not judged and not in the front"
+            f" Broken: another method on the same problem, {text.listing(stick.title for stick in beside)}, as a measuring stick"
             + ("; its work is cells × steps." if kind == "work" else ".")
         )
     keys = _keys(series) + [

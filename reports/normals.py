@@ -11,8 +11,8 @@ import svg
 import text
 from figures import Figure, Key
 
-MOST_POINTS = 36  # of a drawing; of more, evenly chosen ones
-MOST_RUNS = 12  # of a case that are drawn
+MOST_POINTS = 24  # of a drawing; of more, evenly chosen ones
+MOST_RUNS = 4  # of a case that are drawn
 _COLUMNS = 2
 _SUFFIX = ".normal_x"
 

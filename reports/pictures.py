@@ -21,9 +21,10 @@ import text
 from figures import Figure, Key
 
 STRIP = 6  # pictures of the points over time
-MOST_STUDIES = 4  # of a case, whose frames are drawn
-FILM_BYTES = 200_000  # of the picture file; its text in the page is a third longer
-_STRIP_WIDTH, _FILM_WIDTH, _FIELD_WIDTH = 320, 480, 440  # pixels
+MOST_STUDIES = 2  # of a case, whose frames are drawn
+FILM_BYTES = 150_000  # of a film at most; its text in the page is a third longer
+ALL_FILM_BYTES = 450_000  # of all films of a page
+_STRIP_WIDTH, _FILM_WIDTH, _FIELD_WIDTH = 280, 440, 360  # pixels
 _HOLD = 1.5  # s that a film stays on its last frame
 _SECOND_PER_FRAME = 0.16
 _NEAR = 0.12  # walls so near to the points, in sizes of what they occupy, are shown
@@ -61,8 +62,22 @@ class Film:
     svg: str = ""  # the scale of colours
 
 
-def groups(case, results, prefix):
+def film_bytes(cases, results):
+    """Size of each film, so that those of many cases do not outgrow the page."""
+    count = sum(len(_with_frames(case, results)) for case in cases)
+    return min(FILM_BYTES, ALL_FILM_BYTES // max(1, count))
+
+
+def groups(case, results, prefix, most_bytes):
     """[{title, strip, film, fields}] of the studies and single runs of a case that kept frames."""
+    return [
+        _group(entry, level, results[name], f"{prefix}-{number}", most_bytes)
+        for number, (entry, level, name) in enumerate(_with_frames(case, results))
+    ]
+
+
+def _with_frames(case, results):
+    """[(series, level, name of the result)] of those that are drawn."""
     found = []
     for entry in case.series:
         for level in entry.levels:
@@ -70,13 +85,10 @@ def groups(case, results, prefix):
             if result and result.frames and len(result.frames) > 1 and result.frames.grid["dim"] == 2:
                 if result.name not in [name for _, _, name in found]:
                     found.append((entry, level, result.name))
-    return [
-        _group(entry, level, results[name], f"{prefix}-{number}")
-        for number, (entry, level, name) in enumerate(found[:MOST_STUDIES])
-    ]
+    return found[:MOST_STUDIES]
 
 
-def _group(entry, level, result, prefix):
+def _group(entry, level, result, prefix, most_bytes):
     view = View(result.frames)
     cells = (level.get("settings") or {}).get("cells")
     run = f"{entry.label}, {text.count(cells)} cells" if isinstance(cells, (int, float)) else entry.label
@@ -85,7 +97,7 @@ def _group(entry, level, result, prefix):
         "title": run,
         "points": text.count(level.get("points")) if level.get("points") else "",
         "strip": strip(view, run, result.name),
-        "film": film(view, run, result.name, f"{prefix}-film"),
+        "film": film(view, run, result.name, f"{prefix}-film", most_bytes),
         "fields": [drawn for drawn in fields if drawn],
     }
 
@@ -277,8 +289,8 @@ def _back_to_front(view):
 # --- film -----------------------------------------------------------------------------------------
 
 
-def film(view, run, file, prefix):
-    """All frames side by side in one picture, made smaller until it keeps within FILM_BYTES."""
+def film(view, run, file, prefix, most_bytes=FILM_BYTES):
+    """All frames side by side in one picture, made smaller until it keeps within `most_bytes`."""
     kind = next((kind for kind in _FIELDS if kind in view.kinds()), None)
     name, title, colours = _FIELDS[kind]
     values = _values(view, kind, name)
@@ -289,10 +301,10 @@ def film(view, run, file, prefix):
     width, frames = _FILM_WIDTH, list(range(len(view.frames)))
     while True:
         content = _reel(view, kind, name, ramp, levels, width, frames)
-        if len(content) <= FILM_BYTES or width < 200:
+        if len(content) <= most_bytes or width < 200:
             break
         if width > 300:
-            width = max(299, int(width * min(0.9, (FILM_BYTES / len(content)) ** 0.5)))
+            width = max(299, int(width * min(0.9, (most_bytes / len(content)) ** 0.5)))
         else:
             frames = [frames[k] for k in chosen_frames(len(frames), (len(frames) + 1) // 2)]
             width = _FILM_WIDTH - 100

@@ -9,9 +9,10 @@ from figures import Figure, Key
 
 LEVEL_NAMES = ("coarsest", "middle", "finest")
 REFERENCE = "_reference"
-_BINS = 320
-_RESIDUAL_BINS = 60  # of what is noise but for its size
-_ERROR_BINS = 160
+_BINS = 150
+_MOST_DOTS = 120  # points of a run that are drawn one by one; of more, a line
+_RESIDUAL_BINS = 40  # of what is noise but for its size
+_ERROR_BINS = 80
 _LONGEST_LABEL = 18     # characters that fit along the vertical axis, unit aside
 _QUANTITIES = {
     "mass": "mass",
@@ -88,9 +89,7 @@ def profile(entry, name, levels, prefix):
         figures.plain_axis(lower.xaxis)
 
     caption = (
-        f"{label[0].upper() + label[1:]} computed by {entry.label} over the exact solution (broad grey "
-        "line), and below it the size of "
-        f"the difference: {text.listing(sizes)}."
+        f"Computed by {entry.label} over the exact solution (broad grey line), and below the size of the difference."
     )
     keys = [Key("exact", "currentColor", band=True)]
     keys += [
@@ -128,14 +127,13 @@ def _computed(upper, lower, which, columns, name, label):
     edges, largest = largest_in_bins(x, y - columns[name + REFERENCE])
     largest[~(largest > 0)] = numpy.nan
     if numpy.isfinite(largest).any():
-        (stairs,) = lower.plot(
-            numpy.repeat(edges, 2)[1:-1], numpy.repeat(largest, 2), color=colour, linewidth=0.9, label=label
-        )
-        stairs.set_gid(f"class:level-{which}")
+        middles = (edges[1:] + edges[:-1]) / 2
+        (below,) = lower.plot(middles, largest, color=colour, linewidth=0.9, label=label)
+        below.set_gid(f"class:level-{which}")
 
 
 def _is_sparse(columns, name):
-    return len(columns[name]) <= 2 * _BINS and columns.kind == "space"
+    return len(columns[name]) <= _MOST_DOTS and columns.kind == "space"
 
 
 def _error_axis(axes):
@@ -178,45 +176,55 @@ def quantity_name(quantity):
     return _QUANTITIES.get(quantity, quantity.replace("_", " "))
 
 
-def drift(quantity, finest, prefix):
-    """Residual of the books over their scale against time, for [(series, run result)].
+def drifts(quantities, finest, prefix):
+    """Residuals of the books over their scale against time, a panel a quantity, for [(series, run result)].
 
     The file states the largest |residual|/scale of all steps (`relative_drift`), which fixes the scale.
     """
-    lines = [(entry, result, relative_residual(result, quantity)) for entry, result in finest]
-    lines = [
-        (entry, result, relative)
-        for entry, result, relative in lines
-        if relative is not None and relative.any()
-    ]
-    if not lines:
+    panels = {quantity: _residuals(quantity, finest) for quantity in quantities}
+    panels = {quantity: lines for quantity, lines in panels.items() if lines}
+    if not panels:
         return None
 
     def paint(axes):
-        for entry, result, relative in lines:
-            x, y = envelope(
-                result.ledger[quantity]["time"], numpy.where(relative > 0, relative, numpy.nan), _RESIDUAL_BINS
-            )
-            axes.plot(x, y, color=svg.series_colour(entry.style), linewidth=1.0, label=entry.label)
-        axes.axhline(figures.ROUNDING, color=svg.MUTED, linewidth=0.9, dashes=(4, 1.5, 1, 1.5))
-        high = max([relative.max() for _, _, relative in lines] + [1e-13])
-        axes.set(yscale="log", ylim=(1e-18, high * 10), xlabel="time in s", ylabel="|residual| / scale")
-        figures.log_axis(axes.yaxis, *axes.get_ylim())
-        figures.plain_axis(axes.xaxis)
+        every = numpy.ravel(axes)
+        for panel, (quantity, lines) in zip(every, panels.items()):
+            for entry, result, relative in lines:
+                edges, largest = largest_in_bins(result.ledger[quantity]["time"], relative, _RESIDUAL_BINS)
+                largest[~(largest > 0)] = numpy.nan
+                middles = (edges[1:] + edges[:-1]) / 2
+                panel.plot(middles, largest, color=svg.series_colour(entry.style), linewidth=1.0, label=entry.label)
+            panel.axhline(figures.ROUNDING, color=svg.MUTED, linewidth=0.9, dashes=(4, 1.5, 1, 1.5))
+            high = max([relative.max() for _, _, relative in lines] + [1e-13])
+            panel.set(yscale="log", ylim=(1e-18, high * 10), ylabel=_panel_name(quantity))
+            figures.log_axis(panel.yaxis, *panel.get_ylim())
+            panel.yaxis.set_minor_locator(figures.NullLocator())
+        every[-1].set_xlabel("time in s")
+        figures.plain_axis(every[-1].xaxis)
 
-    name = quantity_name(quantity)
+    entries = {entry.label: entry for lines in panels.values() for entry, _, _ in lines}
     largest = text.listing(
-        f"{text.number(relative.max(), 2)} for {entry.label}" for entry, _, relative in lines
+        f"{quantity_name(quantity)} {text.number(max(relative.max() for _, _, relative in lines), 2)}"
+        for quantity, lines in panels.items()
     )
-    caption = (
-        f"What the books of {name} leave unexplained in the finest run of each refined line, over the scale "
-        f"of the run: at most {largest}. "
-        "The dash-dotted line is the rounding of one operation."
-    )
-    keys = [Key(entry.label, f"var(--s{entry.style % len(svg.SERIES) + 1})") for entry, _, _ in lines]
+    caption = f"What the books leave unexplained, over the scale of the run, in the finest run of each line; at most: {largest}."
+    keys = [Key(label, f"var(--s{entry.style % len(svg.SERIES) + 1})") for label, entry in entries.items()]
     keys.append(Key("rounding of one operation", "var(--muted)", dash=True))
-    drawing = svg.draw(paint, prefix, f"Residual of {name} against time", height=2.4)
-    return Figure(drawing, f"Drift of {name}", caption, [result.name for _, result, _ in lines], keys)
+    files = list(dict.fromkeys(result.name for lines in panels.values() for _, result, _ in lines))
+    drawing = svg.draw(
+        paint, prefix, f"Residuals of the books against time: {largest}", height=0.5 + 1.15 * len(panels), nrows=len(panels),
+        sharex=True, squeeze=False,
+    )  # fmt: skip
+    return Figure(drawing, "Residuals of the books", caption, files, keys)
+
+
+def _residuals(quantity, finest):
+    found = [(entry, result, relative_residual(result, quantity)) for entry, result in finest]
+    return [(entry, result, relative) for entry, result, relative in found if relative is not None and relative.any()]
+
+
+def _panel_name(quantity):
+    return quantity_name(quantity).replace(" along ", " ").replace("angular momentum", "angular mom.")
 
 
 def closed(quantity, finest):

@@ -8,6 +8,8 @@ folder is damaged (the page is then written all the same, and lists it as INVALI
 """
 
 import argparse
+import functools
+import multiprocessing
 import os
 import pathlib
 import re
@@ -45,16 +47,27 @@ def render(folder):
         lstrip_blocks=True,
         undefined=jinja2.ChainableUndefined,
     )
-    environment.filters.update(plural=text.plural, by_label=tables.by_label, prose=text.prose)
+    environment.filters.update(plural=text.plural, by_label=tables.by_label, by_reason=tables.by_reason, prose=text.prose)
     environment.globals.update(series_mark=svg.series_mark)
     results = {result.name: result for result in folder.runs}
-    pages = [case_page(case, results) for case in cases.values()]
+    pages = case_pages(cases, results)
     front = front_page(folder, cases)
     page = environment.get_template("page.html").render(
         style=_markup(style_sheet(front["stability"].get("style", ""))), scripts=scripts(), pages=pages, **front
     )
     page, rules = compact.with_shared_styles(page)
     return page.replace(SHARED_STYLES, rules, 1)
+
+
+def case_pages(cases, results):
+    """The pages of all cases, drawn side by side: most of the time goes into figures."""
+    film_bytes = pictures.film_bytes(cases.values(), results)
+    drawn = functools.partial(case_page, results=results, film_bytes=film_bytes)
+    workers = min(len(os.sched_getaffinity(0)), len(cases))
+    if workers < 2:
+        return [drawn(case) for case in cases.values()]
+    with multiprocessing.get_context("fork").Pool(workers) as pool:
+        return pool.map(drawn, cases.values(), chunksize=1)
 
 
 def style_sheet(more):
@@ -83,6 +96,7 @@ def front_page(folder, cases):
         "missed": _anchored(tables.missed(cases)),
         "expected_failures": _anchored(tables.expected_failures(cases)),
         "overview": overview,
+        "choices": tables.choices(cases),
         "verdicts_present": [name for name in gathering.URGENCY if any(case.counts[name] for case in cases.values())],
         "damaged": folder.damaged,
         "meanings": tables.MEANINGS,
@@ -144,7 +158,7 @@ def _anchored(rows):
 # --- a case ---------------------------------------------------------------------------------------
 
 
-def case_page(case, results):
+def case_page(case, results, film_bytes):
     """What the template of a case shows, in the order of the page."""
     name, catalog = anchor(case.name), case.catalog
     finest = finest_results(case, results)
@@ -163,7 +177,8 @@ def case_page(case, results):
         "paragraphs": [part.strip() for part in (catalog.get("physics") or "").split("\n\n") if part.strip()],
         "sketch": _markup(svg.sketch(catalog.get("sketch") or "", f"{name}-sketch", f"Sketch of {title}")),
         "parameters": own,
-        "choices": choices,
+        "choices": [row for row in choices if row["changed"]],
+        "default_choices": [row for row in choices if not row["changed"]],
         "budget": tables.reference_budget(case),
         "bound": text.exact(catalog["reference"].get("bound")) if catalog.get("reference") else "",
         "studies": tables.study_rows(case),
@@ -181,15 +196,15 @@ def case_page(case, results):
         "leads_with_scalars": not (case.measure or "").endswith(NORMS),
         "books": tables.ledger_rows(finest),
         "stopped": tables.stopped(case),
-        "pictures": picture_groups(case, results, name),
+        "pictures": picture_groups(case, results, name, film_bytes),
         "normals": _ready(normals.drawings(case, results, f"{name}-normals")),
         **case_figures(case, results, finest, name),
     }
 
 
-def picture_groups(case, results, name):
+def picture_groups(case, results, name, film_bytes):
     """What can be looked at of the runs that kept frames: points over time, a film, fields."""
-    groups = pictures.groups(case, results, f"{name}-pictures")
+    groups = pictures.groups(case, results, f"{name}-pictures", film_bytes)
     for group in groups:
         if group["film"]:
             group["film"].svg = _markup(group["film"].svg)
@@ -204,7 +219,7 @@ def case_figures(case, results, finest, name):
         drawn["convergence"].append(
             _ready(
                 function(case, measure, f"{name}-{function.__name__}-{number}")
-                for function in (figures.convergence, figures.pairwise, figures.plateau)
+                for function in (figures.convergence, figures.level_by_level)
             )
         )
     if case.measure:
@@ -216,9 +231,7 @@ def case_figures(case, results, finest, name):
     drawn["costs"] = cost_figures(case, name)
     refined = [pair for pair in finest if pair[0].refined] or finest
     quantities = profiles.quantities(finest)
-    drawn["drifts"] = _ready(
-        profiles.drift(quantity, refined, f"{name}-drift-{quantity}") for quantity in quantities
-    )
+    drawn["drifts"] = _ready([profiles.drifts(quantities, refined, f"{name}-drift")])
     closed = [
         (profiles.quantity_name(quantity), profiles.closed(quantity, refined)) for quantity in quantities
     ]

@@ -279,6 +279,15 @@ def parameter_rows(case):
     ]
 
 
+def choices(cases):
+    """The numerical choices that any case has, each once: meaning, unit and range are the same everywhere."""
+    found = {}
+    for case in cases.values():
+        for row in parameter_rows(case)[1]:
+            found.setdefault(row["key"], {**row, "changed": False})
+    return [found[key] for key in sorted(found)]
+
+
 def _parameter_rows(case):
     return [
         {
@@ -337,6 +346,15 @@ def _theory(case, measure):
 def _spread(values):
     values = [value for value in values or [] if value is not None]
     return f"[{text.fixed(min(values))}, {text.fixed(max(values))}]" if values else text.MISSING
+
+
+def by_reason(rows):
+    """Rows in groups that share verdict and reason, in the order in which each group begins."""
+    groups = {}
+    for row in rows:
+        key = tuple(row[name] for name in ("verdict", "cause", "note", "origin", "reason"))
+        groups.setdefault(key, []).append(row)
+    return list(groups.values())
 
 
 def by_label(rows):

@@ -28,9 +28,9 @@
   }
 
   function addLinks() {
-    for (const part of all('main :is(section, article, figure, details)[id], main tr[id]')) {
-      const place = part.matches('tr') ? part.querySelector('th') : part.querySelector('h2, h3, h4, .plot-title');
-      if (!place || place.querySelector('.anchor') || (part.matches('section, article') && place.closest('[id]:is(section, article, figure)') !== part)) continue;
+    for (const part of all('main :is(section, article, details)[id], main tr[id], figure > svg.pl[id]')) {
+      const place = part.matches('tr') ? part.querySelector('th') : part.matches('svg') ? part.parentElement.querySelector('.plot-title') : part.querySelector('h2, h3, h4');
+      if (!place || place.querySelector('.anchor') || (part.matches('section, article') && place.closest('[id]:is(section, article)') !== part)) continue;
       const link = make('a', { class: 'anchor', href: `#${part.id}`, title: 'Link to this; copied when clicked', 'aria-label': `Link to ${place.textContent.trim().slice(0, 60)}` }, '#');
       link.addEventListener('click', () => navigator.clipboard?.writeText(link.href).catch(() => {}));
       place.append(' ', link);
@@ -46,7 +46,7 @@
       id: article.id,
       text: plain([...all(':scope > header, .claim-text', article), document.querySelector(`#overview tr[data-case="${article.id}"]`)]
         .map(part => part?.textContent || '').join(' ')),
-      gates: all('table.gates tbody tr[id]', article).map(row => ({ row, text: plain(row.querySelector('th').textContent + ' ' + row.cells[2].textContent) })),
+      gates: all('table.gates tbody tr[id]', article).map(row => ({ row, text: plain(row.id + ' ' + row.querySelector('th').textContent + ' ' + row.cells[2].textContent) })),
     }));
   }
 
@@ -98,9 +98,10 @@
 
   // Rows of one group (tbody with cells over several rows) stay together.
   function addTableFilter(table) {
-    const parts = [...table.tBodies].flatMap(body => body.querySelector('[rowspan]') ? [body] : [...body.rows]);
+    const reason = part => part.parentElement.querySelector(':scope > .why');  // of the gates of a group
+    const parts = [...table.tBodies].flatMap(body => body.querySelector('[rowspan]') ? [body] : [...body.rows].filter(row => !row.matches('.why')));
     if (parts.length < 8) return;
-    const texts = new Map(parts.map(part => [part, plain(part.textContent)]));
+    const texts = new Map(parts.map(part => [part, plain(`${part.textContent} ${reason(part)?.textContent || ''}`)]));
     const verdicts = [...new Set(parts.flatMap(part => all('.chip', part).map(chip => chip.textContent.trim().split(' ')[0])))];
     const box = make('input', { type: 'search', placeholder: 'Filter rows', 'aria-label': `Filter rows of: ${table.caption?.textContent.trim() || 'this table'}` });
     const said = make('span', { class: 'sub', role: 'status' });
@@ -120,10 +121,19 @@
         part.hidden = !shown;
         left += shown;
       }
+      for (const row of all('tbody > .why', table)) row.hidden = !row.parentElement.querySelector(':scope > tr:not(.why, [hidden])');
       said.textContent = left === parts.length ? '' : `${left} of ${parts.length} rows`;
     };
     bar.addEventListener('input', update);
     (table.closest('.scroll') || table).before(bar);
+  }
+
+  // Tables that become cards on a narrow page keep their meaning in browsers that go by how a table is laid out.
+  function addTableRoles() {
+    const roles = { TABLE: 'table', THEAD: 'rowgroup', TBODY: 'rowgroup', TR: 'row', TD: 'cell' };
+    for (const table of all('table.cards'))
+      for (const part of [table, ...all('thead, tbody, tr, th, td', table)])
+        if (!part.hasAttribute('role')) part.setAttribute('role', roles[part.tagName] || { col: 'columnheader' }[part.scope] || 'rowheader');
   }
 
   // --- dark page, printing ---------------------------------------------------------------------------
@@ -158,6 +168,7 @@
   document.addEventListener('DOMContentLoaded', () => {
     for (const part of all('[data-needs-script]')) part.hidden = false;
     addThemeSwitch();
+    addTableRoles();
     addLinks();
     addSearch();
     for (const table of all('table[data-filter]')) addTableFilter(table);

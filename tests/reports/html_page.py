@@ -82,8 +82,8 @@ class Page(HTMLParser):
         """(verdict, id, scheme) of the gates shown in a case, or in the lists of the front page."""
         found = []
         for where, cells in self.rows:
-            if where == section and len(cells) in (7, 8) and cells[0].isupper():
-                quantity, scheme = cells[-6], cells[-5]
+            if where == section and len(cells) in (6, 7) and cells[0].isupper():
+                quantity, scheme = cells[-5], cells[-4]
                 name = quantity.split(" · ")[0].split(" ")[-1]
                 found.append((cells[0], name, scheme))
         return found
