@@ -18,6 +18,7 @@ STATUSES = {  # how each is shown: name, colour, meaning
     "survived": ("survived", "fail", "nothing went red"),
     "equivalent": ("equivalent", "none", "the program does the same with it, so nothing can go red; the reason is given"),
 }
+RAN, UNREACHED, NOT_RUN = "r", "u", "n"  # the sign of a cell in its row
 MOST_NAMES = 4  # gates that a cell names
 
 
@@ -73,18 +74,17 @@ def _row(row, columns):
     for gate in row["killed_by"] + row["tests"]:
         found.setdefault(_by(gate), []).append(gate)
     stops = {entry["by"]: entry["why"] for entry in row["stopped"]}
-    ran, unreached, not_run = (set(row[part]) for part in ("ran", "unreached", "not_run"))
     name, colour, _ = STATUSES[row["status"]]
     return {
         **row,
         "place": f"{row['file']}:{row['line']}",
         "status": name,
         "colour": colour,
-        "cells": [_cell(column["name"], found, stops, ran, unreached, not_run) for column in columns],
+        "cells": [_cell(column["name"], found, stops, mark) for column, mark in zip(columns, row["cells"])],
     }
 
 
-def _cell(name, found, stops, ran, unreached, not_run):
+def _cell(name, found, stops, mark):
     """{look, words, hint}: what stands in a cell, and what it says when pointed at."""
     if name in stops:
         return {"look": "stop", "words": "×", "hint": f"{name}: the run did not end ({_why(stops[name])})"}
@@ -98,11 +98,9 @@ def _cell(name, found, stops, ran, unreached, not_run):
             "words": str(len(gates)),
             "hint": f"{name}: {', '.join(named)}{more}",
         }
-    if name in ran:
+    if mark == RAN:
         return {"look": "green", "words": "0", "hint": ""}
-    if name in unreached:
-        return {"look": "", "words": "", "hint": ""}
-    if name in not_run:
+    if mark == NOT_RUN:
         return {"look": "open", "words": "?", "hint": f"{name}: not run"}
     return {"look": "", "words": "", "hint": ""}
 
@@ -121,8 +119,8 @@ def _reasoned(row):
         "status": name,
         "colour": colour,
         "reason": row["equivalent"] or (f"Only drift: {', '.join(gates[:MOST_NAMES])}" if gates else ""),
-        "unmet": not row["ran"] and not row["not_run"],
-        "not_run": len(row["not_run"]),
+        "unmet": RAN not in row["cells"] and NOT_RUN not in row["cells"],
+        "not_run": row["cells"].count(NOT_RUN),
     }
 
 
@@ -137,5 +135,5 @@ def _must(columns, rows):
 
 def _cells(rows):
     """How many cells of the table are of which sort."""
-    sums = {part: sum(len(row[part]) for row in rows) for part in ("ran", "unreached", "not_run")}
-    return {part: text.count(number) for part, number in sums.items()}
+    marks = "".join(row["cells"] for row in rows)
+    return {name: text.count(marks.count(mark)) for name, mark in (("ran", RAN), ("unreached", UNREACHED), ("not_run", NOT_RUN))}

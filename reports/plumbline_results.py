@@ -232,7 +232,7 @@ def load_mutants(path):
         raise NewerFormat(f"made by a newer version: format {matrix['version']}, this reader knows up to 1")
     for part, keys in (
         ("columns", ("name", "kind", "gates")),
-        ("mutants", "id file line area kind origin what status killed_by tests stopped unreached ran not_run must_kill".split()),
+        ("mutants", "id file line area kind origin what status killed_by tests stopped cells must_kill".split()),
     ):
         entries = matrix.get(part)
         if not isinstance(entries, list) or not all(isinstance(e, dict) and set(keys) <= set(e) for e in entries):
