@@ -27,6 +27,7 @@ OLDEST_FORMAT_VERSION = 1
 KINDS = ("run", "study", "verdicts")
 BENCH_FILE = "bench.json"
 STABILITY_FILE = "stability.json"
+MUTANTS_FILE = "mutants.json"
 GATE_COLUMNS = (
     "case",
     "id",
@@ -157,7 +158,7 @@ class Folder:
     """All result files of one folder by kind, each list sorted by file name; `damaged`: (name, reason).
 
     `bench`: the JSON object of `plumbline bench`, if the folder has one under the name BENCH_FILE; `stability`: that of
-    `plumbline stability` under STABILITY_FILE.
+    `plumbline stability` under STABILITY_FILE; `mutants`: the kill matrix of ci/mutants under MUTANTS_FILE.
     """
 
     runs: list = field(default_factory=list)
@@ -166,6 +167,7 @@ class Folder:
     damaged: list = field(default_factory=list)
     bench: dict = field(default_factory=dict)
     stability: dict = field(default_factory=dict)
+    mutants: dict = field(default_factory=dict)
 
 
 def load(path):
@@ -197,6 +199,7 @@ def load_folder(path):
             folder.damaged.append((file.name, str(error)))
     folder.bench = _load_if_there(load_bench, path / BENCH_FILE, folder)
     folder.stability = _load_if_there(load_stability, path / STABILITY_FILE, folder)
+    folder.mutants = _load_if_there(load_mutants, path / MUTANTS_FILE, folder)
     return folder
 
 
@@ -218,6 +221,25 @@ def load_bench(path):
     if not isinstance(kernels, list) or not all(isinstance(kernel, dict) for kernel in kernels):
         raise DamagedFile("not an output of plumbline bench: there is no list of kernels")
     return bench
+
+
+def load_mutants(path):
+    """The kill matrix that ci/mutants wrote. Raises DamagedFile, NewerFormat or FileNotFoundError."""
+    matrix = _json_file(path)
+    if not isinstance(matrix, dict) or not isinstance(matrix.get("version"), int):
+        raise DamagedFile("not an output of ci/mutants: there is no version")
+    if matrix["version"] > 1:
+        raise NewerFormat(f"made by a newer version: format {matrix['version']}, this reader knows up to 1")
+    for part, keys in (
+        ("columns", ("name", "kind", "gates")),
+        ("mutants", "id file line area kind origin what status killed_by tests stopped cells must_kill".split()),
+    ):
+        entries = matrix.get(part)
+        if not isinstance(entries, list) or not all(isinstance(e, dict) and set(keys) <= set(e) for e in entries):
+            raise DamagedFile(f"not an output of ci/mutants: its {part} are not whole")
+    if not isinstance(matrix.get("counts"), dict) or not _number_or_none(matrix.get("score")) or matrix["score"] is None:
+        raise DamagedFile("not an output of ci/mutants: there is no score")
+    return matrix
 
 
 def load_stability(path):

@@ -21,6 +21,7 @@ import cases as gathering
 import compact
 import figures
 import libraries
+import mutants
 import normals
 import pictures
 import plumbline_results
@@ -113,6 +114,7 @@ def front_page(folder, cases):
         ],
         "speed": speed_part(folder.bench),
         "stability": stability_part(folder.stability, cases),
+        "bite": mutants.page(folder.mutants),
         "file_count": len(folder.runs) + len(folder.studies) + len(folder.verdicts),
     }
 

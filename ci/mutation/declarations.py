@@ -91,8 +91,6 @@ def load(folder):
     mutants, ids = [], set()
     for path in sorted(pathlib.Path(folder).glob("*.json")):
         document = json.loads(path.read_text(encoding="utf-8"))
-        if "mutants" not in document:
-            continue
         for entry in document["mutants"]:
             name = entry.get("id", "?")
             missing = {"id", "kind", "file", "what", "find", "replace"} - set(entry)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from .judges import red_gates
 
+MARKS = {"ran": "r", "unreached": "u", "not run": "n"}  # of a row's cells, a sign a column; "-": does not concern it
 DRIFT = "frozen"  # the origin of gates that compare with an earlier measurement of the same program
 
 
@@ -228,9 +229,7 @@ def document(matrix, provenance):
                 "killed_by": _killers(matrix, cells, "case"),
                 "tests": _killers(matrix, cells, "tests"),
                 "stopped": [{"by": name, "why": cell.stopped} for name, cell in cells.items() if cell.stopped],
-                "unreached": sorted(name for name, cell in cells.items() if cell.run == "unreached"),
-                "ran": sorted(name for name, cell in cells.items() if cell.run == "ran"),
-                "not_run": sorted(name for name, cell in cells.items() if cell.run == "not run"),
+                "cells": "".join(MARKS[cells[c.name].run] if c.name in cells else "-" for c in matrix.columns),
             }
         )
     judged = len(rows) - counts.get("equivalent", 0)

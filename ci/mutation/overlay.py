@@ -106,6 +106,13 @@ class Base:
         files = set(files)
         return {o for o, (source, _) in self.compile.items() if source in files or files & self.needs.get(o, set())}
 
+    def is_up_to_date(self, name, changed):
+        """Whether the finished build holds the object, newer than all it is made of, none of it changed."""
+        made, needs = self.build / name, self.needs.get(name, set())
+        if not made.exists() or not needs or needs & set(changed):
+            return False
+        return all((self.root / file).stat().st_mtime <= made.stat().st_mtime for file in needs)
+
     def link_words(self, target, output):
         """The command that makes `output`, as words."""
         for line in self._ninja("-t", "commands", target).splitlines():
@@ -215,7 +222,7 @@ class _Recipe:
         own = f"tests/CMakeFiles/{part}_test.dir/{path.removeprefix('tests/')}.o"
         if own not in self.base.compile:
             raise BuildError(f"{path} is no test of the build")
-        if own not in self.new:
+        if own not in self.new and not self.base.is_up_to_date(own, self.changed):
             self.compile(own)
         words = self.base.link_words(f"{part}_test", f"tests/{part}_test")
         others = f"tests/CMakeFiles/{part}_test.dir/"

@@ -15,6 +15,8 @@ import sys
 import h5py
 import numpy
 
+import synthetic_mutants
+
 CELLS = (100, 200, 400, 800, 1600)
 VERDICTS = ("PASS", "FAIL", "INCONCLUSIVE", "XFAIL", "XPASS", "INVALID", "NONE")
 PROVENANCE = {
@@ -997,6 +999,7 @@ def write_all(folder, damaged=True):
     }
     write_bench(folder)
     write_stability(folder)
+    synthetic_mutants.write(folder)
     sod_study(
         folder,
         "default",

@@ -1,0 +1,106 @@
+"""The section "Gates proven to bite": what it shows of a kill matrix, and what it does without one."""
+
+import json
+
+import pytest
+
+import mutants
+import plumbline_results
+import render
+import synthetic_mutants
+from html_page import Page
+
+
+def shown(folder):
+    return Page(render.render(plumbline_results.load_folder(folder)))
+
+
+def rows(page):
+    return [cells for section, cells in page.rows if section == "bite"]
+
+
+@pytest.fixture
+def folder(tmp_path):
+    synthetic_mutants.write(tmp_path)
+    return tmp_path
+
+
+def test_score_and_counts_are_those_of_the_matrix(folder):
+    words = shown(folder).text
+    for part in (
+        "57.1 % of the 7 bugs that change anything (4)",
+        "2 of them a gate of a case",
+        "Of the 36 gates of the cases 8 went red at least once",
+        "from commit 0123456",
+        "wrong-sign is no longer killed by spring-mass, amplitude",
+    ):
+        assert part in words, part
+
+
+def test_every_sort_of_cell_looks_its_own(folder):
+    page = mutants.page(synthetic_mutants.document())
+    looks = {row["id"]: [(cell["look"], cell["words"]) for cell in row["cells"]] for area in page["areas"] for row in area["rows"]}
+    assert looks["wrong-sign"][:4] == [("red", "6"), ("red", "1"), ("", ""), ("open", "?")]
+    assert looks["drifting"][:2] == [("drift", "1"), ("green", "0")]
+    assert looks["endless"][2] == ("stop", "×")
+    assert looks["narrow"][4:] == [("red", "1"), ("", "")]
+
+
+def test_a_cell_names_its_gates(folder):
+    page = mutants.page(synthetic_mutants.document())
+    hints = [cell["hint"] for cell in page["areas"][0]["rows"][0]["cells"]]
+    assert hints[0] == "sod: order 0 (FAIL), order 1 (FAIL), order 2 (FAIL), order 3 (FAIL) and 2 more"
+    assert hints[1] == "spring-mass: period (MISSING)" and hints[3] == "membrane-expansion: not run"
+
+
+def test_survivors_and_bugs_that_are_none_are_listed_with_reasons(folder):
+    listed = [" | ".join(cells) for cells in rows(shown(folder))]
+    for part in (
+        "SURVIVED | living",
+        "Open.",
+        "No case of the tier meets this place.",
+        "both forms are the same sum",
+        "Only drift: sod: stored",
+    ):
+        assert any(part in line for line in listed), part
+
+
+def test_each_case_lists_the_bugs_it_must_catch(folder):
+    must = [cells for cells in rows(shown(folder)) if len(cells) == 3 and "of 9" in cells[1]]
+    assert must[0] == ["sod", "7 of 9", "wrong-sign"] and must[2][2] == "—"
+
+
+def test_texts_are_escaped(folder):
+    source = render.render(plumbline_results.load_folder(folder))
+    assert "what living does &lt;once&gt;" in source and "<once>" not in source
+
+
+def test_without_a_matrix_the_page_says_so(tmp_path):
+    assert "whether the gates can fail at all was not tried" in shown(tmp_path).text
+
+
+@pytest.mark.parametrize(
+    "content, reason",
+    [
+        ("{", "not valid JSON"),
+        ("[]", "there is no version"),
+        ('{"version": 2}', "made by a newer version"),
+        ('{"version": 1, "columns": [], "mutants": [{"id": "a"}]}', "its mutants are not whole"),
+        ('{"version": 1, "columns": [], "mutants": [], "counts": {}, "score": null}', "there is no score"),
+    ],
+)
+def test_a_damaged_matrix_is_listed(tmp_path, content, reason):
+    (tmp_path / "mutants.json").write_text(content, encoding="utf-8")
+    page = shown(tmp_path)
+    assert "was not tried" in page.text
+    assert [reason in cells[2] for _, cells in page.rows if "mutants.json" in cells] == [True]
+
+
+def test_the_stored_matrix_can_be_shown(tmp_path):
+    """The one that the report falls back on."""
+    stored = plumbline_results.pathlib.Path(__file__).resolve().parents[1] / "mutants/last/mutants.json"
+    if not stored.exists():
+        pytest.skip("no matrix has been stored yet")
+    document = json.loads(stored.read_text(encoding="utf-8"))
+    (tmp_path / "mutants.json").write_text(json.dumps(document), encoding="utf-8")
+    assert mutants.page(document)["score"] in shown(tmp_path).text
