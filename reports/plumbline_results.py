@@ -28,6 +28,9 @@ KINDS = ("run", "study", "verdicts")
 BENCH_FILE = "bench.json"
 STABILITY_FILE = "stability.json"
 MUTANTS_FILE = "mutants.json"
+COST_FILE = "cost.json"
+EQUATIONS_FILE = "equations.json"
+COVERAGE_FILE = "coverage.json"
 GATE_COLUMNS = (
     "case",
     "id",
@@ -158,7 +161,9 @@ class Folder:
     """All result files of one folder by kind, each list sorted by file name; `damaged`: (name, reason).
 
     `bench`: the JSON object of `plumbline bench`, if the folder has one under the name BENCH_FILE; `stability`: that of
-    `plumbline stability` under STABILITY_FILE; `mutants`: the kill matrix of ci/mutants under MUTANTS_FILE.
+    `plumbline stability` under STABILITY_FILE; `mutants`: the kill matrix of ci/mutants under MUTANTS_FILE;
+    `cost`: that of `plumbline bench --cases` under COST_FILE; `equations`: that of `ci/check_equations` under
+    EQUATIONS_FILE; `coverage`: that of `ci/coverage` under COVERAGE_FILE.
     """
 
     runs: list = field(default_factory=list)
@@ -168,6 +173,9 @@ class Folder:
     bench: dict = field(default_factory=dict)
     stability: dict = field(default_factory=dict)
     mutants: dict = field(default_factory=dict)
+    cost: dict = field(default_factory=dict)
+    equations: dict = field(default_factory=dict)
+    coverage: dict = field(default_factory=dict)
 
 
 def load(path):
@@ -200,6 +208,9 @@ def load_folder(path):
     folder.bench = _load_if_there(load_bench, path / BENCH_FILE, folder)
     folder.stability = _load_if_there(load_stability, path / STABILITY_FILE, folder)
     folder.mutants = _load_if_there(load_mutants, path / MUTANTS_FILE, folder)
+    folder.cost = _load_if_there(load_cost, path / COST_FILE, folder)
+    folder.equations = _load_if_there(load_equations, path / EQUATIONS_FILE, folder)
+    folder.coverage = _load_if_there(load_coverage, path / COVERAGE_FILE, folder)
     return folder
 
 
@@ -240,6 +251,62 @@ def load_mutants(path):
     if not isinstance(matrix.get("counts"), dict) or not _number_or_none(matrix.get("score")) or matrix["score"] is None:
         raise DamagedFile("not an output of ci/mutants: there is no score")
     return matrix
+
+
+def load_cost(path):
+    """The JSON object that `plumbline bench --cases --json` wrote. Raises DamagedFile or FileNotFoundError."""
+    cost = _json_file(path)
+    runs = cost.get("runs") if isinstance(cost, dict) else None
+    if not isinstance(runs, list):
+        raise DamagedFile("not an output of plumbline bench --cases: there is no list of runs")
+    for number, run in enumerate(runs):
+        place = f"runs[{number}]"
+        if not isinstance(run, dict):
+            raise DamagedFile(f"{place} is no object")
+        for name, kind in _COST_PARTS.items():
+            if not isinstance(run.get(name), kind) or isinstance(run[name], bool) != (kind is bool):
+                raise DamagedFile(f"{place}.{name} is missing or malformed")
+        if not run["wall_s"] or not all(isinstance(time, (int, float)) and time >= 0 for time in run["wall_s"]):
+            raise DamagedFile(f"{place}.wall_s is no list of times")
+        for name, error in run["errors"].items():
+            values = [error.get(key) for key in ("error", "relative_error")] if isinstance(error, dict) else [None]
+            if not all(isinstance(value, (int, float)) for value in values):
+                raise DamagedFile(f"{place}.errors.{name} has no error and relative_error")
+    return cost
+
+
+_COST_PARTS = {
+    **dict.fromkeys(("case", "scheme", "study", "kind", "vary", "source"), str),
+    **dict.fromkeys(("value", "cells", "points", "steps", "point_steps"), (int, float)),
+    **dict.fromkeys(("differs", "errors"), dict),
+    "wall_s": list,
+    "finished": bool,
+}
+
+
+def load_equations(path):
+    """The JSON object that `ci/check_equations --json` wrote. Raises DamagedFile or FileNotFoundError."""
+    document = _json_file(path)
+    rows = document.get("equations") if isinstance(document, dict) else None
+    whole = isinstance(rows, list) and all(
+        isinstance(row, dict)
+        and isinstance(row.get("tag"), str)
+        and all(isinstance(row.get(part), list) for part in ("computed", "checked"))
+        for row in rows
+    )
+    if not whole:
+        raise DamagedFile("not an output of ci/check_equations: there is no list of equations with tag, computed and checked")
+    return document
+
+
+def load_coverage(path):
+    """The JSON object that `ci/coverage` wrote: shares of lines, in all and by folder. Raises as the others."""
+    document = _json_file(path)
+    folders = document.get("folders") if isinstance(document, dict) else None
+    shares = [document.get("total"), *folders.values()] if isinstance(folders, dict) else [None]
+    if not all(isinstance(share, (int, float)) and 0 <= share <= 1 for share in shares):
+        raise DamagedFile("not an output of ci/coverage: there is no total and no shares of folders in [0, 1]")
+    return document
 
 
 def load_stability(path):

@@ -19,6 +19,8 @@ import jinja2
 
 import cases as gathering
 import compact
+import cost
+import cost_charts
 import figures
 import libraries
 import mutants
@@ -31,6 +33,7 @@ import stability
 import svg
 import tables
 import text
+import trust
 
 HERE = pathlib.Path(__file__).resolve().parent
 SHARED_STYLES = "/* styles of the drawings */"  # where compact.py puts them
@@ -51,7 +54,7 @@ def render(folder):
     environment.filters.update(plural=text.plural, by_label=tables.by_label, by_reason=tables.by_reason, prose=text.prose)
     environment.globals.update(series_mark=svg.series_mark)
     results = {result.name: result for result in folder.runs}
-    pages = case_pages(cases, results)
+    pages = case_pages(cases, results, folder.cost)
     front = front_page(folder, cases)
     page = environment.get_template("page.html").render(
         style=_markup(style_sheet(front["stability"].get("style", ""))), scripts=scripts(), pages=pages, **front
@@ -60,10 +63,10 @@ def render(folder):
     return page.replace(SHARED_STYLES, rules, 1)
 
 
-def case_pages(cases, results):
+def case_pages(cases, results, costs):
     """The pages of all cases, drawn side by side: most of the time goes into figures."""
     film_bytes = pictures.film_bytes(cases.values(), results)
-    drawn = functools.partial(case_page, results=results, film_bytes=film_bytes)
+    drawn = functools.partial(case_page, results=results, film_bytes=film_bytes, costs=costs)
     workers = min(len(os.sched_getaffinity(0)), len(cases))
     if workers < 2:
         return [drawn(case) for case in cases.values()]
@@ -110,12 +113,43 @@ def front_page(folder, cases):
                 "figures": cost_figures(case, f"front-{anchor(case.name)}"),
             }
             for case in cases.values()
-            if case.measure
+            if case.measure and not folder.cost
         ],
+        "cost": cost_part(folder, cases),
+        "trust": trust_part(folder, cases),
         "speed": speed_part(folder.bench),
         "stability": stability_part(folder.stability, cases),
         "bite": mutants.page(folder.mutants),
         "file_count": len(folder.runs) + len(folder.studies) + len(folder.verdicts),
+    }
+
+
+def cost_part(folder, cases):
+    """What the section on cost shows; None where no cost was measured."""
+    if not folder.cost:
+        return None
+    part = cost.overview(folder.cost, cases, folder.stability)
+    found = part.pop("found")
+    return {
+        **part,
+        "rows": _anchored(part["rows"]),
+        "rule": cost.RULE,
+        "charts": _ready((cost_charts.relative_to_york(found), cost_charts.absolute(found))),
+        "surfaces": _ready(cost_charts.surface(folder.cost, scheme) for scheme in ("york1997", "default")),
+        "york_step": cost_charts.york_step(folder.cost),
+    }
+
+
+def trust_part(folder, cases):
+    """What the section on trust shows."""
+    part = trust.page(folder, cases, trust.load_requirements(), trust.load_widened())
+    for row in part["requirements"]:
+        row["cases"] = [{**case, "anchor": anchor(case["name"])} for case in row["cases"]]
+    part["features"]["cases"] = [{"name": name, "anchor": anchor(name)} for name in part["features"]["cases"]]
+    return {
+        **part,
+        "references": _anchored(part["references"]),
+        "margins": _ready([trust.margins(part["tolerances"], [result.name for result in folder.verdicts])]),
     }
 
 
@@ -160,7 +194,7 @@ def _anchored(rows):
 # --- a case ---------------------------------------------------------------------------------------
 
 
-def case_page(case, results, film_bytes):
+def case_page(case, results, film_bytes, costs):
     """What the template of a case shows, in the order of the page."""
     name, catalog = anchor(case.name), case.catalog
     finest = finest_results(case, results)
@@ -200,7 +234,7 @@ def case_page(case, results, film_bytes):
         "stopped": tables.stopped(case),
         "pictures": picture_groups(case, results, name, film_bytes),
         "normals": _ready(normals.drawings(case, results, f"{name}-normals")),
-        **case_figures(case, results, finest, name),
+        **case_figures(case, results, finest, name, costs),
     }
 
 
@@ -214,7 +248,7 @@ def picture_groups(case, results, name, film_bytes):
     return groups
 
 
-def case_figures(case, results, finest, name):
+def case_figures(case, results, finest, name, costs):
     """All figures of a case, by the part of the page they stand in; what cannot be drawn is left out."""
     drawn = {"profiles": profile_groups(case, results, name), "convergence": [], "variations": []}
     for number, measure in enumerate(convergence_measures(case)):
@@ -230,7 +264,7 @@ def case_figures(case, results, finest, name):
             for vary in ("dt", "ppc", "offset")
             for number, measure in enumerate(figures.variation_measures(case, vary))
         )
-    drawn["costs"] = cost_figures(case, name)
+    drawn["costs"] = _ready(cost.case_figures(costs, case, name)) if costs else cost_figures(case, name)
     refined = [pair for pair in finest if pair[0].refined] or finest
     quantities = profiles.quantities(finest)
     drawn["drifts"] = _ready([profiles.drifts(quantities, refined, f"{name}-drift")])
@@ -350,13 +384,23 @@ def main(arguments=None):
         folder = plumbline_results.load_folder(options.results)
         write_whole(pathlib.Path(options.output), render(folder))
         if options.csv:
-            tables.write_folder(folder, gathering.gather(folder), options.csv)
+            write_tables(folder, gathering.gather(folder), pathlib.Path(options.csv))
     except OSError as error:
         print(f"render: {error}", file=sys.stderr)
         return 4
     for name, reason in folder.damaged:
         print(f"render: {name}: {reason}", file=sys.stderr)
     return 4 if folder.damaged else 0
+
+
+def write_tables(folder, cases, target):
+    """Every table of the page as CSV."""
+    tables.write_folder(folder, cases, target)
+    more = trust.csv_tables(folder, cases)
+    if folder.cost:
+        more["cost"] = cost.CSV_COLUMNS, cost.csv_rows(folder.cost)
+    for name, (columns, rows) in more.items():
+        plumbline_results.write_csv(columns, rows, target / f"{name}.csv")
 
 
 def write_whole(path, page):

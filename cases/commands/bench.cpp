@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "cases/commands/bench_cases.hpp"
 #include "cases/commands/bench_runs.hpp"
 #include "cases/commands/command.hpp"
 
@@ -10,6 +11,10 @@ namespace {
 struct BenchOptions {
   double points = 1e7;  // no flow has more
   bool threads_given = false;
+  bool of_cases = false;
+  std::vector<std::string> patterns;
+  int repeats = bench_repeats;
+  std::string tier = "quick";
 };
 
 // Every geometry with every spline and the three transfers of one pass, under the default integrator, or York's where that refuses.
@@ -142,8 +147,70 @@ class Bench {
   Json kernels_ = Json::array(), targets_ = Json::array();
 };
 
+Tier tier_from(const std::string& name) {
+  if (name == "quick") return Tier::quick;
+  if (name == "full") return Tier::full;
+  throw unknown_name("--tier", name, {"quick", "full"});
+}
+
+// Median, and how far the repeats lie apart, of every run with a time.
+void print_costs(const Output& out, const Json& runs) {
+  out.line("{:20} {:28} {:22} {:>8} {:>12} {:>10} {:>22} {:>3}", "case", "scheme", "study", "value", "point-steps", "s",
+           "least ... most", "of");
+  for (const Json& run : runs) {
+    auto times = run["wall_s"].get<std::vector<double>>();
+    std::sort(times.begin(), times.end());
+    out.line("{:20} {:28} {:22} {:>8} {:>12} {:>10.4g} {:>22} {:>3}{}", run["case"].get<std::string>(),
+             run["scheme"].get<std::string>(), run["study"].get<std::string>(), run["value"].get<double>(),
+             run["point_steps"].get<long>(), times[times.size() / 2],
+             fmt::format("{:.4g} ... {:.4g}", times.front(), times.back()), times.size(),
+             run["source"] == "stored" ? ", stored" : "");
+  }
+}
+
+// What accuracy costs: --cases.
+int execute_cases(const Invocation& invocation, const BenchOptions& options) {
+  const CommonOptions& common = invocation.options;
+  if (!common.schemes.empty() || !common.integrators.empty() || !common.settings.empty() || options.threads_given) {
+    throw UsageError("--cases", "with --scheme, --integrator, --set or --threads", "--cases alone", {},
+                     "--cases times the studies as the cases declare them, on one thread: it goes with none of "
+                     "--scheme, --integrator, --set and --threads");
+  }
+  const Tier tier = tier_from(options.tier);
+  std::vector<CostRun> runs;
+  for (const Case* entry : matching_cases(options.patterns)) {
+    for (CostRun& run : cost_runs(*entry, tier)) runs.push_back(std::move(run));
+  }
+  const auto samples = time_cost_runs(runs, options.repeats, cost_budget(tier), common.results);
+  Json entries = Json::array();
+  std::size_t missing = 0;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    Json entry = cost_entry(runs[k], samples[k]);
+    if (samples[k].document.is_null()) ++missing;
+    if (!entry.is_null()) entries.push_back(std::move(entry));
+  }
+  const Output out(common);
+  print_costs(out, entries);
+  if (missing > 0) {
+    out.line("{} longer runs are left out: neither in the time of the {} tier, nor stored in {}", missing, options.tier,
+             common.results);
+  }
+  write_json(common, {{"machine", MachineLimits().document()},
+                      {"fingerprint", nullptr},
+                      {"tier", options.tier},
+                      {"repeats", options.repeats},
+                      {"runs", std::move(entries)},
+                      {"provenance", to_json(invocation.provenance())}});
+  return 0;
+}
+
 int execute(const Invocation& invocation, const BenchOptions& options) {
   const CommonOptions& common = invocation.options;
+  if (options.of_cases) return execute_cases(invocation, options);
+  if (!options.patterns.empty()) {
+    throw UsageError("pattern", options.patterns.front(), "a pattern after --cases", {"--cases"},
+                     fmt::format("'{}': cases are timed with --cases only", options.patterns.front()));
+  }
   const bool chosen = !common.schemes.empty() || !common.integrators.empty() || !common.settings.empty();
   for (const SchemeChoice& choice : chosen_schemes(common))  // a wrong name must not cost time
     find_case("sod").settings(choice.scheme, choice.overrides, common.settings);
@@ -167,12 +234,20 @@ int execute(const Invocation& invocation, const BenchOptions& options) {
 Command add_bench(CLI::App& app, Invocation& invocation) {
   CLI::App* sub = app.add_subcommand("bench", "speed of the production kernel through the production step");
   sub->footer(
-      "Example: plumbline bench --points 1e6 --json bench.json\nTimes are of one thread and of two, or of --threads. "
+      "Example: plumbline bench --points 1e6 --json bench.json\n         plumbline bench --cases 'sod*' --json "
+      "cost.json\n"
+      "Times are of one thread and of two, or of --threads. "
       "With "
       "--scheme, --integrator or --set: of these choices alone, on a small flow.");
   auto options = std::make_shared<BenchOptions>();
   sub->add_option("--points", options->points, "largest number of points; 1e7 takes some minutes and 5 GB")
       ->check(CLI::Range(1e3, 1e8));
+  sub->add_flag("--cases", options->of_cases,
+                "time the refinement studies of the cases instead: error against cost, on one thread, interleaved");
+  sub->add_option("pattern", options->patterns, "with --cases: case names or patterns; all cases if none");
+  sub->add_option("--repeats", options->repeats, "with --cases: samples of a short run; a long one has fewer")
+      ->check(CLI::Range(1, 100));
+  sub->add_option("--tier", options->tier, "with --cases: quick (about half a minute) or full");
   add_run_options(*sub, invocation.options);
   return {sub, [&invocation, options, sub] {
             options->threads_given = sub->count("--threads") > 0;

@@ -26,6 +26,9 @@ FIT = {"order": 0.97, "order_low": 0.93, "order_high": 1.01, "constant": 0.6, "a
 STUDY = {"scheme": "default", "vary": "cells", "settings": {}, "levels": [{**RUN, "value": 100}], "measures": {"density.L1": FIT}, "gates": [GATE],
          "title": "Sod", "why": "first order: a contact and a shock"}
 CATALOG_GATE = {key: GATE[key] for key in ("id", "scheme", "quantity", "expected", "origin", "reason", "cause")}
+COST = {"case": "sod", "scheme": "default", "study": "default", "kind": "gas", "differs": {}, "vary": "cells", "value": 100, "cells": 100,
+        "h": 0.01, "dt": 1.3e-3, "points": 450, "steps": 108, "point_steps": 48600, "finished": True, "source": "timed",
+        "wall_s": [0.004, 0.0041], "instructions": None, "errors": {"density.L1": {"error": 0.0066, "relative_error": 0.017}}}
 DOCUMENTS = {
     "run": RUN,
     "dry_run": {"case": "sod", "scheme": "default", "settings": {}, "points": 450, "cells": 100, "steps": 108, "bytes": 90000, "estimated_s": 0.01},
@@ -37,6 +40,7 @@ DOCUMENTS = {
     "bench": {"machine": {"cpu": "some"}, "kernels": [
         {"dimension": 2, "material": "gas", "shape": "quadratic", "transfer": "apic", "integrator": "energy", "points": 1000000, "ppc": 16,
          "threads": 1, "point_steps_per_s": 5.0e7, "bytes_per_point": 0, "flops_per_point": 0, "fraction_of_limit": 0.5, "energy_drift": 1e-14}]},
+    "cost": {"machine": {"cpu": "some"}, "fingerprint": None, "tier": "quick", "repeats": 5, "runs": [COST], "provenance": PROVENANCE},
     "list": {"cases": [{"name": "sod", "title": "Shock tube", "source": "York 4.1", "cells_along": "the tube, 1 m", "keys": ["gamma", "t_end"]}],
              "schemes": [{"name": "default", "title": "the project's best", "source": "this project", "settings": {"gas": {"shape": "quadratic"}}}],
              **{kind: [{"name": "usl", "title": "a line", "source": "York 3"}]
@@ -151,6 +155,10 @@ def test_stopped_run():
     ("stability", ["configurations", 0, "unit"], "s"),
     ("bench", ["kernels"], []),
     ("bench", ["kernels", 0, "point_steps_per_s"], None),
+    ("cost", ["runs", 0, "wall_s"], []),
+    ("cost", ["runs", 0, "source"], "guessed"),
+    ("cost", ["runs", 0, "vary"], "ppc"),
+    ("cost", ["runs", 0, "errors", "density.L1", "relative_error"], None),
     ("list", ["cases", 0, "cells_along"], ...),
     ("list", ["cases", 0, "surprise"], 1),
     ("list", ["integrators", 0, "source"], ""),

@@ -1,0 +1,227 @@
+"""What accuracy costs: estimators on numbers whose answer is known, and the section of the page made of them."""
+
+import json
+import math
+
+import cost
+import cost_charts
+import cost_estimates
+import plumbline_results
+import pytest
+import render
+import svg
+from cases import Case
+from cost_estimates import AT, MORE, MOST, NONE, Reach, front, ratio, reach, spread
+
+
+def test_time_to_the_target_of_a_power_law():
+    """error = 0.08 / cost: 0.01 costs 8, whichever levels were run."""
+    for costs in ([1, 2, 4, 16, 32], [5, 11], [7.9, 8.1]):
+        found = reach([(c, 0.08 / c) for c in costs], 0.01)
+        assert found.kind == AT and found.cost == pytest.approx(8, rel=1e-12)
+
+
+def test_time_to_the_target_on_a_level():
+    assert reach([(1, 0.1), (3, 0.01), (9, 0.001)], 0.01).cost == pytest.approx(3, rel=1e-12)
+
+
+def test_never_there():
+    found = reach([(1, 0.2), (2, 0.1), (4, 0.05)], 0.01)
+    assert (found.kind, found.cost) == (MORE, 4) and found.never
+
+
+def test_a_dip_that_does_not_last_does_not_count():
+    assert reach([(1, 0.2), (2, 0.009), (4, 0.02)], 0.01).kind == MORE
+    found = reach([(1, 0.2), (2, 0.009), (4, 0.02), (8, 0.005)], 0.01)
+    assert found.kind == AT and 4 < found.cost < 8
+
+
+def test_better_already_at_the_coarsest_is_a_bound():
+    assert reach([(3, 0.004), (6, 0.002)], 0.01) == Reach(MOST, 3, 2)
+
+
+def test_one_level_is_a_bound_either_way():
+    assert reach([(3, 0.004)], 0.01) == Reach(MOST, 3, 1)
+    assert reach([(3, 0.04)], 0.01) == Reach(MORE, 3, 1)
+
+
+def test_a_level_that_stopped_is_not_there():
+    assert reach([(1, 0.2), (2, None)], 0.01).kind == MORE
+    assert reach([(1, None), (2, 0.002)], 0.01) == Reach(MOST, 2, 2)
+    assert reach([], 0.01).kind == NONE
+
+
+@pytest.mark.parametrize("own, base, sign", [
+    (AT, AT, ""), (AT, MORE, "<"), (AT, MOST, ">"), (MOST, AT, "<"), (MOST, MORE, "<"), (MORE, AT, ">"), (MORE, MOST, ">"),
+    (MOST, MOST, "?"), (MORE, MORE, "?"), (NONE, AT, "?"), (AT, NONE, "?"),
+])  # fmt: skip
+def test_ratio_says_whether_it_is_a_bound(own, base, sign):
+    found = ratio(Reach(own, 2, 3), Reach(base, 8, 3))
+    assert found.sign == sign and (found.value == 0.25 if sign != "?" else math.isnan(found.value))
+
+
+def test_front_is_what_nothing_beats():
+    points = [(1, 0.1), (2, 0.2), (2, 0.05), (3, 0.05), (4, 0.01), (1, 0.1), (8, 0.02)]
+    assert front(points) == [0, 2, 4]
+    assert front([]) == [] and front([(1, 1)]) == [0]
+
+
+def test_spread_of_repeats():
+    assert spread([3, 1, 2]) == (2, 1, 3) and spread([4, 1, 2, 3]) == (2.5, 1, 4) and spread([7]) == (7, 7, 7)
+
+
+# --- the document and the section -----------------------------------------------------------------
+
+
+def entry(scheme, study, cells, error, wall, case="sod", **more):
+    relative = None if error is None else error
+    return {
+        "case": case, "scheme": scheme, "study": study, "kind": "gas", "differs": {}, "vary": "cells", "value": cells,
+        "cells": cells, "h": 1 / cells, "dt": 1e-3, "points": 4 * cells, "steps": cells, "point_steps": 4 * cells**2,
+        "finished": error is not None, "source": "timed", "wall_s": [0.9 * wall, wall, 1.2 * wall], "instructions": None,
+        "errors": {} if error is None else {"density.L1": {"error": error, "relative_error": relative}}, **more,
+    }  # fmt: skip
+
+
+def document(runs):
+    return {"machine": {"cpu": "some"}, "tier": "quick", "repeats": 3, "runs": runs, "provenance": {}}
+
+
+class OneCase(Case):
+    measure = "density.L1"
+
+
+def first_order(scheme, study, constant, **more):
+    """error = constant / cells, time = 1e-5 cells^2: 1 % at 100 constant cells."""
+    return [entry(scheme, study, cells, constant / cells, 1e-5 * cells**2, **more) for cells in (50, 100, 200, 400)]
+
+
+def compared(runs):
+    (found,) = cost.compare(document(runs), {"sod": OneCase("sod")})
+    return found
+
+
+def test_schemes_are_compared_with_york():
+    """Half the error at equal cells: a quarter of the time, where time grows with the square of the cells."""
+    found = compared(first_order("default", "default", 1) + first_order("york1997", "york1997", 2))
+    assert found.ratio(found.line("default")).value == pytest.approx(0.25) and found.ratio(found.line("default")).sign == ""
+    assert found.cheapest.scheme == "default"
+
+
+def test_york_that_never_arrives_gives_a_bound():
+    york = [entry("york1997", "york1997", cells, 0.03, 1e-5 * cells**2) for cells in (50, 100, 200)]
+    found = compared(first_order("default", "default", 1) + york)
+    value = found.ratio(found.line("default"))
+    assert value.sign == "<" and value.value == pytest.approx(0.1 / 0.4)
+    assert cost.reach_words(found.reaches[found.york.label]).startswith("not by")
+
+
+def test_another_problem_is_not_compared():
+    runs = first_order("default", "default", 1) + first_order("default", "light", 0.01, differs={"mass": 0.1})
+    assert [line.study for line in compared(runs).lines] == ["default"]
+    (light,) = [line for line in cost.lines_of(document(runs), OneCase("sod")) if line.study == "light"]
+    assert not light.same_problem
+    runs = first_order("default", "default", 1) + first_order("default", "summed", 0.01, differs={"strain": "accumulated"})
+    assert [line.study for line in compared(runs).lines] == ["default", "summed"]
+
+
+def test_levels_added_for_cost_belong_to_their_study():
+    york = [entry("york1997", "york1997", 100, 0.02, 0.1)]
+    more = [entry("york1997", "levels/york1997", cells, 2 / cells, 0.1) for cells in (50, 100, 200)]
+    (line,) = [line for line in compared(first_order("default", "default", 1) + york + more).lines if line.scheme == "york1997"]
+    assert [level["cells"] for level in line.levels] == [50, 100, 200] and line.study == "york1997"
+
+
+def test_levels_of_other_numbers_stay_apart():
+    york = [entry("york1997", "york1997", 100, 0.02, 0.1)]
+    more = [entry("york1997", "levels/york1997", cells, 2 / cells, 0.1, steps=7) for cells in (50, 100)]
+    lines = cost.lines_of(document(york + more), OneCase("sod"))
+    assert [line.study for line in lines] == ["york1997", "levels/york1997"] and len({line.label for line in lines}) == 2
+
+
+def test_scheme_for_a_job_is_the_one_that_is_there_most_often():
+    """York is cheaper in the one case in which he arrives; the default arrives in both."""
+    cases = {name: OneCase(name) for name in ("sod", "lax")}
+    runs = first_order("default", "default", 2) + first_order("york1997", "york1997", 1)
+    runs += first_order("default", "default", 2, case="lax") + first_order("york1997", "york1997", 40, case="lax")
+    rows = cost.jobs(cost.compare(document(runs), cases))
+    assert [(row["scheme"], row["there"], row["tried"], row["chosen"]) for row in rows] == [
+        ("default", 2, 2, True), ("york1997", 1, 2, False),
+    ]  # fmt: skip
+    assert rows[0]["factor"] == "2"  # 4 in one case, 1 in the other
+
+
+def test_a_value_that_is_zero_has_no_relative_error():
+    runs = [entry("default", "default", cells, 1e9, 0.1) for cells in (50, 100)]
+    assert cost.compare(document(runs), {"sod": OneCase("sod")}) == []
+
+
+def surface_runs(scheme, error):
+    return [
+        entry(scheme, "surface", cells, error(cells, courant), 1e-4 * cells**2 / courant, vary="dt", value=courant,
+              steps=round(cells / courant))
+        for cells in (50, 100, 200)
+        for courant in (0.0125, 0.05, 0.5, 0.9)
+    ]  # fmt: skip
+
+
+def york_runs(steps=3846):
+    """Steps of a Courant number of 0.026 at 100 cells."""
+    return [entry("york1997", "york1997", 100, 0.0100, 0.4, steps=steps)]
+
+
+def test_what_york_s_step_costs():
+    found = cost_charts.york_step(document(york_runs(steps=5000) + surface_runs("york1997", lambda cells, courant: 0.0102)))
+    assert [row["factor"] for row in found["rows"]] == ["25", "45"] and found["holds"]
+    found = cost_charts.york_step(document(york_runs(steps=5000) + surface_runs("york1997", lambda cells, courant: 0.0120)))
+    assert not found["holds"] and found["gain"].startswith("20")
+    assert cost_charts.york_step(document(york_runs())) is None
+
+
+def test_courant_number_of_york_s_step():
+    doc = document(york_runs() + surface_runs("york1997", lambda cells, courant: 0.01))
+    surface, _, _ = cost_charts.surface_runs(doc, "york1997")
+    assert cost_charts.own_courant(doc, surface, 100) == pytest.approx(0.026, rel=1e-3)
+    assert cost_charts.own_courant(doc, surface, 50) is None
+
+
+@pytest.mark.parametrize("scheme", ["york1997", "default"])
+def test_surface_is_drawn(scheme):
+    doc = document(york_runs() + surface_runs(scheme, lambda cells, courant: 1 / cells + 0.01 * courant))
+    drawn = cost_charts.surface(doc, scheme)
+    assert drawn.svg.startswith("<svg") and ("ork’s step" in str(drawn.keys)) == (scheme == "york1997")
+    assert cost_charts.surface(document([]), scheme) is None
+
+
+def test_charts_and_figures_of_a_case_are_drawn():
+    doc = document(first_order("default", "default", 1) + first_order("york1997", "york1997", 2))
+    found = cost.compare(doc, {"sod": OneCase("sod")})
+    assert cost_charts.relative_to_york(found).svg.startswith("<svg") and cost_charts.absolute(found) is None
+    time, work = cost.case_figures(doc, OneCase("sod"), "case-sod")
+    assert "median of up to 3" in time.caption and "Point-steps" in work.caption
+    assert cost.case_figures(doc, OneCase("lax"), "case-lax") == []
+
+
+def test_page_without_costs_says_how_to_measure_them(tmp_path):
+    page = render.render(plumbline_results.load_folder(tmp_path))
+    assert "plumbline bench --cases" in page
+
+
+def test_page_with_costs(tmp_path):
+    runs = first_order("default", "default", 1) + first_order("york1997", "york1997", 2)
+    (tmp_path / "cost.json").write_text(json.dumps(document(runs)))
+    folder = plumbline_results.load_folder(tmp_path)
+    assert not folder.damaged and render.cost_part(folder, {"sod": OneCase("sod")})["jobs"][0]["scheme"] == "default"
+
+
+@pytest.mark.parametrize("change", [
+    lambda d: d.pop("runs"), lambda d: d["runs"].append(7), lambda d: d["runs"][0].pop("case"),
+    lambda d: d["runs"][0].update(wall_s=[]), lambda d: d["runs"][0].update(wall_s=["quick"]), lambda d: d["runs"][0].update(errors=[]),
+    lambda d: d["runs"][0]["errors"].update(x={"error": 1}), lambda d: d["runs"][0].update(finished=1),
+])  # fmt: skip
+def test_damaged_document_is_listed(tmp_path, change):
+    doc = document([entry("default", "default", 100, 0.01, 0.1)])
+    change(doc)
+    (tmp_path / "cost.json").write_text(json.dumps(doc))
+    folder = plumbline_results.load_folder(tmp_path)
+    assert folder.cost == {} and [name for name, _ in folder.damaged] == ["cost.json"]
