@@ -199,4 +199,14 @@ std::string read_hdf5_text(const std::string& file, const std::string& path) {
   return text;
 }
 
+std::int64_t read_hdf5_integer(const std::string& file, const std::string& object, const std::string& attribute) {
+  silence_hdf5();
+  const Handle handle(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, file, "be opened as HDF5");
+  const Handle stored(H5Aopen_by_name(handle, object.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                      file, "find attribute " + attribute);
+  std::int64_t number = 0;
+  if (H5Aread(stored, H5T_NATIVE_INT64, &number) < 0) throw FileError(file, file + ": cannot read " + attribute);
+  return number;
+}
+
 }  // namespace plumbline

@@ -41,7 +41,8 @@ class Hdf5Writer {
   std::unique_ptr<Impl> impl_;
 };
 
-// Reads one scalar string of a file.
+// Reads one scalar string of a file, and one scalar integer attribute of one of its objects.
 std::string read_hdf5_text(const std::string& file, const std::string& path);
+std::int64_t read_hdf5_integer(const std::string& file, const std::string& object, const std::string& attribute);
 
 }  // namespace plumbline

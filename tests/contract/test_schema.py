@@ -26,6 +26,8 @@ FIT = {"order": 0.97, "order_low": 0.93, "order_high": 1.01, "constant": 0.6, "a
 STUDY = {"scheme": "default", "vary": "cells", "settings": {}, "levels": [{**RUN, "value": 100}], "measures": {"density.L1": FIT}, "gates": [GATE],
          "title": "Sod", "why": "first order: a contact and a shock"}
 CATALOG_GATE = {key: GATE[key] for key in ("id", "scheme", "quantity", "expected", "origin", "reason", "cause")}
+COMPARED = {"folder": "base", "version": "0.6.0", "git": "abc", "started": "2026-11-22T00:00:00Z", "executed": 3,
+            "damaged": [{"file": "study-sod.h5", "reason": "truncated"}]}
 DOCUMENTS = {
     "run": RUN,
     "dry_run": {"case": "sod", "scheme": "default", "settings": {}, "points": 450, "cells": 100, "steps": 108, "bytes": 90000, "estimated_s": 0.01},
@@ -54,6 +56,15 @@ DOCUMENTS = {
     "sweep": {"tier": "none", "wanted": 2, "made": 1, "kept": 0, "runs": [{key: RUN[key] for key in (
         "file", "case", "scheme", "settings", "steps", "points", "wall_s", "stop", "measures")}],
               "failed": [{"file": "sod-default-200-0123456789ab.h5", "case": "sod", "error": "signal 6 (Aborted)"}]},
+    "diff": {"baseline": COMPARED, "results": COMPARED, "change": "worse", "nothing_changed": False, "summary": "1 worse", "moved": 0,
+             "counts": {"worse": 1, "new": 0}, "largest_move": 0, "machine": [{"key": "compiler", "before": "g++ 12", "after": "g++ 13"}],
+             "findings": [{"change": "worse", "kind": "order", "case": "sod", "scheme": "default", "study": "cells", "quantity": "density.L1",
+                           "before": 1.0, "after": 0.4, "size": -0.6, "interval": [-0.7, None], "equal": False, "note": ""}]},
+    "tolerances": {"file": "cases/tolerances.json", "recorded": 1, "declared": 1,
+                   "widened": [{"case": "sod", "study": "cells", "id": "a", "tier": "quick", "low": None, "high": 1, "order": True,
+                                "origin": "target", "reason": "0123456789ab", "since": "2026-11-22",
+                                "widened": {"from": {"low": None, "high": 0.9}, "date": "2026-11-22", "why": "because"}}],
+                   "discrepancies": [{"kind": "new", "case": "*", "study": "*", "id": "*/mass", "message": "new"}]},
     "error": {"error": {"key": "cflx", "value": "1", "allowed": ["cfl", "dt"], "nearest": ["cfl"], "message": "unknown key cflx"}},
 }
 
