@@ -43,6 +43,8 @@ Command add_stability(CLI::App& app, Invocation& invocation);
 Command add_sweep(CLI::App& app, Invocation& invocation);
 Command add_export(CLI::App& app, Invocation& invocation);
 Command add_score(CLI::App& app, Invocation& invocation);
+Command add_diff(CLI::App& app, Invocation& invocation);
+Command add_tolerances(CLI::App& app, Invocation& invocation);
 
 // Adds --json (and, where asked, the options of commands that run something).
 void add_json(CLI::App& app, CommonOptions& options);

@@ -266,4 +266,8 @@ std::vector<std::uint8_t> Hdf5Reader::bytes(const std::string& path) const {
 
 std::string read_hdf5_text(const std::string& file, const std::string& path) { return Hdf5Reader(file).text(path); }
 
+std::int64_t read_hdf5_integer(const std::string& file, const std::string& object, const std::string& attribute) {
+  return Hdf5Reader(file).attribute(object, attribute);
+}
+
 }  // namespace plumbline

@@ -62,7 +62,8 @@ class Hdf5Reader {
   std::int64_t file_ = -1;
 };
 
-// Reads one scalar string of a file.
+// Reads one scalar string of a file, and one scalar integer attribute of one of its objects.
 std::string read_hdf5_text(const std::string& file, const std::string& path);
+std::int64_t read_hdf5_integer(const std::string& file, const std::string& object, const std::string& attribute);
 
 }  // namespace plumbline

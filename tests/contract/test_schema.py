@@ -29,6 +29,8 @@ CATALOG_GATE = {key: GATE[key] for key in ("id", "scheme", "quantity", "expected
 COST = {"case": "sod", "scheme": "default", "study": "default", "kind": "gas", "differs": {}, "vary": "cells", "value": 100, "cells": 100,
         "h": 0.01, "dt": 1.3e-3, "points": 450, "steps": 108, "point_steps": 48600, "finished": True, "source": "timed",
         "wall_s": [0.004, 0.0041], "instructions": None, "errors": {"density.L1": {"error": 0.0066, "relative_error": 0.017}}}
+COMPARED = {"folder": "base", "version": "0.6.0", "git": "abc", "started": "2026-11-22T00:00:00Z", "executed": 3,
+            "damaged": [{"file": "study-sod.h5", "reason": "truncated"}]}
 DOCUMENTS = {
     "run": RUN,
     "dry_run": {"case": "sod", "scheme": "default", "settings": {}, "points": 450, "cells": 100, "steps": 108, "bytes": 90000, "estimated_s": 0.01},
@@ -72,6 +74,15 @@ DOCUMENTS = {
     "score": {"case": "sod", "scheme": "foreign:other", "program": "other", "version": "", "study": "default", "expectation": "declared",
               "verdict": "PASS", "results": ["a.h5"], "levels": [{**RUN, "value": 100}], "measures": {"density.L1": FIT}, "gates": [GATE],
               "not_judged": [{"id": "default/drift", "reason": "reads the ledger"}], "provenance": PROVENANCE},
+    "diff": {"baseline": COMPARED, "results": COMPARED, "change": "worse", "nothing_changed": False, "summary": "1 worse", "moved": 0,
+             "counts": {"worse": 1, "new": 0}, "largest_move": 0, "machine": [{"key": "compiler", "before": "g++ 12", "after": "g++ 13"}],
+             "findings": [{"change": "worse", "kind": "order", "case": "sod", "scheme": "default", "study": "cells", "quantity": "density.L1",
+                           "before": 1.0, "after": 0.4, "size": -0.6, "interval": [-0.7, None], "equal": False, "note": ""}]},
+    "tolerances": {"file": "cases/tolerances.json", "recorded": 1, "declared": 1,
+                   "widened": [{"case": "sod", "study": "cells", "id": "a", "tier": "quick", "low": None, "high": 1, "order": True,
+                                "origin": "target", "reason": "0123456789ab", "since": "2026-11-22",
+                                "widened": {"from": {"low": None, "high": 0.9}, "date": "2026-11-22", "why": "because"}}],
+                   "discrepancies": [{"kind": "new", "case": "*", "study": "*", "id": "*/mass", "message": "new"}]},
     "error": {"error": {"key": "cflx", "value": "1", "allowed": ["cfl", "dt"], "nearest": ["cfl"], "message": "unknown key cflx"}},
 }
 

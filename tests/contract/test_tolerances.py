@@ -1,0 +1,87 @@
+"""The tolerance ledger of the repository says what the executable declares; a gate that is widened is red until it does."""
+import json
+
+import pytest
+from contract import ROOT, validate
+
+LEDGER = ROOT / "cases/tolerances.json"
+
+
+@pytest.fixture
+def copied(plumbline):
+    """A copy of the ledger that a test may change: its lines, and a function that writes them."""
+    ledger = json.loads(LEDGER.read_text(encoding="utf-8"))
+
+    def write():
+        (plumbline.folder / "ledger.json").write_text(json.dumps(ledger), encoding="utf-8")
+    return ledger["gates"], write
+
+
+def test_committed_ledger_says_what_is_declared(plumbline):
+    result = plumbline("tolerances", LEDGER, json=True)
+    assert result.code == 0, "\n".join(entry["message"] for entry in result.json()["discrepancies"])
+    assert result.json()["recorded"] == result.json()["declared"] > 500
+
+
+def test_ledger_lists_every_gate_of_every_case(plumbline):
+    recorded = {(line["case"], line["study"], line["id"]) for line in json.loads(LEDGER.read_text(encoding="utf-8"))["gates"]}
+    for case in plumbline("list", json=True).json()["cases"]:
+        for gate in plumbline("explain", case["name"], json=True).json()["gates"]:
+            assert (case["name"], gate["study"], gate["id"]) in recorded
+
+
+def test_committed_ledger_is_as_the_command_writes_it(plumbline):
+    copy = plumbline.folder / "ledger.json"
+    copy.write_bytes(LEDGER.read_bytes())
+    assert plumbline("tolerances", "ledger.json", "--update").code == 0
+    assert copy.read_bytes() == LEDGER.read_bytes()
+
+
+def test_widened_gate_is_red_until_it_says_why(plumbline, copied):
+    lines, write = copied
+    line = next(line for line in lines if line["high"] and not line.get("band"))
+    line["high"] *= 0.99   # what is declared is now wider than the ledger
+    write()
+    result = plumbline("tolerances", "ledger.json", json=True)
+    (entry,) = result.json()["discrepancies"]
+    assert result.code == 1 and entry["kind"] == "widened" and (entry["case"], entry["id"]) == (line["case"], line["id"])
+    assert "became" in entry["message"] and "--why" in entry["message"]
+    before = (plumbline.folder / "ledger.json").read_bytes()
+    refused = plumbline("tolerances", "ledger.json", "--update")
+    assert refused.code == 2 and line["id"] in refused.err and (plumbline.folder / "ledger.json").read_bytes() == before
+    assert plumbline("tolerances", "ledger.json", "--update", "--why", "the reference is only so good").code == 0
+    (widened,) = [found for found in plumbline("tolerances", "ledger.json", json=True).json()["widened"]
+                  if (found["case"], found["id"]) == (line["case"], line["id"])]
+    assert widened["widened"]["why"] == "the reference is only so good" and widened["widened"]["from"]["high"] == line["high"]
+
+
+def test_line_widened_by_hand_is_found_against_an_earlier_ledger(plumbline, copied):
+    lines, write = copied
+    line = next(line for line in lines if line["high"] and not line.get("band"))
+    line["high"] *= 0.99
+    write()
+    assert plumbline("tolerances", LEDGER, "--against", "ledger.json").code == 1
+    assert plumbline("tolerances", LEDGER, "--against", LEDGER).code == 0
+
+
+def test_narrowed_new_and_removed_gates_are_to_be_recorded(plumbline, copied):
+    lines, write = copied
+    narrowed = next(line for line in lines if line["high"] and not line.get("band"))
+    narrowed["high"] *= 1.01
+    gone = lines.pop()
+    lines.append({**gone, "id": "no-such-gate"})
+    write()
+    result = plumbline("tolerances", "ledger.json", json=True)
+    assert result.code == 1
+    assert sorted(entry["kind"] for entry in result.json()["discrepancies"]) == ["narrowed", "new", "removed"]
+    assert plumbline("tolerances", "ledger.json", "--update").code == 0
+    assert plumbline("tolerances", "ledger.json").code == 0
+
+
+def test_wrong_calls_and_files(plumbline):
+    assert plumbline("tolerances", "none.json").code == 4
+    assert plumbline("tolerances", LEDGER, "--why", "x").code == 2
+    (plumbline.folder / "damaged.json").write_text("{")
+    result = plumbline("tolerances", "damaged.json", json=True)
+    assert result.code == 4
+    validate("error", json.loads(result.out))
