@@ -196,7 +196,7 @@ def test_failed_tests_end_red(tree):
 def test_second_compiler_is_installed_for_its_presets(tree):
     for preset in ("clang", "sanitize"):
         assert tree.run("test", "--preset", preset).returncode == 0
-    assert [call for call in tree.calls() if call.startswith("setup")] == ["setup --with clang --with slurm"] * 2
+    assert [call for call in tree.calls() if call.startswith("setup")] == ["setup --with clang --with slurm --with vtk"] * 2
 
 
 @pytest.mark.parametrize("script, options", [("report", ["--fast"]), ("test", ["--fast"]), ("test", ["--preset"])])
