@@ -6,7 +6,7 @@ import math
 import time
 from dataclasses import dataclass
 
-from .judges import red_gates
+from .judges import RED, red_gates
 
 MARKS = {"ran": "r", "unreached": "u", "not run": "n"}  # of a row's cells, a sign a column; "-": does not concern it
 DRIFT = "frozen"  # the origin of gates that compare with an earlier measurement of the same program
@@ -60,20 +60,19 @@ class Matrix:
     # --- the clean program ---
 
     def judge_clean(self, jobs, say):
-        """Every judge without any bug. Returns what is wrong with the clean program."""
+        """Every judge without any bug. Returns what is wrong with the clean program: texts, and (column, gate) that are red."""
         wanted = [c for c in self.columns if self._clean_of(c) is None]
         tasks = [(None, column) for column in wanted]
         self._run(tasks, jobs, say)
-        wrong = []
+        wrong, red = [], []
         for column in self.columns:
             column.clean = self._clean_of(column)
-            bad = [name for name, gate in column.clean.gates.items() if gate["verdict"] in ("FAIL", "INVALID", "XPASS")]
+            red += [(column, name) for name, gate in column.clean.gates.items() if gate["verdict"] in RED]
             if column.clean.stopped:
                 wrong.append(f"{column.name}: {column.clean.stopped}")
             elif not column.clean.gates:
                 wrong.append(f"{column.name}: no verdict")
-            wrong += [f"{column.name}: {name} is red without any bug" for name in bad]
-        return wrong
+        return wrong, red
 
     def _clean_of(self, column):
         """What the clean run met holds for the bugs that were there: with another set of them it is run again."""
@@ -201,8 +200,8 @@ def named_killers(matrix, mutant, most=3):
     return [entry for *_, entry in sorted(found, key=lambda f: f[:3])[:most]]
 
 
-def document(matrix, provenance):
-    """What results/mutants.json holds."""
+def document(matrix, provenance, unsteady=()):
+    """What results/mutants.json holds. unsteady: (column, gate) that take no part."""
     columns = []
     for column in matrix.columns:
         clean = column.clean
@@ -243,6 +242,7 @@ def document(matrix, provenance):
         "counts": {**counts, "all": len(rows), "by_gates_of_cases": by_cases},
         "score": score,
         "broken": broken_contract(matrix),
+        "unsteady": [{"case": column.name, "gate": gate} for column, gate in unsteady],
     }
 
 

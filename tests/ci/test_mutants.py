@@ -155,7 +155,7 @@ def table(tmp_path, mutants, *own):
     (tmp_path / "toy.cpp").write_text(TOY)
     columns = [matrix.Column(judge, "same") for judge in own]
     made = matrix.Matrix(mutants, columns, state.State(tmp_path / "state.jsonl"), state.Fingerprints(tmp_path))
-    assert made.judge_clean(1, lambda text: None) == []
+    assert made.judge_clean(1, quiet) == ([], [])
     return made
 
 
@@ -240,7 +240,7 @@ def test_killers_are_named_cheapest_first_and_drift_last(tmp_path):
     assert cases == ["cheap", "dear", "drifts"]
 
 
-def test_a_clean_program_that_is_red_stops_everything(tmp_path):
+def test_what_is_red_in_the_clean_program_is_told(tmp_path):
     class Red(Judge):
         def judge(self, mutant, clean):
             outcome = super().judge(mutant, clean)
@@ -250,7 +250,7 @@ def test_a_clean_program_that_is_red_stops_everything(tmp_path):
     mutants = declared(tmp_path / "d", HALF)
     columns = [matrix.Column(Red("cheap", 1, [1]), "same")]
     made = matrix.Matrix(mutants, columns, state.State(tmp_path / "s.jsonl"), state.Fingerprints(tmp_path))
-    assert made.judge_clean(1, quiet) == ["cheap: law is red without any bug"]
+    assert made.judge_clean(1, quiet) == ([], [(columns[0], "law")])
 
 
 def test_gates_that_go_missing_are_red():
