@@ -52,9 +52,7 @@ std::string host() {
 
 }  // namespace
 
-std::string temporary_name(const std::string& path) {
-  return fmt::format("{}.{}-{}.part", path, host(), ::getpid());
-}
+std::string temporary_name(const std::string& path) { return fmt::format("{}.{}-{}.part", path, host(), ::getpid()); }
 
 void remove_abandoned(const std::string& folder) {
   const std::string mark = "." + host() + "-";
