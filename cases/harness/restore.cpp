@@ -20,9 +20,10 @@ std::span<const std::uint8_t> bytes_of(const Ledger& ledger) {
   return {reinterpret_cast<const std::uint8_t*>(&ledger), sizeof(Ledger)};
 }
 
-// All numbers that are no table, in one order for writing and reading. Json has no way to write NaN, nor infinities.
+// All numbers that are no table, in one order for writing and reading; JSON has no way to write NaN, nor infinities. Not
+// the time that the run took, so that the same run gives the same bytes.
 std::vector<double> loose_numbers(const RunResult& run) {
-  std::vector<double> all{run.h, run.dt, run.end_time, run.wall_s};
+  std::vector<double> all{run.h, run.dt, run.end_time};
   if (run.stop) all.insert(all.end(), {run.stop->time, run.stop->value});
   for (const Measure& m : run.measures) {
     all.insert(all.end(), {m.error, m.scale, m.value.value_or(0), m.reference.value_or(0), m.reference_bound});
@@ -103,7 +104,7 @@ void restore_tables(const Hdf5Reader& file, const Json& names, RunResult& run) {
 }
 
 void restore_numbers(const Json& document, Numbers numbers, RunResult& run) {
-  for (double* value : {&run.h, &run.dt, &run.end_time, &run.wall_s}) *value = numbers.next();
+  for (double* value : {&run.h, &run.dt, &run.end_time}) *value = numbers.next();
   if (const Json& stop = document.at("stop"); !stop.is_null()) {
     const double time = numbers.next(), value = numbers.next();
     run.stop = Stop{
@@ -137,6 +138,7 @@ void restore_whole(const Hdf5Reader& file, const Json& document, RunResult& run)
   run.dim = document.at("dim");
   run.axisymmetric = document.at("axisymmetric");
   run.finished = document.at("finished");
+  run.wall_s = document.at("wall_s");
   run.steps = document.at("steps");
   run.points = document.at("points");
   run.doubles_per_point = document.at("doubles_per_point");
@@ -163,6 +165,7 @@ void write_restore(Hdf5Writer& file, const RunResult& run, const std::string& fi
                       {"fingerprint", fingerprint},
                       {"frames", {making.frames.count, making.frames.most_points}},
                       {"elapsed_s", making.elapsed_s},
+                      {"wall_s", run.wall_s},
                       {"case", run.case_name},
                       {"scheme", run.scheme},
                       {"settings", run.settings.canonical()},
