@@ -127,14 +127,14 @@ def test_report_sets_up_builds_verifies_and_renders(tree, tmp_path):
     names = [call.split()[0] for call in tree.calls()]
     assert names[:3] == ["setup", "cmake", "cmake"]
     assert [call for call in without_threads(tree.calls())[3:] if call != VERSION] == [
-        "plumbline verify --tier quick --results results",
+        "plumbline sweep --tier quick --results results", "plumbline verify --reuse --tier quick --results results",
         "plumbline bench --points 1e6 --json results/bench.json", stability("quick"), "chosen-python reports/render.py results report/index.html"]
     assert result.stdout.splitlines()[-1].endswith(f"{tree.root}/report/index.html")
 
 
 def test_full_report(tree):
     assert tree.run("report", "--full").returncode == 0
-    assert "plumbline verify --tier full --results results" in without_threads(tree.calls())
+    assert "plumbline verify --reuse --tier full --results results" in without_threads(tree.calls())
     assert "plumbline bench --points 1e7 --json results/bench.json" in tree.calls()
     assert stability("full") in without_threads(tree.calls())
 

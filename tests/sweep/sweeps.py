@@ -88,6 +88,13 @@ class Sweeps:
         assert self.markers(results) == {"verdict"} | {batch["id"] for batch in self.plan["batches"]}
 
 
+def differences(numbers, others):
+    """[(file, part)] in which two sweeps differ."""
+    assert set(numbers) == set(others)
+    return [(name, part) for name in numbers for part in sorted(set(numbers[name]) | set(others[name]))
+            if numbers[name].get(part) != others[name].get(part)]
+
+
 def finish(process):
     """(exit status, output) of a started Snakemake."""
     output, _ = process.communicate(timeout=320)
