@@ -206,6 +206,23 @@ def test_lost_mass_and_space_are_red_by_name(plumbline):
         assert result.code == (0 if name == "whole" else 1)
 
 
+def test_gates_that_say_nothing_of_another_program_are_listed_with_the_reason(plumbline):
+    arguments = []
+    for cells in (100, 400):
+        _, start = exported(plumbline, "sod", "--cells", cells)
+        arguments += ["--result", hand_in(plumbline, start, f"{cells}.h5").name]
+    document = plumbline("score", "sod", *arguments, json=True).json("score")
+    judged = {gate["id"]: gate["verdict"] for gate in document["gates"]}
+    left_out = {gate["id"]: gate["reason"] for gate in document["not_judged"]}
+    assert not judged.keys() & left_out.keys()
+    assert judged["default/density-100"] == "FAIL" and judged["default/order"] == "INCONCLUSIVE"
+    assert "earlier measurement" in left_out["default/density-400"]
+    assert "expected to miss" in left_out["default/stick-density-100"]
+    assert "ledger" in left_out["default/drift"]
+    assert "1600 cells" in left_out["default/density-1600"]
+    assert "pushes" in left_out["default/foreign-momentum"]
+
+
 def test_solids_are_judged_particle_by_particle(plumbline):
     _, start = exported(plumbline, "bar-riemann", "--cells", "50")
 
