@@ -188,7 +188,7 @@ def load(path):
             return _read(file, path.name)
     except ResultsError:
         raise
-    except (OSError, RuntimeError, KeyError, ValueError, TypeError, AttributeError) as error:
+    except (OSError, RuntimeError, LookupError, ValueError, TypeError, AttributeError, ArithmeticError, MemoryError) as error:
         raise DamagedFile(_why_unreadable(error)) from error
 
 
