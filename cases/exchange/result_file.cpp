@@ -12,17 +12,17 @@
 namespace plumbline {
 namespace {
 
-[[noreturn]] void refuse(const Hdf5Reader& file, const std::string& why) {
+[[noreturn]] void refuse(const ForeignFile& file, const std::string& why) {
   throw FileError(file.path(), file.path() + ": " + why);
 }
 
-std::string wanted_text(const Hdf5Reader& file, const std::string& name) {
+std::string wanted_text(const ForeignFile& file, const std::string& name) {
   const auto text = file.text_attribute(name);
   if (!text) refuse(file, "the attribute " + name + " is missing; cases/exchange/README.md lists what a result holds");
   return *text;
 }
 
-double wanted_number(const Hdf5Reader& file, const std::string& name) {
+double wanted_number(const ForeignFile& file, const std::string& name) {
   const auto number = file.number_attribute(name);
   if (!number)
     refuse(file, "the attribute " + name + " is missing; cases/exchange/README.md lists what a result holds");
@@ -30,7 +30,7 @@ double wanted_number(const Hdf5Reader& file, const std::string& name) {
 }
 
 // A number that is optional, at least zero and finite.
-double count_of(const Hdf5Reader& file, const std::string& name) {
+double count_of(const ForeignFile& file, const std::string& name) {
   const double number = file.number_attribute(name).value_or(0);
   if (!(number >= 0) || !std::isfinite(number)) {
     refuse(file, fmt::format("the attribute {} is {}; a number >= 0 is wanted", name, number));
@@ -63,7 +63,7 @@ ColumnId column_of(const std::string& name) {
 // Reads the datasets of one body.
 class BodyReader {
  public:
-  BodyReader(const Hdf5Reader& file, const Body& body, const GridSpec& grid)
+  BodyReader(const ForeignFile& file, const Body& body, const GridSpec& grid)
       : file_(file),
         group_("/bodies/" + body.name),
         wanted_(wanted_datasets(*body.material, grid.dim, grid.axisymmetric)) {
@@ -107,7 +107,7 @@ class BodyReader {
   }
 
   void take(const WantedDataset& wanted, const std::string& path, std::size_t rows, Columns& points) const {
-    const Hdf5Reader::Table table = file_.numbers(path);
+    const ForeignFile::Table table = file_.numbers(path);
     const auto columns = static_cast<std::size_t>(wanted.components);
     const std::vector<std::size_t> full{rows, columns};
     const bool flat = columns == 1 && table.shape == std::vector<std::size_t>{rows};
@@ -132,7 +132,7 @@ class BodyReader {
     refuse(file_, fmt::format("{} is {} in row {}; it must be {}", path, value, row, allowed));
   }
 
-  const Hdf5Reader& file_;
+  const ForeignFile& file_;
   std::string group_;
   std::vector<WantedDataset> wanted_;
 };

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cases/exchange/final_state.hpp"
-#include "cases/harness/hdf5_reader.hpp"
+#include "cases/exchange/foreign_file.hpp"
 
 namespace plumbline {
 
@@ -28,7 +28,7 @@ class ResultFile {
 
  private:
   HandedIn points_of(const Body& body, const GridSpec& grid) const;
-  Hdf5Reader reader_;
+  ForeignFile reader_;
 };
 
 }  // namespace plumbline

@@ -9,12 +9,12 @@
 
 namespace plumbline {
 
-class Hdf5Reader {
+class ForeignFile {
  public:
-  explicit Hdf5Reader(std::string path);
-  ~Hdf5Reader();
-  Hdf5Reader(const Hdf5Reader&) = delete;
-  Hdf5Reader& operator=(const Hdf5Reader&) = delete;
+  explicit ForeignFile(std::string path);
+  ~ForeignFile();
+  ForeignFile(const ForeignFile&) = delete;
+  ForeignFile& operator=(const ForeignFile&) = delete;
 
   const std::string& path() const;
   bool has(const std::string& object) const;

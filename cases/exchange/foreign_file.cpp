@@ -1,4 +1,4 @@
-#include "cases/harness/hdf5_reader.hpp"
+#include "cases/exchange/foreign_file.hpp"
 
 #include <fmt/format.h>
 #include <hdf5.h>
@@ -36,27 +36,27 @@ bool is_number(hid_t type) {
 
 }  // namespace
 
-struct Hdf5Reader::Impl {
+struct ForeignFile::Impl {
   std::string path;
   hid_t file = -1;
 
   [[noreturn]] void refuse(const std::string& why) const { throw FileError(path, path + ": " + why); }
 };
 
-Hdf5Reader::Hdf5Reader(std::string path) : impl_(std::make_unique<Impl>()) {
+ForeignFile::ForeignFile(std::string path) : impl_(std::make_unique<Impl>()) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   impl_->path = std::move(path);
   impl_->file = H5Fopen(impl_->path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (impl_->file < 0) impl_->refuse("cannot be opened as HDF5");
 }
 
-Hdf5Reader::~Hdf5Reader() {
+ForeignFile::~ForeignFile() {
   if (impl_ && impl_->file >= 0) H5Fclose(impl_->file);
 }
 
-const std::string& Hdf5Reader::path() const { return impl_->path; }
+const std::string& ForeignFile::path() const { return impl_->path; }
 
-bool Hdf5Reader::has(const std::string& object) const {
+bool ForeignFile::has(const std::string& object) const {
   // Each step of the way is asked for: H5Lexists fails where a group on the way is missing.
   for (std::size_t end = object.find('/', 1);; end = object.find('/', end + 1)) {
     if (H5Lexists(impl_->file, object.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
@@ -64,7 +64,7 @@ bool Hdf5Reader::has(const std::string& object) const {
   }
 }
 
-std::vector<std::string> Hdf5Reader::members(const std::string& group) const {
+std::vector<std::string> ForeignFile::members(const std::string& group) const {
   std::vector<std::string> names;
   if (!has(group)) return names;
   const Handle opened(H5Gopen2(impl_->file, group.c_str(), H5P_DEFAULT), H5Gclose);
@@ -79,7 +79,7 @@ std::vector<std::string> Hdf5Reader::members(const std::string& group) const {
   return names;
 }
 
-std::optional<std::string> Hdf5Reader::text_attribute(const std::string& name) const {
+std::optional<std::string> ForeignFile::text_attribute(const std::string& name) const {
   if (H5Aexists(impl_->file, name.c_str()) <= 0) return std::nullopt;
   const Handle attribute(H5Aopen(impl_->file, name.c_str(), H5P_DEFAULT), H5Aclose);
   const Handle type(H5Aget_type(attribute), H5Tclose), space(H5Aget_space(attribute), H5Sclose);
@@ -103,7 +103,7 @@ std::optional<std::string> Hdf5Reader::text_attribute(const std::string& name) c
   return result.substr(0, std::min(result.find('\0'), result.size()));
 }
 
-std::optional<double> Hdf5Reader::number_attribute(const std::string& name) const {
+std::optional<double> ForeignFile::number_attribute(const std::string& name) const {
   if (H5Aexists(impl_->file, name.c_str()) <= 0) return std::nullopt;
   const Handle attribute(H5Aopen(impl_->file, name.c_str(), H5P_DEFAULT), H5Aclose);
   const Handle type(H5Aget_type(attribute), H5Tclose), space(H5Aget_space(attribute), H5Sclose);
@@ -115,7 +115,7 @@ std::optional<double> Hdf5Reader::number_attribute(const std::string& name) cons
   return value;
 }
 
-Hdf5Reader::Table Hdf5Reader::numbers(const std::string& dataset) const {
+ForeignFile::Table ForeignFile::numbers(const std::string& dataset) const {
   const Handle data(H5Dopen2(impl_->file, dataset.c_str(), H5P_DEFAULT), H5Dclose);
   if (data < 0) impl_->refuse(dataset + " is not a dataset");
   const Handle type(H5Dget_type(data), H5Tclose), space(H5Dget_space(data), H5Sclose);
