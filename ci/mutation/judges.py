@@ -19,6 +19,7 @@ from dataclasses import dataclass, field
 RED = ("FAIL", "INVALID", "XPASS", "INCONCLUSIVE", "MISSING")
 SLOWER = 5  # times the clean processor time, and these seconds more
 MORE_SECONDS = 5
+IDLE_SECONDS = 120  # of the clock without one tick of the processor: waits for something that does not come
 
 
 @dataclass
@@ -57,11 +58,16 @@ def run(command, environment, seconds, cwd=None):
     )
     why = ""
     try:
-        output, _ = child.communicate(timeout=20 * seconds + 60)
-    except subprocess.TimeoutExpired:  # waits for something that does not come
-        why = "time"
-        os.killpg(child.pid, signal.SIGKILL)
-        output, _ = child.communicate()
+        while True:
+            busy = _busy(child.pid)
+            try:
+                output, _ = child.communicate(timeout=IDLE_SECONDS)
+                break
+            except subprocess.TimeoutExpired:
+                # The processor bounds what runs, however slowly; one that somebody halted may go on. Left is what waits in vain.
+                if busy == _busy(child.pid) and _state(child.pid) == "S":
+                    why = "time"
+                    os.killpg(child.pid, signal.SIGKILL)
     except BaseException:
         os.killpg(child.pid, signal.SIGKILL)
         raise
@@ -71,6 +77,22 @@ def run(command, environment, seconds, cwd=None):
         name = signal.Signals(-child.returncode).name
         why = "time" if name in ("SIGXCPU", "SIGKILL") else name
     return child.returncode, output, spent, why
+
+
+def _stat(pid):
+    try:
+        return pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
+    except (OSError, IndexError):
+        return []
+
+
+def _state(pid):
+    return (_stat(pid) or ["?"])[0]
+
+
+def _busy(pid):
+    """Ticks of the processor that a process and its finished children had."""
+    return sum(int(ticks) for ticks in _stat(pid)[11:15])
 
 
 class Judge:

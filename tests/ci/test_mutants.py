@@ -264,6 +264,21 @@ def test_processor_time_is_bounded(tmp_path):
     assert why == "time"
 
 
+def test_one_that_waits_in_vain_is_ended_and_one_that_was_halted_is_not(monkeypatch):
+    monkeypatch.setattr(judges, "IDLE_SECONDS", 0.3)
+    *_, why = judges.run([sys.executable, "-c", "import time; time.sleep(1000)"], {}, 5)
+    assert why == "time"
+    halted = """import os, signal, time
+if os.fork() == 0:
+    time.sleep(1)
+    os.kill(os.getppid(), signal.SIGCONT)
+    os._exit(0)
+os.kill(os.getpid(), signal.SIGSTOP)
+"""
+    status, _, _, why = judges.run([sys.executable, "-c", halted], {}, 5)
+    assert (status, why) == (0, "")
+
+
 def test_sources_find_their_tests():
     found = judges.tests_of(ROOT, "reference/wave_curve.cpp")
     assert "tests/reference/riemann_test.cpp" in found and "tests/reference/riemann_second_test.py" in found
