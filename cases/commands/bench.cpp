@@ -14,7 +14,7 @@ struct BenchOptions {
   bool of_cases = false;
   std::vector<std::string> patterns;
   int repeats = bench_repeats;
-  std::string tier = "quick";
+  std::string tier;  // none given: quick with --cases, full without
 };
 
 // Every geometry with every spline and the three transfers of one pass, under the default integrator, or York's where that refuses.
@@ -46,12 +46,19 @@ const std::vector<TimedRun>& standard_runs() {
   return runs;
 }
 
+Tier tier_from(const std::string& name) {
+  if (name == "quick") return Tier::quick;
+  if (name == "full") return Tier::full;
+  throw unknown_name("--tier", name, {"quick", "full"});
+}
+
 class Bench {
  public:
   Bench(const Invocation& invocation, const BenchOptions& options)
       : common_(invocation.options),
         out_(invocation.options),
-        most_(static_cast<long>(options.points)) {
+        most_(static_cast<long>(options.points)),
+        full_(options.tier.empty() || tier_from(options.tier) == Tier::full) {
     const int cores = static_cast<int>(std::thread::hardware_concurrency());
     const int more = options.threads_given ? common_.threads : std::min(2, cores);
     if (more > 1) threads_.push_back(more);
@@ -64,8 +71,10 @@ class Bench {
     }
     head("Scale: the same under the default integrator, by number of points");
     for (const BenchFlow& flow : scale(most_)) measure("scale", flow);
-    head("Dimension, shape, transfer");
-    for (const BenchFlow& flow : matrix(matrix_points())) measure("matrix", flow);
+    if (full_) {
+      head("Dimension, shape, transfer");
+      for (const BenchFlow& flow : matrix(matrix_points())) measure("matrix", flow);
+    }
     head("Whole runs");
     for (const TimedRun& run : standard_runs()) measure(run);
     for (Json& target : scale_targets(kernels_)) targets_.push_back(std::move(target));
@@ -131,7 +140,7 @@ class Bench {
   }
 
   void measure(const TimedRun& run) {
-    auto [kernel, target] = time_run(run, common_.settings);
+    auto [kernel, target] = time_run(run, common_.settings, full_ ? bench_repeats : 3);
     out_.line("  {:38} {:>9} {:>7} {:>9.2f}   {} steps in {:.4g} s", run.name, kernel["points"].get<long>(), 1,
               1e-6 * kernel["point_steps_per_s"].get<double>(), kernel["steps"].get<long>(),
               kernel["wall_s"].get<double>());
@@ -142,16 +151,11 @@ class Bench {
   const CommonOptions& common_;
   Output out_;
   long most_;
+  bool full_;
   std::vector<int> threads_{1};
   MachineLimits limits_;
   Json kernels_ = Json::array(), targets_ = Json::array();
 };
-
-Tier tier_from(const std::string& name) {
-  if (name == "quick") return Tier::quick;
-  if (name == "full") return Tier::full;
-  throw unknown_name("--tier", name, {"quick", "full"});
-}
 
 // Median, and how far the repeats lie apart, of every run with a time.
 void print_costs(const Output& out, const Json& runs) {
@@ -176,7 +180,8 @@ int execute_cases(const Invocation& invocation, const BenchOptions& options) {
                      "--cases times the studies as the cases declare them, on one thread: it goes with none of "
                      "--scheme, --integrator, --set and --threads");
   }
-  const Tier tier = tier_from(options.tier);
+  const std::string tier_name = options.tier.empty() ? "quick" : options.tier;
+  const Tier tier = tier_from(tier_name);
   std::vector<CostRun> runs;
   for (const Case* entry : matching_cases(options.patterns)) {
     for (CostRun& run : cost_runs(*entry, tier)) runs.push_back(std::move(run));
@@ -192,12 +197,12 @@ int execute_cases(const Invocation& invocation, const BenchOptions& options) {
   const Output out(common);
   print_costs(out, entries);
   if (missing > 0) {
-    out.line("{} longer runs are left out: neither in the time of the {} tier, nor stored in {}", missing, options.tier,
+    out.line("{} longer runs are left out: neither in the time of the {} tier, nor stored in {}", missing, tier_name,
              common.results);
   }
   write_json(common, {{"machine", MachineLimits().document()},
                       {"fingerprint", nullptr},
-                      {"tier", options.tier},
+                      {"tier", tier_name},
                       {"repeats", options.repeats},
                       {"runs", std::move(entries)},
                       {"provenance", to_json(invocation.provenance())}});
@@ -247,7 +252,9 @@ Command add_bench(CLI::App& app, Invocation& invocation) {
   sub->add_option("pattern", options->patterns, "with --cases: case names or patterns; all cases if none");
   sub->add_option("--repeats", options->repeats, "with --cases: samples of a short run; a long one has fewer")
       ->check(CLI::Range(1, 100));
-  sub->add_option("--tier", options->tier, "with --cases: quick (about half a minute) or full");
+  sub->add_option("--tier", options->tier,
+                  "quick: without the table of dimensions, shapes and transfers; of --cases, half a "
+                  "minute in all. If not given: full; of --cases, quick");
   add_run_options(*sub, invocation.options);
   return {sub, [&invocation, options, sub] {
             options->threads_given = sub->count("--threads") > 0;

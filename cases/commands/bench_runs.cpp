@@ -7,14 +7,14 @@
 
 namespace plumbline {
 
-std::pair<Json, Json> time_run(const TimedRun& timed, const std::vector<std::string>& typed) {
+std::pair<Json, Json> time_run(const TimedRun& timed, const std::vector<std::string>& typed, int repeats) {
   const Case& entry = find_case(timed.case_name);
   std::vector<Override> overrides = timed.overrides;
   overrides.emplace_back("cells", static_cast<double>(timed.cells));
   const Settings settings = entry.settings(timed.scheme, overrides, typed);
   std::vector<double> times;
   RunResult run = run_experiment(entry, timed.scheme, settings);
-  for (int k = 0; k < bench_repeats; ++k) times.push_back(run_experiment(entry, timed.scheme, settings).wall_s);
+  for (int k = 0; k < repeats; ++k) times.push_back(run_experiment(entry, timed.scheme, settings).wall_s);
   std::sort(times.begin(), times.end());
   const double median = times[times.size() / 2];
   const double point_steps = static_cast<double>(run.points) * static_cast<double>(run.steps);
@@ -31,7 +31,7 @@ std::pair<Json, Json> time_run(const TimedRun& timed, const std::vector<std::str
               {"threads", 1},
               {"steps", run.steps},
               {"wall_s", median},
-              {"repeats", bench_repeats},
+              {"repeats", repeats},
               {"point_steps_per_s", point_steps / median},
               {"fastest", point_steps / times.front()},
               {"slowest", point_steps / times.back()},

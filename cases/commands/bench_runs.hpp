@@ -17,8 +17,8 @@ struct TimedRun {
   std::vector<Override> overrides = {};  // of the scheme
 };
 
-// Its entry of "kernels" (part: run) and of "targets", of the median of bench_repeats runs on one thread.
-std::pair<Json, Json> time_run(const TimedRun& run, const std::vector<std::string>& typed);
+// Its entry of "kernels" (part: run) and of "targets", of the median of so many runs (>= 1) on one thread.
+std::pair<Json, Json> time_run(const TimedRun& run, const std::vector<std::string>& typed, int repeats);
 
 // Seconds of a step of a scene of one point: what a step costs beside its points.
 double time_empty_step();

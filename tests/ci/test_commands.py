@@ -51,6 +51,14 @@ def without_threads(calls):
     return [re.sub(r" --(threads|jobs) [1-9]\d*", "", call) for call in calls]
 
 
+def bench(tier, points):
+    return f"plumbline bench --points {points} --tier {tier} --json results/bench.json"
+
+
+def cost(tier):
+    return f"plumbline bench --cases --tier {tier} --results results --json results/cost.json"
+
+
 VERSION = "plumbline --version"   # asked for by every document, which is made again by another program
 
 
@@ -69,12 +77,9 @@ def test_documents_of_an_earlier_build_are_not_shown(tree, command, file):
     assert not stale.exists() and "chosen-python" in tree.calls()[-1]
 
 
-DOCUMENTS = {"bench": "bench.json", "stability": "stability.json"}
-
-
 def made_documents(tree):
-    """The commands of documents that were called since the last time this was asked."""
-    made = [call.split()[1] for call in tree.calls() if call.split()[:2] in (["plumbline", name] for name in DOCUMENTS)]
+    """The documents that were made since the last time this was asked."""
+    made = re.findall(r"--json results/(\w+).json", tree.log.read_text())
     tree.log.unlink()
     return made
 
@@ -88,7 +93,7 @@ def with_documents(tree):
         (tree.root / source).write_text("code")
     tree.fake("build/release/bin/plumbline", 'echo "printed" ; [[ $* != *--json* ]] || echo "{}" > "${@: -1}"')
     assert tree.run("report").returncode == 0
-    assert made_documents(tree) == ["bench", "stability"]
+    assert made_documents(tree) == ["bench", "stability", "cost"]
     return tree
 
 
@@ -98,8 +103,9 @@ def test_documents_of_the_same_code_are_kept(with_documents):
 
 
 @pytest.mark.parametrize("source, made", [
-    ("cases/gas/lax.cpp", []), ("cases/membrane/string.cpp", ["bench", "stability"]), ("cases/stability/bar.cpp", ["stability"]),
-    ("cases/stability/new.cpp", ["stability"]), ("kernel/step.cpp", ["bench", "stability"])])
+    ("cases/gas/lax.cpp", ["cost"]), ("cases/membrane/string.cpp", ["bench", "stability", "cost"]),
+    ("cases/stability/bar.cpp", ["stability", "cost"]), ("cases/stability/new.cpp", ["stability", "cost"]),
+    ("kernel/step.cpp", ["bench", "stability", "cost"]), ("reports/render.py", [])])
 def test_documents_of_other_code_are_made_again(with_documents, source, made):
     (with_documents.root / source).write_text("other code")
     assert with_documents.run("report").returncode == 0
@@ -115,10 +121,10 @@ def test_document_that_is_not_the_one_made_is_made_again(with_documents, change)
 
 def test_documents_of_another_tier_or_program_are_made_again(with_documents):
     assert with_documents.run("report", "--full").returncode == 0
-    assert made_documents(with_documents) == ["bench", "stability"]
+    assert made_documents(with_documents) == ["bench", "stability", "cost"]
     with_documents.fake("build/release/bin/plumbline", 'echo printed; echo "another compiler"; [[ $* != *--json* ]] || echo "{}" > "${@: -1}"')
     assert with_documents.run("report", "--full").returncode == 0
-    assert made_documents(with_documents) == ["bench", "stability"]
+    assert made_documents(with_documents) == ["bench", "stability", "cost"]
 
 
 def test_report_sets_up_builds_verifies_and_renders(tree, tmp_path):
@@ -128,14 +134,14 @@ def test_report_sets_up_builds_verifies_and_renders(tree, tmp_path):
     assert names[:3] == ["setup", "cmake", "cmake"]
     assert [call for call in without_threads(tree.calls())[3:] if call != VERSION] == [
         "plumbline sweep --tier quick --results results", "plumbline verify --reuse --tier quick --results results",
-        "plumbline bench --points 1e6 --json results/bench.json", stability("quick"), "chosen-python reports/render.py results report/index.html"]
+        bench("quick", "1e6"), stability("quick"), cost("quick"), "chosen-python reports/render.py results report/index.html"]
     assert result.stdout.splitlines()[-1].endswith(f"{tree.root}/report/index.html")
 
 
 def test_full_report(tree):
     assert tree.run("report", "--full").returncode == 0
     assert "plumbline verify --reuse --tier full --results results" in without_threads(tree.calls())
-    assert "plumbline bench --points 1e7 --json results/bench.json" in tree.calls()
+    assert bench("full", "1e7") in tree.calls() and cost("full") in tree.calls()
     assert stability("full") in without_threads(tree.calls())
 
 

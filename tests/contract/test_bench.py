@@ -88,6 +88,15 @@ def test_targets_say_whether_they_are_met(document):
         assert target["met"] == met and (target["low"], target["high"]) != (None, None)
 
 
+def test_quick_tier_leaves_out_the_table_of_choices(plumbline, document):
+    result = plumbline("bench", "--points", 1000, "--threads", 1, "--tier", "quick", json=True, timeout=600)
+    assert result.code == 0, result.err
+    quick = result.json()
+    assert part(quick, "matrix") == []
+    assert [target["name"] for target in quick["targets"]] == [target["name"] for target in document["targets"]]
+    assert {kernel["repeats"] for kernel in part(quick, "run")} == {3}
+
+
 def test_chosen_integrator_on_one_thread_and_on_several(plumbline):
     result = plumbline("bench", "--points", 1000, "--integrator", "musl", "--threads", 2, json=True, timeout=600)
     assert result.code == 0, result.err
@@ -97,6 +106,6 @@ def test_chosen_integrator_on_one_thread_and_on_several(plumbline):
         assert choices(one) == choices(two) and one["stored_bytes_per_point"] == two["stored_bytes_per_point"]
 
 
-@pytest.mark.parametrize("arguments", [["--points", 10], ["--set", "shap=cubic"], ["--integrator", "mule"]])
+@pytest.mark.parametrize("arguments", [["--points", 10], ["--set", "shap=cubic"], ["--integrator", "mule"], ["--tier", "soon"]])
 def test_wrong_call(plumbline, arguments):
     assert plumbline("bench", *arguments).code == 2
