@@ -4,6 +4,7 @@
 #include "cases/commands/bench_cases.hpp"
 #include "cases/commands/bench_runs.hpp"
 #include "cases/commands/command.hpp"
+#include "cases/harness/fingerprint.hpp"
 
 namespace plumbline {
 namespace {
@@ -200,8 +201,9 @@ int execute_cases(const Invocation& invocation, const BenchOptions& options) {
     out.line("{} longer runs are left out: neither in the time of the {} tier, nor stored in {}", missing, tier_name,
              common.results);
   }
+  const std::string code = code_fingerprint();
   write_json(common, {{"machine", MachineLimits().document()},
-                      {"fingerprint", nullptr},
+                      {"fingerprint", code.empty() ? Json(nullptr) : Json(code)},
                       {"tier", tier_name},
                       {"repeats", options.repeats},
                       {"runs", std::move(entries)},
