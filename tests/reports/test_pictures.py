@@ -211,10 +211,9 @@ def test_film_has_all_frames_side_by_side(run):
     assert middle[0] > middle[-1] > 5 and numpy.all(numpy.diff(numpy.array(middle, int)) <= 0)
 
 
-def test_film_keeps_within_its_bytes(run, monkeypatch):
+def test_film_keeps_within_its_bytes(run):
     view = pictures.View(run.frames)
-    monkeypatch.setattr(pictures, "FILM_BYTES", 12000)
-    drawn = pictures.film(view, "run", "file", "p")
+    drawn = pictures.film(view, "run", "file", "p", most_bytes=12000)
     assert len(drawn.picture) < 12000 * 4 / 3 + 100
     assert len(drawn.times) >= 5
 
