@@ -36,6 +36,7 @@ class Series:
     why: str = ""
     study: str = ""  # identifier of a declared study
     style: int = 0  # index into colours and marks
+    baseline: "Series" = None  # the same line of an earlier folder
 
     @property
     def refined(self):

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 import numpy
 from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, MaxNLocator, NullFormatter, NullLocator
 
+import baseline
 import svg
 import text
 
@@ -125,6 +126,10 @@ def _keys(series):
     ]
 
 
+def _baseline_key(series):
+    return [Key("baseline", "var(--muted)", dash=True)] if baseline.of(series) else []
+
+
 def _with_errors(case, vary, measure):
     return [entry for entry in case.studies(vary) if sum(error > 0 for _, error in entry.errors(measure)) > 1]
 
@@ -213,6 +218,7 @@ def convergence(case, measure, prefix):
             shown += list(levels.error)
             _fitted_line(axes, entry, levels)
             _marks(axes, entry, levels.h, levels.error, levels.used, levels.notes)
+        shown += baseline.draw_errors(axes, series, measure)
         _theory_line(axes, order, _levels(series[0], measure), shown)
         low, high = _margins(shown, 2.2)
         low = min([low] + _floor_lines(axes, low, bound, rounding))
@@ -230,7 +236,8 @@ def convergence(case, measure, prefix):
         f"{entry.label}: order {text.order(entry.measures.get(measure) or {})}" for entry in series
     )
     caption = f"Fitted orders with 95 % intervals: {orders}. {_floor_words(bound, rounding)}".strip()
-    keys = _keys(series) + (
+    caption += baseline.words(series, measure)
+    keys = _keys(series) + _baseline_key(series) + (
         [Key(f"theory: slope {text.number(order)}", "var(--muted)", dash=True)] if order is not None else []
     )
     return Figure(
@@ -327,6 +334,7 @@ def level_by_level(case, measure, prefix):
             if pairs:
                 marked_line(upper, entry, *zip(*pairs))
             _plateau_line(lower, entry, measure)
+        shown += baseline.draw_orders(upper, series, measure)
         if order is not None:
             upper.axhline(order, color=svg.MUTED, linewidth=0.9, dashes=(5, 3))
         upper.set(xscale="log", ylabel="order")
@@ -345,7 +353,7 @@ def level_by_level(case, measure, prefix):
         "Above, the order from each pair of neighbouring levels, at the geometric mean of their sizes; below, the error "
         "over hᵖ, p being the fitted order, relative to the finest level."
     )
-    keys = _keys(series)
+    keys = _keys(series) + _baseline_key(series)
     if order is not None:
         keys.append(Key(f"theory: {text.number(order)}", "var(--muted)", dash=True))
     keys.append(Key("± 15 % of the finest", "var(--muted)", band=True))

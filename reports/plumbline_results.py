@@ -31,6 +31,7 @@ MUTANTS_FILE = "mutants.json"
 COST_FILE = "cost.json"
 EQUATIONS_FILE = "equations.json"
 COVERAGE_FILE = "coverage.json"
+DIFF_FILE = "diff.json"
 GATE_COLUMNS = (
     "case",
     "id",
@@ -176,6 +177,7 @@ class Folder:
     cost: dict = field(default_factory=dict)
     equations: dict = field(default_factory=dict)
     coverage: dict = field(default_factory=dict)
+    diff: dict = field(default_factory=dict)  # of `plumbline diff` under DIFF_FILE
 
 
 def load(path):
@@ -211,6 +213,7 @@ def load_folder(path):
     folder.cost = _load_if_there(load_cost, path / COST_FILE, folder)
     folder.equations = _load_if_there(load_equations, path / EQUATIONS_FILE, folder)
     folder.coverage = _load_if_there(load_coverage, path / COVERAGE_FILE, folder)
+    folder.diff = _load_if_there(load_diff, path / DIFF_FILE, folder)
     return folder
 
 
@@ -307,6 +310,15 @@ def load_coverage(path):
     if not all(isinstance(share, (int, float)) and 0 <= share <= 1 for share in shares):
         raise DamagedFile("not an output of ci/coverage: there is no total and no shares of folders in [0, 1]")
     return document
+
+
+def load_diff(path):
+    """The JSON object that `plumbline diff --json` wrote. Raises DamagedFile or FileNotFoundError."""
+    diff = _json_file(path)
+    findings = diff.get("findings") if isinstance(diff, dict) else None
+    if not isinstance(findings, list) or not all(isinstance(found, dict) for found in findings):
+        raise DamagedFile("not an output of plumbline diff: there is no list of findings")
+    return diff
 
 
 def load_stability(path):

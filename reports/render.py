@@ -1,6 +1,6 @@
 """Makes one self-contained HTML page from a folder of result files.
 
-    python render.py RESULTS_DIR OUTPUT.html [--csv DIR]
+    python render.py RESULTS_DIR OUTPUT.html [--csv DIR] [--baseline DIR] [--diff FILE]
 
 Verdicts, orders and intervals are shown as the files state them; nothing is judged again. The same files
 give the same bytes. Exit status: 0; 2 wrong call; 4 the folder or the output cannot be used, or a file in the
@@ -17,6 +17,7 @@ import sys
 
 import jinja2
 
+import baseline
 import cases as gathering
 import compact
 import cost
@@ -41,9 +42,11 @@ NORMS = (".L1", ".L2", ".Linf")
 MOST_PROFILES = 10  # lines of a case that are drawn over the exact solution
 
 
-def render(folder):
-    """The whole page as text."""
+def render(folder, earlier=None):
+    """The whole page as text; `earlier`: the folder of a baseline, whose curves are drawn along."""
     cases = gathering.gather(folder)
+    if earlier:
+        baseline.attach(cases, gathering.gather(earlier))
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(HERE / "templates"),
         autoescape=True,
@@ -120,6 +123,7 @@ def front_page(folder, cases):
         "speed": speed_part(folder.bench),
         "stability": stability_part(folder.stability, cases),
         "bite": mutants.page(folder.mutants),
+        "compared": baseline.section(folder.diff, {name: anchor(name) for name in cases}),
         "file_count": len(folder.runs) + len(folder.studies) + len(folder.verdicts),
     }
 
@@ -379,13 +383,20 @@ def main(arguments=None):
     parser.add_argument("results", metavar="RESULTS_DIR")
     parser.add_argument("output", metavar="OUTPUT.html")
     parser.add_argument("--csv", metavar="DIR", help="also write every table as CSV into this folder")
+    parser.add_argument("--baseline", metavar="DIR", help="results folder whose curves are drawn along")
+    parser.add_argument(
+        "--diff", metavar="FILE", help="document of `plumbline diff --json` (default: diff.json in the results folder)"
+    )
     options = parser.parse_args(arguments)
     try:
         folder = plumbline_results.load_folder(options.results)
-        write_whole(pathlib.Path(options.output), render(folder))
+        earlier = plumbline_results.load_folder(options.baseline) if options.baseline else None
+        if options.diff:
+            folder.diff = load_diff(options.diff)
+        write_whole(pathlib.Path(options.output), render(folder, earlier))
         if options.csv:
             write_tables(folder, gathering.gather(folder), pathlib.Path(options.csv))
-    except OSError as error:
+    except (OSError, plumbline_results.ResultsError) as error:
         print(f"render: {error}", file=sys.stderr)
         return 4
     for name, reason in folder.damaged:
@@ -401,6 +412,13 @@ def write_tables(folder, cases, target):
         more["cost"] = cost.CSV_COLUMNS, cost.csv_rows(folder.cost)
     for name, (columns, rows) in more.items():
         plumbline_results.write_csv(columns, rows, target / f"{name}.csv")
+
+
+def load_diff(path):
+    try:
+        return plumbline_results.load_diff(path)
+    except plumbline_results.ResultsError as error:
+        raise plumbline_results.ResultsError(f"{path}: {error}") from error
 
 
 def write_whole(path, page):

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t most_lines = 25;  // of one kind of change
 
 struct DiffOptions {
-  std::string before, after;
+  std::string before, after, tolerances;
   std::vector<std::string> allowed;
   bool all = false;
 };
@@ -32,7 +32,8 @@ std::set<Change> allowed_changes(const CommonOptions& common, const DiffOptions&
 int execute(const CommonOptions& common, const DiffOptions& options) {
   const std::set<Change> allowed = allowed_changes(common, options);
   const Snapshot before = read_snapshot(options.before), after = read_snapshot(options.after);
-  const Comparison comparison = compare(before, after);
+  Comparison comparison = compare(before, after);
+  if (!options.tolerances.empty()) look_up_widenings(read_ledger(options.tolerances), before, after, comparison);
   const Output out(common);
   for (const std::string& text : table(comparison, before, after, options.all ? 0 : most_lines)) out.line("{}", text);
   write_json(common, document(comparison, before, after));
@@ -52,6 +53,8 @@ Command add_diff(CLI::App& app, Invocation& invocation) {
   sub->add_option("--allow", options->allowed, "inconclusive, missing or widened do not make the exit status red")
       ->allow_extra_args(false);
   sub->add_flag("--allow-inconclusive", invocation.options.allow_inconclusive, "the same as --allow inconclusive");
+  sub->add_option("--tolerances", options->tolerances,
+                  "the tolerance ledger of the results: a gate whose widening it records does not make the status red");
   sub->add_flag("--all", options->all, "a line for each finding");
   add_json(*sub, invocation.options);
   return {sub, [&invocation, options] { return execute(invocation.options, *options); }};

@@ -149,6 +149,34 @@ Comparison compare(const Snapshot& before, const Snapshot& after) {
   return result;
 }
 
+void look_up_widenings(const std::vector<LedgerLine>& ledger, const Snapshot& before, const Snapshot& after,
+                       Comparison& comparison) {
+  std::map<LedgerLine::Key, const LedgerLine*> lines;
+  for (const LedgerLine& line : ledger) {
+    if (line.widened) lines[line.key()] = &line;
+  }
+  // Results do not say what stops a run, nor whether the interval is judged.
+  const auto known = [](Bounds bounds) {
+    bounds.stops.reset();
+    bounds.order = false;
+    return bounds;
+  };
+  for (Finding& f : comparison.findings) {
+    if (f.change != Change::widened) continue;
+    for (const auto& [key, gate] : after.gates) {
+      const auto was = before.gates.find(key);
+      const auto line = lines.find({gate.case_name, gate.study, gate.id});
+      if (was == before.gates.end() || line == lines.end() || f.quantity != gate_words(gate) ||
+          std::tie(f.case_name, f.scheme, f.study) != std::tie(gate.case_name, gate.scheme, gate.study))
+        continue;
+      const Widening& widened = *line->second->widened;
+      const bool from = shift(known(widened.from), known(was->second.bounds)) == Shift::same;
+      if (from && shift(known(line->second->bounds), known(gate.bounds)) == Shift::same)
+        f.recorded = widened.date + ", " + widened.why;
+    }
+  }
+}
+
 Change overall(const Comparison& comparison) {
   return comparison.findings.empty() ? Change::same : comparison.findings.front().change;
 }
@@ -156,10 +184,11 @@ Change overall(const Comparison& comparison) {
 int exit_status(const Comparison& comparison, const Snapshot& before, const Snapshot& after,
                 const std::set<Change>& allowed) {
   if (!before.damaged.empty() || !after.damaged.empty()) return exit_files;
-  for (const Change change : {Change::worse, Change::widened, Change::missing, Change::inconclusive}) {
-    if (comparison.count(change) > 0 && allowed.count(change) == 0) return exit_red;
-  }
-  return 0;
+  static const std::set<Change> red{Change::worse, Change::widened, Change::missing, Change::inconclusive};
+  const bool any = std::any_of(comparison.findings.begin(), comparison.findings.end(), [&](const Finding& f) {
+    return red.count(f.change) > 0 && allowed.count(f.change) == 0 && f.recorded.empty();
+  });
+  return any ? exit_red : 0;
 }
 
 Json document(const Comparison& comparison, const Snapshot& before, const Snapshot& after) {

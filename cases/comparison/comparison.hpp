@@ -8,6 +8,7 @@
 
 #include "cases/comparison/finding.hpp"
 #include "cases/comparison/snapshot.hpp"
+#include "cases/comparison/tolerances.hpp"
 
 namespace plumbline {
 
@@ -23,11 +24,15 @@ struct Comparison {
 
 Comparison compare(const Snapshot& before, const Snapshot& after);
 
+// Gives the widened gates whose widening the ledger records, from the bounds before to those after, its reason.
+void look_up_widenings(const std::vector<LedgerLine>& ledger, const Snapshot& before, const Snapshot& after,
+                       Comparison& comparison);
+
 // The most serious change; `same` where there is none.
 Change overall(const Comparison& comparison);
 
-// 4 if a file of either is damaged, else 1 if a change of a kind that is not allowed is worse, widened, missing or
-// inconclusive, else 0.
+// 4 if a file of either is damaged, else 1 if a change of a kind that is not allowed is worse, widened without a
+// recorded reason, missing or inconclusive, else 0.
 int exit_status(const Comparison& comparison, const Snapshot& before, const Snapshot& after,
                 const std::set<Change>& allowed);
 

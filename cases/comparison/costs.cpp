@@ -22,9 +22,30 @@ Finding finding_of(const CostRecord& record) {
 // The levels that both have, added up.
 struct Sums {
   std::vector<double> before, after;  // one a sample
-  std::optional<double> instructions_before = 0, instructions_after = 0;
+  double instructions_before = 0, instructions_after = 0;
   std::size_t levels = 0;
 };
+
+using Pair = std::pair<const CostRecord*, const CostRecord*>;
+
+std::vector<Pair> common_levels(const std::vector<CostRecord>& before, const std::vector<CostRecord>& after) {
+  std::vector<Pair> pairs;
+  for (const CostRecord& a : before) {
+    for (const CostRecord& b : after) {
+      if (a.value == b.value && a.cells == b.cells) pairs.emplace_back(&a, &b);
+    }
+  }
+  return pairs;
+}
+
+// One long run that was timed once would leave none of the others an interval.
+void drop_rarely_timed(std::vector<Pair>& pairs) {
+  const auto rare = [](const Pair& pair) {
+    return std::min(pair.first->wall_s.size(), pair.second->wall_s.size()) < least_samples;
+  };
+  if (!std::all_of(pairs.begin(), pairs.end(), rare))
+    pairs.erase(std::remove_if(pairs.begin(), pairs.end(), rare), pairs.end());
+}
 
 void add(std::vector<double>& sums, const std::vector<double>& samples, bool first) {
   if (first) {
@@ -35,20 +56,17 @@ void add(std::vector<double>& sums, const std::vector<double>& samples, bool fir
   for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += samples[k];
 }
 
-void add(std::optional<double>& sum, const std::optional<double>& value) {
-  sum = sum && value ? std::optional(*sum + *value) : std::nullopt;
-}
-
-Sums common_sums(const std::vector<CostRecord>& before, const std::vector<CostRecord>& after) {
+Sums common_sums(std::vector<Pair> pairs) {
   Sums sums;
-  for (const CostRecord& a : before) {
-    const auto b = std::find_if(after.begin(), after.end(),
-                                [&](const CostRecord& other) { return other.value == a.value; });
-    if (b == after.end()) continue;
-    add(sums.before, a.wall_s, sums.levels == 0);
+  for (const auto& [a, b] : pairs) {
+    if (!a->instructions || !b->instructions) continue;
+    sums.instructions_before += *a->instructions;
+    sums.instructions_after += *b->instructions;
+  }
+  drop_rarely_timed(pairs);
+  for (const auto& [a, b] : pairs) {
+    add(sums.before, a->wall_s, sums.levels == 0);
     add(sums.after, b->wall_s, sums.levels == 0);
-    add(sums.instructions_before, a.instructions);
-    add(sums.instructions_after, b->instructions);
     ++sums.levels;
   }
   return sums;
@@ -91,8 +109,8 @@ Finding time_finding(const CostRecord& record, const Sums& sums) {
 
 // A count repeats, so it needs no interval; it does not see memory, so a time that is surely worse stays worse.
 void settle_by_instructions(const Sums& sums, Finding& f) {
-  if (!sums.instructions_before || !sums.instructions_after || !(*sums.instructions_before > 0)) return;
-  const double ratio = *sums.instructions_after / *sums.instructions_before;
+  if (!(sums.instructions_before > 0)) return;
+  const double ratio = sums.instructions_after / sums.instructions_before;
   f.note += fmt::format("{}instructions x {:.4f}", f.note.empty() ? "" : "; ", ratio);
   if (ratio > 1 + instruction_share) f.change = Change::worse;
   if (ratio >= 1 / (1 + instruction_share) && ratio <= 1 + instruction_share && f.change == Change::inconclusive)
@@ -128,10 +146,11 @@ void compare_costs(const Snapshot& before, const Snapshot& after, std::vector<Fi
   const bool comparable = findings.size() == first;
   for (const auto& [key, records] : before.costs) {
     const auto found = after.costs.find(key);
-    const Sums sums = found == after.costs.end() ? Sums{} : common_sums(records, found->second);
-    if (sums.levels == 0) {
+    const auto pairs = found == after.costs.end() ? std::vector<Pair>{} : common_levels(records, found->second);
+    if (pairs.empty()) {
       lone(records.front(), Change::missing, findings);
     } else if (comparable) {
+      const Sums sums = common_sums(pairs);
       findings.push_back(time_finding(records.front(), sums));
       settle_by_instructions(sums, findings.back());
     }

@@ -48,6 +48,7 @@ Json to_json(const Finding& f) {
   json["interval"] = f.interval ? Json{end(f.interval->first), end(f.interval->second)} : Json(nullptr);
   json["equal"] = f.change == Change::same && f.equal;
   json["note"] = f.note;
+  if (f.change == Change::widened) json["recorded"] = f.recorded.empty() ? Json(nullptr) : Json(f.recorded);
   return json;
 }
 
@@ -56,6 +57,7 @@ std::string words(const Finding& f) {
   if (!f.before.is_null() || !f.after.is_null()) text = word(f.before) + " -> " + word(f.after);
   if (const std::string size = size_words(f); !size.empty()) text += (text.empty() ? "" : ", ") + size;
   if (!f.note.empty()) text += (text.empty() ? "" : "; ") + f.note;
+  if (!f.recorded.empty()) text += "; recorded: " + f.recorded;
   return text;
 }
 

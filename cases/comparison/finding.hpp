@@ -31,6 +31,7 @@ struct Finding {
   std::optional<std::pair<double, double>> interval;
   bool equal = true;  // of `same`: equal but for rounding; otherwise moved by less than what counts
   std::string note;
+  std::string recorded;  // of `widened`: the reason that the tolerance ledger gives for it
 };
 
 Json to_json(const Finding& finding);

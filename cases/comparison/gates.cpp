@@ -29,7 +29,7 @@ Finding finding_of(const GateRecord& gate, const std::string& kind) {
   f.case_name = gate.case_name;
   f.scheme = gate.scheme;
   f.study = gate.study;
-  f.quantity = gate.id + (gate.tier.empty() ? "" : " (" + gate.tier + ")");
+  f.quantity = gate_words(gate);
   return f;
 }
 
@@ -69,6 +69,8 @@ void compare_bounds(const GateRecord& before, const GateRecord& after, std::vect
 }
 
 }  // namespace
+
+std::string gate_words(const GateRecord& gate) { return gate.id + (gate.tier.empty() ? "" : " (" + gate.tier + ")"); }
 
 void compare_gates(const Snapshot& before, const Snapshot& after, std::vector<Finding>& findings) {
   for (const auto& [key, gate] : before.gates) {

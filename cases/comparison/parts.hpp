@@ -26,6 +26,9 @@ inline constexpr double cost_share = 0.10;
 // Instruction counts repeat to 1e-4; inlining moves them by a percent.
 inline constexpr double instruction_share = 0.02;
 
+// A gate as the quantity of its findings: "cells/order (quick)".
+std::string gate_words(const GateRecord& gate);
+
 // Verdicts by severity; bounds by `shift`.
 void compare_gates(const Snapshot& before, const Snapshot& after, std::vector<Finding>& findings);
 
@@ -41,8 +44,8 @@ void compare_studies(const Snapshot& before, const Snapshot& after, std::vector<
 // whether the brackets overlap.
 void compare_limits(const Snapshot& before, const Snapshot& after, std::vector<Finding>& findings);
 
-// By study: the levels that both have, added up sample by sample, and their ratio (two_samples.hpp); worse where the
-// whole interval is beyond `cost_share`, INCONCLUSIVE where it reaches beyond. Instruction counts, where both have
+// By study: the levels that both have timed often enough, added up sample by sample, and their ratio
+// (two_samples.hpp); worse where the whole interval is beyond `cost_share`, INCONCLUSIVE where it reaches beyond. Instruction counts, where both have
 // them, decide whenever times do not. Not comparable between different machines, compilers or flags: one finding says
 // so.
 void compare_costs(const Snapshot& before, const Snapshot& after, std::vector<Finding>& findings);

@@ -246,12 +246,14 @@ void take_stability(const Json& document, Snapshot& snapshot) {
 
 void take_costs(const Json& document, Snapshot& snapshot) {
   for (const Json& run : document.at("runs")) {
+    if (text(run, "source") == "stored") continue;  // its time is of another run than the repeated ones
     CostRecord record;
     record.case_name = run.at("case").get<std::string>();
     record.scheme = run.at("scheme").get<std::string>();
     record.study = text(run, "study");
     record.vary = text(run, "vary");
     record.value = number(run, "value").value_or(0);
+    record.cells = number(run, "cells").value_or(0);
     record.wall_s = run.at("wall_s").get<std::vector<double>>();
     record.instructions = number(run, "instructions");
     record.point_steps = number(run, "point_steps");

@@ -62,7 +62,7 @@ struct LimitRecord {
 
 struct CostRecord {
   std::string case_name, scheme, study, vary;
-  double value = 0;
+  double value = 0, cells = 0;
   std::vector<double> wall_s;  // samples
   std::optional<double> instructions;
   std::optional<double> point_steps;

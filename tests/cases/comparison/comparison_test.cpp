@@ -205,6 +205,34 @@ TEST(Compare, AWidenedGateIsRedEvenIfItPasses) {
   EXPECT_EQ(changed(against({}, after), "bound").at(0).change, Change::better) << "narrowed";
 }
 
+TEST(LookUpWidenings, ARecordedReasonIsNotRed) {
+  Synthetic after;
+  after.gates[0] = synthetic_gate("cells/density", "PASS", 0.008);
+  const Snapshot a = Synthetic{}.snapshot(), b = after.snapshot();
+  LedgerLine line;
+  line.case_name = "toy";
+  line.study = "cells";
+  line.id = "cells/density";
+  line.bounds.expected.high = 0.008;
+  line.widened = Widening{{{{}, 0.007}, {}, {}, true}, "2026-11-22", "because"};
+  const auto status_with = [&](const LedgerLine& recorded) {
+    Comparison comparison = compare(a, b);
+    look_up_widenings({recorded}, a, b, comparison);
+    EXPECT_EQ(comparison.count(Change::widened), 1u) << "it is still said";
+    return status(comparison);
+  };
+  EXPECT_EQ(status_with(line), 0);
+  LedgerLine other = line;
+  other.widened->from.expected.high = 0.006;
+  EXPECT_EQ(status_with(other), 1) << "it was recorded for another change";
+  other = line;
+  other.bounds.expected.high = 0.0079;
+  EXPECT_EQ(status_with(other), 1) << "not as far as this";
+  other = line;
+  other.widened.reset();
+  EXPECT_EQ(status_with(other), 1);
+}
+
 TEST(Compare, AnExpectedFailureWhereNoneWasIsWidened) {
   Synthetic before, after;
   before.gates[0]["verdict"] = "FAIL";
@@ -301,6 +329,29 @@ TEST(Compare, InstructionsDecideWhereTimesDoNot) {
   ASSERT_EQ(costs.size(), 1u);
   EXPECT_EQ(costs[0].change, Change::worse);
   EXPECT_THAT(costs[0].note, HasSubstr("instructions x 1.2000"));
+}
+
+TEST(Compare, CostsOfLevelsAreAddedUp) {
+  Synthetic before, after;
+  for (Synthetic* s : {&before, &after}) {
+    Json second = s->costs["runs"][0], once = second;
+    second["value"] = 200;
+    once["value"] = 400;
+    once["wall_s"] = {100};
+    s->costs["runs"].push_back(second);
+    s->costs["runs"].push_back(once);
+  }
+  after.costs["runs"][1]["wall_s"] = {1.40, 1.41, 1.42, 1.39, 1.40};
+  const auto costs = changed(against(after, before), "cost");
+  ASSERT_EQ(costs.size(), 1u);
+  EXPECT_EQ(costs[0].change, Change::worse);
+  EXPECT_NEAR(*costs[0].size, 1.2, 0.01) << "of one level as before and one of 1.4, without what was timed once";
+}
+
+TEST(Compare, TimesOfStoredRunsAreNotCompared) {
+  Synthetic before, after;
+  after.costs["runs"][0]["source"] = before.costs["runs"][0]["source"] = "stored";
+  EXPECT_TRUE(before.snapshot().costs.empty());
 }
 
 TEST(Compare, ATimeThatIsSurelyWorseStaysSo) {
