@@ -160,10 +160,12 @@ def surface(document, scheme, measure="density.L1"):
         scale = colors.LogNorm(numpy.nanmin(errors), numpy.nanmax(errors))
         for row in range(len(courants)):
             for column in range(len(cells)):
-                _cell(axes, column, row, errors[row, column], shades, scale)
-        if numpy.isfinite(costs).all():
-            levels = 10.0 ** numpy.arange(math.floor(math.log10(costs.min())), math.ceil(math.log10(costs.max())) + 1)
-            lines = axes.contour(range(len(cells)), range(len(courants)), costs, levels=levels, colors=["#d03030"], linewidths=1.1)
+                has_stopped = (cells[column], courants[row]) in runs and not math.isfinite(errors[row, column])
+                _cell(axes, column, row, errors[row, column], has_stopped, shades, scale)
+        known = numpy.ma.masked_invalid(costs)
+        if known.count() > 3:
+            levels = 10.0 ** numpy.arange(math.floor(math.log10(known.min())), math.ceil(math.log10(known.max())) + 1)
+            lines = axes.contour(range(len(cells)), range(len(courants)), known, levels=levels, colors=["#d03030"], linewidths=1.1)
             axes.clabel(lines, fmt=lambda value: text.seconds(value).replace("\u202f", " "), fontsize=7.5, colors=["#b01010"])
         for place, height in own if scheme == YORK else []:
             axes.plot(place, height, "o", markersize=9, markerfacecolor="none", color=svg.INK, markeredgewidth=1.4)
@@ -176,7 +178,7 @@ def surface(document, scheme, measure="density.L1"):
         f"Sod’s tube under {scheme}: error in {measure} over cells and Courant number, the smaller the lighter; red lines are "
         "equal wall time. "
         + ("Rings: York’s own step, in proportion to the cell size. " if scheme == YORK and own else "")
-        + ("A hatched field is a run that stopped." if not numpy.isfinite(errors).all() else "")
+        + ("An empty field was too long for the tier, a hatched one stopped." if not numpy.isfinite(errors).all() else "")
     )
     return Figure(
         svg.draw(paint, f"cost-surface-{scheme}", f"Error over cells and Courant number under {scheme}", height=3.2),
@@ -195,12 +197,12 @@ def _cost(run):
     return wall_time(run) if run and run["finished"] else math.nan
 
 
-def _cell(axes, column, row, error, shades, scale):
+def _cell(axes, column, row, error, has_stopped, shades, scale):
     known = math.isfinite(error)
     face = colors.to_hex(shades(scale(error))) if known else "none"
     axes.add_patch(
         Rectangle(
-            (column - 0.5, row - 0.5), 1, 1, facecolor=face, edgecolor=svg.GRID, linewidth=0.4, hatch=None if known else "///"
+            (column - 0.5, row - 0.5), 1, 1, facecolor=face, edgecolor=svg.GRID, linewidth=0.4, hatch="///" if has_stopped else None
         )
     )
     if known:

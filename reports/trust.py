@@ -180,15 +180,14 @@ def _kind(settings):
 # --- tolerances -----------------------------------------------------------------------------------
 
 
-def tolerances(cases, widened=None):
+def tolerances(cases, widened=()):
     """Every gate with where its bound comes from and how much room it leaves, those to look at first on top."""
-    widened = widened or {}
     rows = []
     for case in cases.values():
         for gate in case.all_gates:
             row = tables.gate_row(gate)
             margin, origin = gate.get("margin"), gate.get("origin") or ""
-            more = widened.get((case.name, gate.get("id")), "")
+            more = _widened(widened, case.name, gate.get("id") or "")
             rows.append({**row, "value": margin, "origin_key": origin, "flag": _flag(gate, margin, origin), "widened": more})
     order = {"near the bound": 0, "wide": 1, "": 2}
     return sorted(rows, key=lambda row: (not row["widened"], order.get(row["flag"], 2), row["value"] if row["value"] is not None else 9))
@@ -209,20 +208,29 @@ def _is_lower_bound(gate):
 
 
 def load_widened(path=TOLERANCES_FILE):
-    """{(case, id): words} of tolerances that were widened, from the repository's own list, if it has one."""
+    """[(case, id, words)] of the bounds that were widened, from the repository's own record where it is there; case and id
+    may be patterns.
+    """
     try:
-        document = json.loads(pathlib.Path(path).read_text(encoding="utf-8"))
-    except (FileNotFoundError, ValueError):
-        return {}
-    rows = document.get("tolerances") or document.get("gates") or [] if isinstance(document, dict) else []
-    rows = [row for row in rows if isinstance(row, dict) and row.get("widened")]
-    return {(row.get("case"), row.get("id") or row.get("gate")): _widened_words(row["widened"]) for row in rows}
+        rows = json.loads(pathlib.Path(path).read_text(encoding="utf-8"))["gates"]
+    except (FileNotFoundError, ValueError, KeyError, TypeError):
+        return []
+    return [
+        (row["case"], row["id"], _widened_words(row["widened"]))
+        for row in rows
+        if isinstance(row, dict) and isinstance(row.get("widened"), dict) and row.get("case") and row.get("id")
+    ]
 
 
-def _widened_words(value):
-    if isinstance(value, dict):
-        return ", ".join(f"{key}: {text.exact(item)}" for key, item in value.items())
-    return "widened" if value is True else str(value)
+def _widened_words(change):
+    return f"widened {change.get('date') or ''}, was {text.expected(change.get('from'))}: {change.get('why') or 'no reason given'}"
+
+
+def _widened(widened, case, name):
+    for wanted_case, wanted_name, words in widened:
+        if fnmatch.fnmatchcase(case, wanted_case) and fnmatch.fnmatchcase(name, wanted_name):
+            return words
+    return ""
 
 
 def origins(rows):
@@ -402,7 +410,7 @@ def csv_tables(folder, cases):
     ]  # fmt: skip
     widened = load_widened()
     for row in gates:
-        row[10] = widened.get((row[0], row[1]), "")
+        row[10] = _widened(widened, row[0] or "", row[1] or "")
     requirements = [
         [
             row["id"], row["requirement"], row["source"], " ".join(case["name"] for case in row["cases"]), row["count"],

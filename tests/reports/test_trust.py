@@ -73,10 +73,12 @@ def test_flags_of_margins():
 
 def test_widened_tolerances_come_first(tmp_path):
     path = tmp_path / "tolerances.json"
-    path.write_text(json.dumps({"tolerances": [{"case": "sod", "id": "c", "widened": {"from": 0.1, "to": 0.2}}, {"case": "sod", "id": "a"}]}))
+    change = {"from": {"low": None, "high": 0.5}, "date": "2026-11-22", "why": "coarser mesh"}
+    path.write_text(json.dumps({"gates": [{"case": "*", "id": "c", "widened": change}, {"case": "sod", "id": "a"}]}))
     rows = trust.tolerances(one_case(gate("a", 0.04), gate("c", 0.5)), trust.load_widened(path))
-    assert [(row["id"], row["widened"]) for row in rows] == [("c", "from: 0.1, to: 0.2"), ("a", "")]
-    assert trust.load_widened(tmp_path / "none.json") == {}
+    assert [row["id"] for row in rows] == ["c", "a"] and rows[1]["widened"] == ""
+    assert rows[0]["widened"] == "widened 2026-11-22, was ≤ 0.5: coarser mesh"
+    assert trust.load_widened(tmp_path / "none.json") == []
 
 
 def level(error, bound):
