@@ -58,7 +58,8 @@ int execute(const CommonOptions& common, const TolerancesOptions& options) {
 Command add_tolerances(CLI::App& app, Invocation& invocation) {
   CLI::App* sub = app.add_subcommand("tolerances", "the ledger of all gates' bounds against what is declared");
   sub->footer(
-      "Example: plumbline tolerances cases/tolerances.json --update\nExit status: 0 all as recorded, 1 not, 2 a gate was "
+      "Example: plumbline tolerances cases/tolerances.json --update\nExit status: 0 all as recorded, 1 not, 2 a gate "
+      "was "
       "widened and --why is missing, 4 files.");
   auto options = std::make_shared<TolerancesOptions>();
   sub->add_option("file", options->file, "the ledger")->required();

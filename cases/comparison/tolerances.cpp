@@ -26,9 +26,8 @@ void put(const Bounds& bounds, Json& json) {
   if (bounds.band && (bounds.band->low || bounds.band->high))
     json["band"] = {{"low", end(bounds.band->low)}, {"high", end(bounds.band->high)}};
   if (bounds.stops)
-    json["stops"] = {{"step_low", bounds.stops->step_low},
-                     {"step_high", bounds.stops->step_high},
-                     {"field", bounds.stops->field}};
+    json["stops"] = {
+        {"step_low", bounds.stops->step_low}, {"step_high", bounds.stops->step_high}, {"field", bounds.stops->field}};
 }
 
 std::optional<double> end(const Json& json, const char* key) {
@@ -84,7 +83,8 @@ constexpr const char* record = "`plumbline tolerances cases/tolerances.json --up
 
 std::string widened_message(const LedgerLine& from, const LedgerLine& to, const std::string& why) {
   return fmt::format(
-      "WIDENED: {} lets pass more ({}): {} became {}. Take it back, or record it with its reason: `plumbline tolerances "
+      "WIDENED: {} lets pass more ({}): {} became {}. Take it back, or record it with its reason: `plumbline "
+      "tolerances "
       "cases/tolerances.json --update --why '...'` changes its line and adds `widened` with date and reason",
       gate_words(to.key()), why, bounds_words(from.bounds), bounds_words(to.bounds));
 }
@@ -202,11 +202,13 @@ std::vector<Discrepancy> discrepancies(const std::vector<LedgerLine>& recorded,
     if (const auto is = now.find(key); is != now.end())
       compare_lines(*was, *is->second, found);
     else
-      found.push_back({"removed", key, fmt::format("removed: {} is declared no more. Record it: {}", gate_words(key), record)});
+      found.push_back(
+          {"removed", key, fmt::format("removed: {} is declared no more. Record it: {}", gate_words(key), record)});
   }
   for (const auto& [key, is] : now) {
     if (old.count(key) == 0)
-      found.push_back({"new", key, fmt::format("new: {}, {}. Record it: {}", gate_words(key), bounds_words(is->bounds), record)});
+      found.push_back(
+          {"new", key, fmt::format("new: {}, {}. Record it: {}", gate_words(key), bounds_words(is->bounds), record)});
   }
   return found;
 }
@@ -239,8 +241,9 @@ std::vector<LedgerLine> updated(const std::vector<LedgerLine>& recorded, const s
     if (by == Shift::same) l.since = was.since;
     if (by == Shift::widened) {
       l.widened = Widening{was.bounds, date, why};
-      if (why.empty()) unexplained += fmt::format("\n  {}: {} became {}", gate_words(l.key()),
-                                                  bounds_words(was.bounds), bounds_words(l.bounds));
+      if (why.empty())
+        unexplained += fmt::format("\n  {}: {} became {}", gate_words(l.key()), bounds_words(was.bounds),
+                                   bounds_words(l.bounds));
     } else if (was.widened && shift(was.widened->from, l.bounds) == Shift::widened) {
       l.widened = was.widened;
     }

@@ -83,7 +83,8 @@ TEST(Discrepancies, WidenedNamesGateBoundsAndWhatToDo) {
   const auto found = discrepancies(ledger(), now);
   EXPECT_EQ(kinds(found), "widened:b");
   EXPECT_THAT(found.at(0).message, HasSubstr("gate b of toy, study cells"));
-  EXPECT_THAT(found.at(0).message, HasSubstr("[0.3333333333333333, 0.6666666666666666] became [0.3333333333333333, 0.7]"));
+  EXPECT_THAT(found.at(0).message,
+              HasSubstr("[0.3333333333333333, 0.6666666666666666] became [0.3333333333333333, 0.7]"));
   EXPECT_THAT(found.at(0).message, HasSubstr("--update --why"));
 }
 
