@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <thread>
 
 #include "cases/commands/bench_cases.hpp"
@@ -120,7 +121,7 @@ class Bench {
   }
 
   void measure(const std::string& part, const BenchFlow& flow) {
-    for (const StepTiming& timing : time_flow(flow, threads_)) {
+    for (const StepTiming& timing : timed(flow)) {
       kernels_.push_back(kernel_entry(part, flow, timing, limits_));
       const Json& k = kernels_.back();
       const auto text = [&](const char* key, double factor, int digits) {
@@ -140,6 +141,13 @@ class Bench {
     }
   }
 
+  // Each flow is timed once, though it may belong to several parts.
+  const std::vector<StepTiming>& timed(const BenchFlow& flow) {
+    std::vector<StepTiming>& known = timings_[fmt::format("{}, {} points", flow.name(), flow.points)];
+    if (known.empty()) known = time_flow(flow, threads_);
+    return known;
+  }
+
   void measure(const TimedRun& run) {
     auto [kernel, target] = time_run(run, common_.settings, full_ ? bench_repeats : 3);
     out_.line("  {:38} {:>9} {:>7} {:>9.2f}   {} steps in {:.4g} s", run.name, kernel["points"].get<long>(), 1,
@@ -155,6 +163,7 @@ class Bench {
   bool full_;
   std::vector<int> threads_{1};
   MachineLimits limits_;
+  std::map<std::string, std::vector<StepTiming>> timings_;
   Json kernels_ = Json::array(), targets_ = Json::array();
 };
 
