@@ -270,6 +270,8 @@ def margins(rows, files):
                 xytext=(3 if at < 0.5 else -3, -1), textcoords="offset points",
             )  # fmt: skip
         axes.set(xlabel="margin: 0 at the bound, 1 at the centre or at no error", ylabel="gates that pass", xlim=(0, 1))
+        axes.yaxis.get_major_locator().set_params(integer=True)
+        axes.xaxis.set_ticks([0.2, 0.4, 0.6, 0.8, 1])  # the axes' zeros would stand on each other
 
     caption = (
         f"Room that {text.plural(len(others), 'gate')} leave; {text.count(len(values) - len(others))} more are identities, whose "
