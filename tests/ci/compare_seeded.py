@@ -1,0 +1,82 @@
+"""ci/compare on real builds: two equal ones, one that has lost an order, one that is slower. The second build is the first
+with one file of the kernel changed: that file is compiled and the kernel linked again, nothing else.
+Environment: PLUMBLINE_BUILD names the build."""
+import json
+import os
+import shlex
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = Path(os.environ.get("PLUMBLINE_BUILD", ROOT / "build/release"))
+CASE = "acoustic-pulse"   # of second order, with the default scheme of gases: leapfrog
+SOURCE = ROOT / "kernel/integrators/leapfrog.cpp"
+PREDICTION = "mpm.predict_stress_and_map_forces(dt / 2);"
+MAP = "mpm.map_mass_and_momentum();"
+COUNTS = shutil.which("valgrind") is not None
+
+
+def changed_build(folder, old, new):
+    """A build folder whose kernel has `new` in the place of `old`."""
+    text = SOURCE.read_text(encoding="utf-8")
+    assert text.count(old) == 1, f"{SOURCE.name} has changed: choose another seed"
+    (folder / "lib").mkdir(parents=True)
+    source, compiled, library = folder / SOURCE.name, folder / "changed.o", folder / "lib/libplumbline_kernel.so.0"
+    source.write_text(text.replace(old, new), encoding="utf-8")
+    commands = subprocess.run(["ninja", "-C", str(BUILD), "-t", "commands", "lib/libplumbline_kernel.so"], capture_output=True,
+                              text=True, check=True).stdout.splitlines()
+    compile_it = shlex.split(next(line for line in commands if line.endswith(str(SOURCE))))
+    built = compile_it[compile_it.index("-o") + 1]
+    for option in ("-MF", "-MT"):
+        compile_it[compile_it.index(option) + 1] = str(folder / "changed.d")
+    link_it = shlex.split(next(line for line in commands if " -shared " in line).split("&&")[1])
+    made = link_it[link_it.index("-o") + 1]
+    for command, renamed in ((compile_it, {str(SOURCE): source, built: compiled}), (link_it, {built: compiled, made: library})):
+        subprocess.run([str(renamed.get(word, word)) for word in command], cwd=BUILD, check=True)
+    script = folder / "bin/plumbline"
+    script.parent.mkdir()
+    script.write_text(f"#!/bin/sh\nLD_LIBRARY_PATH={folder}/lib exec {BUILD}/bin/plumbline \"$@\"\n")
+    script.chmod(0o755)
+    return folder
+
+
+def compare(head, output, *options):
+    result = subprocess.run([sys.executable, str(ROOT / "ci/compare"), "--builds", str(BUILD), str(head), CASE, "--output", str(output),
+                             "--jobs", "1", *options], capture_output=True, text=True, timeout=900)
+    sys.stdout.write(result.stdout + result.stderr)
+    document = json.loads((output / "head/diff.json").read_text(encoding="utf-8"))
+    return result, document, [found for found in document["findings"] if found["change"] == "worse"]
+
+
+def test_identical_builds(tmp_path):
+    """Times alone may stay inconclusive on a busy machine; counts of instructions do not."""
+    result, document, worse = compare(BUILD, tmp_path, "--instructions")
+    assert not worse and document["moved"] == 0
+    if COUNTS:
+        assert result.returncode == 0 and document["nothing_changed"]
+        assert result.stdout.splitlines()[-1] == "nothing changed"
+        assert "instructions x 1.0000" in "".join(found["note"] for found in document["findings"])
+
+
+def test_lost_order(tmp_path):
+    head = changed_build(tmp_path / "build", PREDICTION, "mpm.predict_stress_and_map_forces(0 * dt);")
+    result, _, worse = compare(head, tmp_path / "out", "--rounds", "0")
+    assert result.returncode == 1
+    orders = [found for found in worse if found["kind"] == "order" and found["case"] == CASE]
+    assert orders and all(found["size"] < -0.3 and found["interval"][1] < 0 for found in orders)
+    assert any(found["kind"] == "verdict" and found["after"] == "FAIL" for found in worse), "the gates see it, too"
+    assert "WORSE" in result.stdout and "order" in result.stdout
+
+
+def test_slowdown(tmp_path):
+    """The points are mapped a second time, with the same outcome: no number changes but the cost."""
+    head = changed_build(tmp_path / "build", MAP, f"{MAP} {MAP}")
+    result, document, worse = compare(head, tmp_path / "out", "--instructions")
+    assert result.returncode == 1 and document["moved"] == 0
+    assert {found["kind"] for found in document["findings"] if found["change"] not in ("same", "better")} == {"cost"}
+    if COUNTS:
+        assert worse and "instructions x 1." in worse[0]["note"]

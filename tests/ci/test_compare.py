@@ -1,0 +1,127 @@
+"""ci/compare: what it runs in which order, and the exit status it ends with. Both programs are fakes that log."""
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+SCRIPT = Path(__file__).resolve().parents[2] / "ci/compare"
+FAKE = '''#!{python}
+import json, pathlib, sys
+words, folder = sys.argv[1:], pathlib.Path({folder!r})
+with (folder / "log").open("a") as log:
+    print({side!r}, *words, file=log)
+behave = json.loads((folder / "behave.json").read_text())
+after = lambda name: words[words.index(name) + 1]
+if words[0] == "list":
+    print(json.dumps({{"cases": [{{"name": name}} for name in behave["cases"][{side!r}]]}}))
+if words[0] == "bench":
+    calls = (folder / "log").read_text().count({side!r} + " bench")
+    pathlib.Path(after("--json")).write_text(json.dumps({{"machine": {{}}, "runs": [{{"case": "sod", "scheme": "default", "study": "cells",
+        "vary": "cells", "value": 100, "cells": 100, "wall_s": [calls], "instructions": None}}]}}))
+if words[0] == "diff":
+    calls = (folder / "log").read_text().count("head diff")
+    change = "inconclusive" if calls < behave["settled"] else "same"
+    pathlib.Path(after("--json")).write_text(json.dumps({{"findings": [{{"kind": "cost", "change": change}}]}}))
+sys.exit(behave["status"].get(words[0], 0))
+'''
+
+
+class Pair:
+    def __init__(self, folder):
+        self.folder = folder
+        self.behave = {"cases": {"base": ["sod", "lax"], "head": ["sod", "lax"]}, "status": {}, "settled": 0}
+        for side in ("base", "head"):
+            executable = folder / side / "bin/plumbline"
+            executable.parent.mkdir(parents=True)
+            executable.write_text(FAKE.format(python=sys.executable, folder=str(folder), side=side))
+            executable.chmod(0o755)
+
+    def run(self, *options):
+        (self.folder / "behave.json").write_text(json.dumps(self.behave))
+        return subprocess.run([sys.executable, str(SCRIPT), "--builds", str(self.folder / "base"), str(self.folder / "head"),
+                               "--output", str(self.folder / "out"), *options], capture_output=True, text=True, timeout=60)
+
+    def calls(self):
+        return (self.folder / "log").read_text().splitlines()
+
+    def cost(self, side):
+        return json.loads((self.folder / "out" / side / "cost.json").read_text())["runs"][0]["wall_s"]
+
+
+@pytest.fixture
+def pair(tmp_path):
+    return Pair(tmp_path)
+
+
+def test_both_are_verified_timed_in_turns_and_compared(pair):
+    result = pair.run("sod", "--rounds", "4")
+    assert result.returncode == 0, result.stderr
+    kinds = [" ".join(call.split()[:2]) for call in pair.calls()]
+    assert kinds[:4] == ["base list", "head list", "base verify", "head verify"]
+    assert [kind for kind in kinds if kind.endswith("bench")] == [f"{side} bench" for side in "base head head base base head head base".split()]
+    assert kinds[-1] == "head diff", "the newer program judges"
+    assert all("verify sod --tier quick" in call for call in pair.calls() if " verify " in call)
+    assert pair.cost("base") == pair.cost("head") == [1, 2, 3, 4]
+
+
+def test_times_are_taken_for_as_long_as_they_say_nothing(pair):
+    pair.behave["settled"] = 3
+    assert pair.run("--rounds", "4", "--most-rounds", "30").returncode == 0
+    assert len(pair.cost("base")) == 12
+    pair.behave["settled"] = 99
+    pair.run("--rounds", "4", "--most-rounds", "6")
+    assert len(pair.cost("base")) == 6
+
+
+@pytest.mark.parametrize("status", [0, 1, 4])
+def test_exit_status_is_that_of_diff(pair, status):
+    pair.behave["status"]["diff"] = status
+    assert pair.run("--rounds", "0").returncode == status
+    assert not any(" bench " in call for call in pair.calls())
+
+
+def test_red_verdicts_are_compared_but_a_failed_call_is_not(pair):
+    pair.behave["status"]["verify"] = 3
+    assert pair.run("--rounds", "0").returncode == 0
+    pair.behave["status"]["verify"] = 139
+    assert pair.run("--rounds", "0").returncode == 139
+
+
+def test_case_that_one_side_lacks_is_no_wrong_call(pair):
+    pair.behave["cases"]["head"].append("new-case")
+    assert pair.run("new-*").returncode == 0
+    assert not any(call.startswith("base verify") for call in pair.calls())
+    assert pair.run("no-such-*").returncode == 2
+
+
+def test_program_without_costs_is_compared_all_the_same(pair):
+    pair.behave["status"]["bench"] = 2
+    result = pair.run()
+    assert result.returncode == 0 and "no costs" in result.stdout and pair.calls()[-1].startswith("head diff")
+
+
+def test_results_of_an_earlier_comparison_do_not_pass_for_these(pair):
+    stale = pair.folder / "out/base/study-old.h5"
+    stale.parent.mkdir(parents=True)
+    stale.write_text("old")
+    assert pair.run("--rounds", "0").returncode == 0 and not stale.exists()
+
+
+@pytest.mark.parametrize("options, words", [(["--rounds", "2"], "needs 4"), (["--allow", "worse"], "invalid choice")])
+def test_wrong_options(pair, options, words):
+    result = pair.run(*options)
+    assert result.returncode == 2 and words in result.stderr
+
+
+def test_wrong_revision_and_build(tmp_path):
+    def run(*words):
+        return subprocess.run([sys.executable, str(SCRIPT), *words], capture_output=True, text=True, timeout=60)
+    assert run().returncode == 2
+    result = run("--builds", str(tmp_path), str(tmp_path), "--output", str(tmp_path / "out"))
+    assert result.returncode == 2 and "bin/plumbline" in result.stderr
+    if shutil.which("git"):
+        result = run("no-such-revision", "--output", str(tmp_path / "out"))
+        assert result.returncode == 2 and "no-such-revision" in result.stderr
