@@ -15,10 +15,17 @@ namespace {
 
 std::size_t executed(const Snapshot& snapshot) { return snapshot.gates.size(); }
 
+// What explains others comes before them: a run that stopped, then a lost order, then the errors it leaves.
+std::size_t rank(const std::string& kind) {
+  static constexpr std::array order{"machine", "study",    "run",   "verdict", "bound",
+                                    "order",   "constant", "error", "limit",   "cost"};
+  return static_cast<std::size_t>(std::find(order.begin(), order.end(), kind) - order.begin());
+}
+
 auto place(const Finding& f) {
   // Within a change of one kind the larger first: a lost order leads, its smallest consequence ends the list.
   const double size = f.kind == "cost" && f.size ? std::log(*f.size) : f.size.value_or(0);
-  return std::make_tuple(f.change, f.kind, f.case_name, f.scheme, f.study, -std::abs(size), f.quantity);
+  return std::make_tuple(f.change, rank(f.kind), f.case_name, f.scheme, f.study, -std::abs(size), f.quantity);
 }
 
 std::string where(const Finding& f) {

@@ -13,8 +13,8 @@
 namespace plumbline {
 
 struct Comparison {
-  std::vector<Finding> findings;                    // by `Change`, then kind, case, scheme, study, quantity
-  std::size_t gates_before = 0, gates_after = 0;    // executed
+  std::vector<Finding> findings;                  // by `Change`, then kind, case, scheme, study, and the largest first
+  std::size_t gates_before = 0, gates_after = 0;  // executed
   std::vector<std::array<std::string, 3>> machine;  // what differs of it: key, before, after
   std::size_t count(Change change) const;
   std::size_t moved() const;    // of `same`: those that are not equal

@@ -1,21 +1,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 
 #include "cases/comparison/parts.hpp"
+#include "cases/harness/student.hpp"
 
 namespace plumbline {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr std::size_t least_common_levels = 3;
-
-double student(double degrees) {
-  return degrees > 0 ? boost::math::quantile(boost::math::students_t(degrees), 0.975) : unbounded;
-}
 
 Finding finding_of(const StudyRecord& study, const std::string& kind, const std::string& quantity) {
   Finding f;
@@ -96,7 +92,7 @@ std::optional<Shifted> shifted(const std::vector<Common>& common, const std::str
     const double r = y - y_mean - slope * (x - x_mean);
     residual += r * r;
   }
-  return Shifted{slope, student(n - 2) * std::sqrt(residual / (n - 2) / xx), y_mean};
+  return Shifted{slope, student_quantile(n - 2) * std::sqrt(residual / (n - 2) / xx), y_mean};
 }
 
 // Welch's test of two slopes from their intervals: each is t(n - 2) standard errors either side.
@@ -106,7 +102,7 @@ Shifted welch(const FitRecord& before, const FitRecord& after, std::size_t level
     for (const bool enters : fit.used) used += enters ? 1 : 0;
     const double degrees = static_cast<double>(used) - 2;
     const double half = fit.low && fit.high ? (*fit.high - *fit.low) / 2 : unbounded;
-    return std::pair(degrees > 0 ? half / student(degrees) : unbounded, degrees);
+    return std::pair(degrees > 0 ? half / student_quantile(degrees) : unbounded, degrees);
   };
   const auto [a, a_degrees] = spread(before, levels_before);
   const auto [b, b_degrees] = spread(after, levels_after);
@@ -115,7 +111,7 @@ Shifted welch(const FitRecord& before, const FitRecord& after, std::size_t level
   const double variance = a * a + b * b;
   const double degrees = variance > 0 ? variance * variance / (std::pow(a, 4) / a_degrees + std::pow(b, 4) / b_degrees)
                                       : a_degrees + b_degrees;
-  result.half_width = student(degrees) * std::sqrt(variance);
+  result.half_width = student_quantile(degrees) * std::sqrt(variance);
   return result;
 }
 

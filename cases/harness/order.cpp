@@ -1,9 +1,10 @@
 #include "cases/harness/order.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
+
+#include "cases/harness/student.hpp"
 
 namespace plumbline {
 namespace {
@@ -146,8 +147,7 @@ void add_interval(const Line& line, std::size_t count, OrderFit& fit) {
   fit.low = -infinity;
   fit.high = infinity;
   if (count < 3) return;
-  const boost::math::students_t t(static_cast<double>(count) - 2);
-  const double half_width = quantile(complement(t, 0.025)) * line.slope_error;
+  const double half_width = student_quantile(static_cast<double>(count) - 2) * line.slope_error;
   fit.low = fit.order - half_width;
   fit.high = fit.order + half_width;
 }
