@@ -1,12 +1,20 @@
 """The page in a real browser: no sideways scrolling, overlap or messages; phone and desk, light and dark."""
 
+import json
 import os
 import pathlib
+import shutil
+import subprocess
 
 import pytest
 from matplotlib import image
 
 import chromium
+import libraries
+import plumbline_results
+import render
+import text
+from synthetic_results import gate, write_verdicts
 
 SIZES = {"phone": (390, 844), "desk": (1440, 1000)}
 OVERLAPS = """(() => {
@@ -155,6 +163,385 @@ def test_keyboard_reaches_what_scrolls(browser, page):
     assert browser.evaluate(stuck) == 0
 
 
-def test_page_prints(browser, page):
-    browser.open(page, *SIZES["desk"], "light")
-    assert browser.pdf().startswith(b"%PDF")
+# --- what the scripts add ---------------------------------------------------------------------------
+
+FIRST_COST = """(() => {
+  const drawing = document.querySelector('#case-sod svg.pl[id*="convergence"]');
+  drawing.scrollIntoView({block: 'center', behavior: 'instant'});
+  const marks = [...drawing.querySelectorAll('path.m[data-n]')];
+  return marks.flatMap(path => path.getAttribute('d').split('M').slice(1).map((part, index) => {
+    const [, x, y] = part.match(/^(-?[\\d.]+) ?(-?[\\d.]+)/);
+    const place = new DOMPoint(Number(x), Number(y)).matrixTransform(drawing.getScreenCTM());
+    return {series: JSON.parse(drawing.dataset.plot).s[path.dataset.s], note: path.dataset.n.split('|')[index], x: place.x, y: place.y};
+  }));
+})()"""
+READOUT = "document.querySelector('.readout.on')?.innerText || ''"
+WAIT = "new Promise(done => setTimeout(done, 350))"
+
+
+def visible(selector):
+    return f"[...document.querySelectorAll({json.dumps(selector)})].filter(element => element.getClientRects().length)"
+
+
+def click(browser, x, y):
+    for kind in ("mousePressed", "mouseReleased"):
+        browser.mouse(kind, x, y, button="left", clickCount=1)
+
+
+def value(words):
+    """A number as the page writes it."""
+    factor, _, power = words.replace("−", "-").partition("·10")
+    digits = "".join(str("⁰¹²³⁴⁵⁶⁷⁸⁹".index(letter)) if letter in "⁰¹²³⁴⁵⁶⁷⁸⁹" else "-" for letter in power)
+    return float(factor) * 10.0 ** int(digits or 0)
+
+
+def test_a_point_tells_its_line_cells_and_values(browser, page, results):
+    browser.messages.clear()
+    browser.open(page, *SIZES["desk"])
+    points = browser.evaluate(FIRST_COST)
+    study = next(
+        entry for entry in plumbline_results.load_folder(results[0]).studies
+        if entry.study["case"] == "sod" and entry.study["scheme"] == "york1997" and entry.study["vary"] == "cells"
+    )  # fmt: skip
+    told = 0
+    for level in study.study["levels"]:
+        cells = text.count(level["settings"]["cells"])
+        for point in points:
+            if "York" not in point["series"] or point["note"] != f"{cells} cells":
+                continue
+            browser.mouse("mouseMoved", point["x"] + 2, point["y"] + 1)
+            lines = browser.evaluate(READOUT).split("\n")
+            assert lines[:2] == [point["series"], f"{cells} cells"]
+            size, error = (value(line.split(" = ")[1]) for line in lines[2:4])
+            assert size == pytest.approx(level["h"], rel=2e-3)
+            assert error == pytest.approx(level["measures"]["density.L1"]["error"], rel=2e-3)
+            told += 1
+    assert told >= 3
+    browser.mouse("mouseMoved", 2, 2)
+    assert browser.evaluate(READOUT) == "" and browser.messages == []
+
+
+def test_the_wheel_enlarges_a_chosen_figure_and_escape_restores_it(browser, page):
+    browser.messages.clear()
+    browser.open(page, *SIZES["desk"])
+    first = browser.evaluate(FIRST_COST)[0]
+    drawing = "document.querySelector('#case-sod svg.pl[id*=\"convergence\"]')"
+    state = f"[{drawing}.outerHTML.replace(/<circle.*?circle>| (class|style|tabindex)=\"[^\"]*\"/g, ''), scrollY]"
+    browser.mouse("mouseMoved", first["x"], first["y"])
+    browser.mouse("mouseWheel", first["x"], first["y"], deltaX=0, deltaY=-120)
+    browser.evaluate(WAIT)
+    assert browser.evaluate(f"{drawing}.classList.contains('zoomed')") is False, "the page scrolls until a figure is chosen"
+    first = browser.evaluate(FIRST_COST)[0]
+    before = browser.evaluate(state)
+    ticks = f"[...{drawing}.querySelectorAll('text')].filter(text => text.getClientRects().length).map(text => text.textContent)"
+    labels = browser.evaluate(ticks)
+    browser.mouse("mouseMoved", first["x"], first["y"])
+    click(browser, first["x"], first["y"])
+    browser.mouse("mouseWheel", first["x"], first["y"], deltaX=0, deltaY=-500)
+    browser.evaluate(WAIT)
+    assert browser.evaluate(f"{drawing}.classList.contains('zoomed')") is True
+    enlarged = browser.evaluate(ticks)
+    assert enlarged != labels and set(labels) & set(enlarged), "other ticks, the same labels of the axes"
+    assert browser.evaluate(CROWDED_LABELS) == []
+    # What is under the pointer stays there, with its values.
+    browser.mouse("mouseMoved", first["x"] + 1, first["y"])
+    assert browser.evaluate(READOUT).startswith(first["series"])
+    browser.press("Escape", 27)
+    browser.evaluate(WAIT)
+    browser.mouse("mouseMoved", 2, 2)
+    assert browser.evaluate(state) == before and browser.messages == []
+
+
+def test_the_keyboard_goes_from_point_to_point(browser, page):
+    browser.open(page, *SIZES["desk"])
+    browser.evaluate("document.querySelector('#case-sod svg.pl[id*=\"convergence\"]').focus()")
+    said = "document.querySelector('.readout + [role=status]').textContent"
+    told = []
+    for key, code in (("ArrowRight", 39), ("ArrowRight", 39), ("ArrowLeft", 37), ("ArrowDown", 40)):
+        browser.press(key, code)
+        told.append(browser.evaluate(said))
+    assert told[0] == told[2] != told[1] and told[3].split(",")[0] != told[0].split(",")[0]
+    assert all("cells" in words and "cell size h = " in words for words in told)
+    assert "none" not in browser.evaluate("getComputedStyle(document.activeElement).outlineStyle")
+
+
+def test_values_of_a_figure_open_as_a_table(browser, page):
+    browser.open(page, *SIZES["phone"])
+    browser.evaluate("document.querySelector('#case-sod svg.pl[id*=\"convergence\"]').focus()")
+    tools = "[...document.activeElement.closest('figure').querySelectorAll('.tools button')]"
+    browser.evaluate(f"{tools}.at(-1).click()")
+    rows = browser.evaluate("[...document.querySelectorAll('.values tbody tr')].map(row => [...row.cells].map(cell => cell.innerText))")
+    assert len(rows) > 6 and all(len(row) == 4 and row[1].endswith("cells") and value(row[3]) > 0 for row in rows)
+    assert browser.evaluate("document.documentElement.scrollWidth") <= SIZES["phone"][0]
+
+
+def test_a_legend_switches_a_line_off_in_all_figures_of_its_case(browser, page):
+    browser.open(page, *SIZES["desk"])
+    drawn = (
+        "[...document.querySelectorAll('#case-sod svg.pl')].flatMap(drawing => { const series = (JSON.parse(drawing.dataset.plot || '{}').s "
+        "|| []).indexOf(%s); return [...drawing.querySelectorAll(`[data-s=\"${series}\"]`)]; })"
+        ".filter(path => getComputedStyle(path).display !== 'none').length"
+    )
+    buttons = "[...document.querySelectorAll('#case-sod .key button')]"
+    name = browser.evaluate(f"{buttons}.map(button => button.textContent.trim()).find(name => name.startsWith('York'))")
+    before = browser.evaluate(drawn % json.dumps(name))
+    assert before > 4
+    press = f"{buttons}.find(button => button.textContent.trim() === {json.dumps(name)}).click()"
+    browser.evaluate(press)
+    assert browser.evaluate(drawn % json.dumps(name)) == 0
+    off = f"{buttons}.filter(button => button.getAttribute('aria-pressed') === 'false').map(button => button.textContent.trim())"
+    assert set(browser.evaluate(off)) == {name} and len(browser.evaluate(off)) > 1
+    browser.evaluate(press)
+    assert browser.evaluate(drawn % json.dumps(name)) == before
+
+
+def type_into(browser, selector, words):
+    browser.evaluate(
+        f"(() => {{ const box = document.querySelector({json.dumps(selector)}); box.value = {json.dumps(words)};"
+        "box.dispatchEvent(new Event('input', {bubbles: true})); })()"
+    )
+
+
+def test_search_finds_cases_and_gates(browser, page):
+    browser.messages.clear()
+    browser.open(page, *SIZES["desk"])
+    cases = visible("#overview tbody tr") + ".map(row => row.dataset.case)"
+    assert browser.evaluate(cases) == ["case-sod", "case-spring-mass"]
+    type_into(browser, "#search", "mass SPRING")
+    assert browser.evaluate(cases) == ["case-spring-mass"]
+    assert browser.evaluate(visible(".case-links li") + ".length") == 1
+    assert "1 of 2 cases" in browser.evaluate("document.getElementById('found-count').textContent")
+    type_into(browser, "#search", "amplitude")
+    found = browser.evaluate("[...document.querySelectorAll('#found a')].map(link => link.hash)")
+    assert found and all("amplitude" in name for name in found)
+    browser.evaluate("document.querySelector('#found a').click()")
+    browser.evaluate(WAIT)
+    box = browser.evaluate(f"(() => {{ const box = document.querySelector({json.dumps(found[0])}).getBoundingClientRect(); return [box.top, box.height]; }})()")
+    assert -1 <= box[0] < SIZES["desk"][1] and box[1] > 0
+    type_into(browser, "#search", "no such thing")
+    assert browser.evaluate(cases) == [] and "0 of 2 cases" in browser.evaluate("document.getElementById('found-count').textContent")
+    type_into(browser, "#search", "")
+    assert len(browser.evaluate(cases)) == 2 and browser.messages == []
+
+
+def test_cases_by_verdict(browser, page):
+    browser.open(page, *SIZES["desk"])
+    cases = visible("#overview tbody tr") + ".map(row => row.dataset.case)"
+    box = "document.querySelector('[data-choose=verdict][value=%s]')"
+    browser.evaluate(box % "XPASS" + ".click()")
+    assert browser.evaluate(cases) == ["case-spring-mass"]
+    browser.evaluate(box % "FAIL" + ".click()")
+    assert len(browser.evaluate(cases)) == 2
+
+
+@pytest.fixture(scope="module")
+def long_page(tmp_path_factory):
+    """A case with thirty gates, some folded away: what a filter is for."""
+    folder = tmp_path_factory.mktemp("long")
+    gates = [
+        gate(
+            "sod", "default", f"number-{k}", f"quantity {k}", 0, 1, "PASS" if k != 29 else "FAIL", 0.5 if k != 29 else 2.0,
+            origin="identity" if k < 20 else "theory", reason=f"reason {k % 3}",
+        )
+        for k in range(30)
+    ]  # fmt: skip
+    write_verdicts(folder, gates, declared=30)
+    output = tmp_path_factory.mktemp("page") / "index.html"
+    assert render.main([str(folder), str(output)]) == 0
+    return output
+
+
+def test_a_table_is_filtered_by_words_and_verdict(browser, long_page):
+    browser.open(long_page, *SIZES["desk"])
+    browser.evaluate("document.querySelectorAll('details').forEach(element => element.open = true)")
+    shown = visible("#case-sod table.gates tbody tr:not(.why)") + ".map(row => row.id)"
+    assert len(browser.evaluate(shown)) == 30
+    assert browser.evaluate("document.querySelectorAll('#case-sod .filter').length") == 2
+    type_into(browser, "#case-sod details .filter input", "reason 1")
+    kept = browser.evaluate(shown)
+    assert sum("number-" in name and int(name.split("-")[-1]) < 20 for name in kept) == 7
+    assert browser.evaluate(visible("#case-sod details table .why") + ".length") == 1
+    assert "7 of 20 rows" in browser.evaluate("document.querySelector('#case-sod details .filter').textContent")
+    browser.evaluate("document.querySelector('#case-sod .filter input[value=FAIL]').click()")
+    kept = browser.evaluate(shown)
+    assert [name for name in kept if int(name.split("-")[-1]) >= 20] == ["gate-sod-default-number-29"]
+
+
+# --- links ------------------------------------------------------------------------------------------
+
+
+def test_every_link_leads_somewhere(browser, page):
+    browser.open(page, *SIZES["desk"])
+    broken = browser.evaluate(
+        "[...document.querySelectorAll('a')].map(link => link.getAttribute('href'))"
+        ".filter(href => !href.startsWith('#') || !document.getElementById(decodeURIComponent(href.slice(1))))"
+    )
+    assert broken == []
+    named = browser.evaluate("[...document.querySelectorAll('.anchor')].length")
+    figures_drawn = browser.evaluate("document.querySelectorAll('figure > svg.pl').length")
+    assert named > figures_drawn > 20
+    assert browser.evaluate("[...document.querySelectorAll('figure > svg.pl')].every(drawing => drawing.id)") is True
+
+
+def test_a_link_to_something_folded_away_opens_it(browser, long_page):
+    browser.open(long_page, *SIZES["phone"], hash="#gate-sod-default-number-3")
+    browser.evaluate(WAIT)
+    row = "document.getElementById('gate-sod-default-number-3')"
+    top = browser.evaluate(f"{row}.getBoundingClientRect().top")
+    assert browser.evaluate(f"{row}.closest('details').open") is True and -1 <= top < SIZES["phone"][1]
+    browser.open(long_page, *SIZES["phone"])
+    assert browser.evaluate(f"{row}.closest('details').open") is False
+    browser.evaluate("location.hash = '#gate-sod-default-number-3'")
+    browser.evaluate(WAIT)
+    assert browser.evaluate(f"{row}.closest('details').open") is True
+
+
+# --- dark page, print, no scripts ---------------------------------------------------------------------
+
+
+def test_the_switch_to_the_dark_page_is_remembered(browser, page):
+    ground = "getComputedStyle(document.documentElement).backgroundColor"
+    browser.open(page, *SIZES["desk"])
+    light = browser.evaluate(ground)
+    browser.evaluate("document.getElementById('theme').click()")
+    dark = browser.evaluate(ground)
+    assert dark != light and browser.evaluate("document.getElementById('theme').textContent") == "Light page"
+    browser.open(page, *SIZES["desk"])
+    assert browser.evaluate(ground) == dark
+    browser.evaluate("document.getElementById('theme').click()")
+    browser.open(page, *SIZES["desk"], "dark")
+    assert browser.evaluate(ground) == light, "a choice counts for more than the preference of the system"
+    browser.evaluate("localStorage.clear()")
+    browser.open(page, *SIZES["desk"], "dark")
+    assert browser.evaluate(ground) == dark
+
+
+def test_refused_storage_breaks_nothing(browser, page):
+    browser.messages.clear()
+    refuse = "Object.defineProperty(window, 'localStorage', {get() { throw new DOMException('refused', 'SecurityError'); }})"
+    script = browser.call("Page.addScriptToEvaluateOnNewDocument", source=refuse)["identifier"]
+    try:
+        browser.open(page, *SIZES["desk"])
+        browser.evaluate("document.getElementById('theme').click()")
+        assert browser.evaluate("document.documentElement.dataset.theme") == "dark"
+        assert browser.messages == []
+    finally:
+        browser.call("Page.removeScriptToEvaluateOnNewDocument", identifier=script)
+
+
+def test_without_scripts_all_pictures_and_tables_are_there(browser, page):
+    count = (
+        "(() => { document.querySelectorAll('details').forEach(element => element.open = true);"
+        "return ['figure svg.pl', 'img', 'table', 'figcaption'].map(kind => [...document.querySelectorAll(kind)]"
+        ".filter(element => element.getBoundingClientRect().height > 4).length); })()"
+    )
+    browser.open(page, *SIZES["desk"])
+    whole = browser.evaluate(count)
+    browser.allow_scripts(False)
+    try:
+        browser.open(page, *SIZES["desk"])
+        assert browser.evaluate(count) == whole and whole[0] > 20
+        assert browser.evaluate(visible("[data-needs-script], #theme, .tools") + ".length") == 0
+        assert browser.evaluate("document.documentElement.scrollWidth") <= SIZES["desk"][0]
+    finally:
+        browser.allow_scripts(True)
+
+
+def test_without_the_library_the_page_works_but_does_not_enlarge(browser, results, tmp_path, monkeypatch):
+    monkeypatch.setattr(libraries, "ROOTS", (tmp_path,))
+    monkeypatch.setattr(libraries.zoom, "__defaults__", ((tmp_path,),))
+    output = tmp_path / "index.html"
+    render.main([str(results[0]), str(output)])
+    browser.messages.clear()
+    browser.open(output, *SIZES["desk"])
+    points = browser.evaluate(FIRST_COST)
+    browser.mouse("mouseMoved", points[0]["x"] + 1, points[0]["y"])
+    assert browser.evaluate(READOUT).startswith(points[0]["series"])
+    assert browser.evaluate("[...document.querySelectorAll('.tools button')].map(button => button.textContent)") == ["Values"]
+    assert "was not installed" in output.read_text(encoding="utf-8") and browser.messages == []
+
+
+def test_page_prints(browser, long_page, page, tmp_path):
+    for source, folded in ((long_page, "gate-sod-default-number-3"), (page, "")):
+        browser.open(source, *SIZES["desk"], "dark")
+        printed = browser.pdf()
+        assert printed.startswith(b"%PDF")
+        assert folded == "" or browser.evaluate(f"document.getElementById('{folded}').closest('details').open") is False, "as before"
+        if not shutil.which("pdftotext"):
+            continue
+        target = tmp_path / "page.pdf"
+        target.write_bytes(printed)
+        words = subprocess.run(["pdftotext", "-layout", target, "-"], capture_output=True, text=True, check=True).stdout
+        assert "Verification report" in words and "Search cases" not in words
+        assert "number-3" in words or source is page, "what is folded away is printed too"
+
+
+# --- for all readers ----------------------------------------------------------------------------------
+
+CONTRAST = """(() => {
+  const channel = value => { const c = value / 255; return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4; };
+  const light = ([r, g, b]) => 0.2126 * channel(r) + 0.7152 * channel(g) + 0.0722 * channel(b);
+  const canvas = new OffscreenCanvas(1, 1).getContext('2d', {willReadFrequently: true});
+  const read = colour => { canvas.clearRect(0, 0, 1, 1); canvas.fillStyle = colour; canvas.fillRect(0, 0, 1, 1); return [...canvas.getImageData(0, 0, 1, 1).data]; };
+  const over = ([r, g, b, a], under) => [r, g, b].map((value, index) => value * a / 255 + under[index] * (1 - a / 255));
+  const ground = element => {
+    const own = read(getComputedStyle(element).backgroundColor);
+    return own[3] === 255 || !element.parentElement ? own.slice(0, 3) : over(own, ground(element.parentElement));
+  };
+  const poor = new Set();
+  for (const element of document.querySelectorAll('main *, nav *')) {
+    if (element.closest('svg') || ![...element.childNodes].some(node => node.nodeType === 3 && node.data.trim())) continue;
+    if (!element.getClientRects().length || element.matches('.anchor')) continue;
+    const under = ground(element), words = over(read(getComputedStyle(element).color), under);
+    const [a, b] = [light(words), light(under)].sort((one, other) => other - one);
+    if ((a + 0.05) / (b + 0.05) < 4.5) poor.add(`${element.tagName}.${element.className} ${((a + 0.05) / (b + 0.05)).toFixed(2)}`);
+  }
+  return [...poor];
+})()"""
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_words_stand_out_from_the_page(browser, page, scheme):
+    browser.open(page, *SIZES["desk"], scheme)
+    browser.evaluate("document.querySelectorAll('details').forEach(element => element.open = true)")
+    assert browser.evaluate(CONTRAST) == []
+
+
+def test_the_page_can_be_heard(browser, page):
+    browser.open(page, *SIZES["desk"])
+    assert browser.evaluate("[document.querySelectorAll('main').length, document.querySelectorAll('h1').length, document.documentElement.lang]") == [1, 1, "en"]
+    levels = browser.evaluate("[...document.querySelectorAll('main :is(h1, h2, h3, h4)')].map(heading => Number(heading.tagName[1]))")
+    assert levels[0] == 1 and all(after <= before + 1 for before, after in zip(levels, levels[1:]))
+    unnamed = {
+        "figures": "[...document.querySelectorAll('svg[role=img], [role=img]')].filter(drawing => !drawing.getAttribute('aria-label')).length",
+        "header cells": "[...document.querySelectorAll('th')].filter(cell => !cell.scope).length",
+        "controls": "[...document.querySelectorAll('input, button')].filter(control => !control.textContent.trim() && "
+        "!control.labels?.length && !control.getAttribute('aria-label')).length",
+        "pictures": "[...document.querySelectorAll('img')].filter(picture => picture.getAttribute('alt') === null).length",
+    }  # fmt: skip
+    assert {kind: browser.evaluate(count) for kind, count in unnamed.items()} == dict.fromkeys(unnamed, 0)
+    browser.press("Tab", 9)
+    assert browser.evaluate("document.activeElement.className") == "skip"
+    assert browser.evaluate("document.activeElement.getBoundingClientRect().left") >= 0
+
+
+# --- real results -------------------------------------------------------------------------------------
+
+
+def test_real_results(browser, tmp_path):
+    program = os.environ.get("PLUMBLINE")
+    if not program or not os.access(program, os.X_OK):
+        pytest.skip("PLUMBLINE names no program")
+    folder, output = tmp_path / "results", tmp_path / "index.html"
+    done = subprocess.run([program, "verify", "spring-mass", "--tier", "quick", "--results", folder], capture_output=True, check=False)
+    assert done.returncode in (0, 1), done.stderr
+    assert render.main([str(folder), str(output)]) == 0
+    browser.messages.clear()
+    for size in SIZES.values():
+        browser.open(output, *size)
+        browser.evaluate("document.querySelectorAll('details').forEach(element => element.open = true)")
+        assert browser.evaluate("document.documentElement.scrollWidth") <= size[0]
+        for check in (OVERLAPS, OUTSIDE, CUT_LABELS, CROWDED_LABELS):
+            assert browser.evaluate(check) == []
+    assert browser.evaluate("document.querySelectorAll('svg.pl[tabindex]').length") > 3
+    assert browser.messages == []
