@@ -66,6 +66,22 @@ def with_shared_styles(page):
     return page, "\n".join(f".pl .{name}{{{style}}}" for style, name in names.items())
 
 
+def without_optional_parts(page):
+    """The page with its tables bare of what HTML lets one leave out: implied end tags, quotes around plain values.
+
+    Drawings in tables stay as they are, so that each is well-formed XML.
+    """
+    return re.sub(r"<table.*?</table>", lambda table: _bare(table.group(0)), page, flags=re.DOTALL)
+
+
+def _bare(table):
+    parts = re.split(r"(<svg .*?</svg>|<pre.*?</pre>)", table, flags=re.DOTALL)
+    for index in range(0, len(parts), 2):
+        short = re.sub(r"</(?:td|th|tr|tbody|thead)>\s*(?=<(?:td|th|tr|tbody|thead|/table|/tr|/tbody|/thead)\b)", "", parts[index])
+        parts[index] = re.sub(r"<\w[^<>]*>", lambda tag: re.sub(r'="([A-Za-z0-9_.:#%-]+)"(?=[\s>])', r"=\1", tag.group(0)), short)
+    return "".join(parts)
+
+
 def number(value, digits=1):
     """Shortest text of a coordinate: 0.50 is .5, -0 is 0."""
     written = f"{value:.{digits}f}"
@@ -351,6 +367,23 @@ def _apart(places, distance):
     return list(kept.values())
 
 
+def _labels(found):
+    """Labels in one row, those of a horizontal axis, as one text with a part each."""
+    rows = []
+    for style, x, y, words in re.findall(r'<text( style="[^"]*")? x="([^"]*)" y="([^"]*)">([^<]*)</text>', found.group(0)):
+        if not rows or rows[-1][:2] != (style, y):
+            rows.append((style, y, []))
+        rows[-1][2].append((x, words))
+    texts = []
+    for style, y, parts in rows:
+        if len(parts) == 1:
+            texts.append(f'<text{style} x="{parts[0][0]}" y="{y}">{parts[0][1]}</text>')
+        else:
+            inner = "".join(f'<tspan x="{x}">{words}</tspan>' for x, words in parts)
+            texts.append(f'<text{style} y="{y}">{inner}</text>')
+    return "".join(texts)
+
+
 def _merged(frame):
     """Neighbouring paths of one style as one: the grid, the ticks, the spines."""
     paths, order = {}, []
@@ -359,4 +392,5 @@ def _merged(frame):
             order.append(style)
         paths.setdefault(style, []).append(data)
     rest = re.sub(r'<path(?: style="[^"]*")? d="[^"]*"/>', "", frame)
+    rest = re.sub(r'(?:<text(?: style="[^"]*")? x="[^"]*" y="[^"]*">[^<]*</text>){2,}', _labels, rest)
     return "".join(f'<path{style} d="{"".join(paths[style])}"/>' for style in order) + rest

@@ -40,7 +40,8 @@ import trust
 HERE = pathlib.Path(__file__).resolve().parent
 SHARED_STYLES = "/* styles of the drawings */"  # where compact.py puts them
 NORMS = (".L1", ".L2", ".Linf")
-MOST_PROFILES = 10  # lines of a case that are drawn over the exact solution
+MOST_PROFILES = 5  # lines of a case that are drawn over the exact solution, in the field that stands for it
+MOST_OTHER_PROFILES = 2  # in every other field
 
 
 def render(folder, earlier=None):
@@ -55,7 +56,7 @@ def render(folder, earlier=None):
         lstrip_blocks=True,
         undefined=jinja2.ChainableUndefined,
     )
-    environment.filters.update(plural=text.plural, by_label=tables.by_label, by_reason=tables.by_reason, prose=text.prose)
+    environment.filters.update(plural=text.plural, by_label=tables.by_label, by_reason=tables.by_reason, by_bound=tables.by_bound, prose=text.prose)
     environment.globals.update(series_mark=svg.series_mark)
     results = {result.name: result for result in folder.runs}
     pages = case_pages(cases, results, folder.cost)
@@ -64,7 +65,7 @@ def render(folder, earlier=None):
         style=_markup(style_sheet(front["stability"].get("style", ""))), scripts=scripts(), pages=pages, **front
     )
     page, rules = compact.with_shared_styles(page)
-    return page.replace(SHARED_STYLES, rules, 1)
+    return compact.without_optional_parts(page.replace(SHARED_STYLES, rules, 1))
 
 
 def case_pages(cases, results, costs):
@@ -128,15 +129,6 @@ def front_page(folder, cases):
         "meanings": tables.MEANINGS,
         "provenance": tables.provenance(folder),
         "commands": tables.commands(folder),
-        "costs": [
-            {
-                "title": case.catalog.get("title") or case.name,
-                "anchor": anchor(case.name),
-                "figures": cost_figures(case, f"front-{anchor(case.name)}"),
-            }
-            for case in cases.values()
-            if case.measure and not folder.cost
-        ],
         "cost": cost_part(folder, cases),
         "trust": trust_part(folder, cases),
         "speed": speed_part(folder.bench),
@@ -253,7 +245,7 @@ def case_page(case, results, film_bytes, costs):
         "has_norms": any(measure.endswith(NORMS) for measure in convergence_measures(case)),
         "scalars": tables.scalar_rows(case),
         "leads_with_scalars": not (case.measure or "").endswith(NORMS),
-        "books": tables.ledger_rows(finest),
+        "books": tables.ledger_rows([pair for pair in finest if pair[0].refined] or finest),
         "stopped": tables.stopped(case),
         "pictures": picture_groups(case, results, name, film_bytes),
         "normals": _ready(normals.drawings(case, results, f"{name}-normals")),
@@ -278,7 +270,7 @@ def case_figures(case, results, finest, name, costs):
         drawn["convergence"].append(
             _ready(
                 function(case, measure, f"{name}-{function.__name__}-{number}")
-                for function in (figures.convergence, figures.level_by_level)
+                for function in (figures.convergence, figures.level_by_level)[: 2 if number == 0 else 1]
             )
         )
     if case.measure:
@@ -342,18 +334,21 @@ def profile_groups(case, results, name):
     )
     leading = (case.measure or "").split(".")[0]
     present.sort(key=lambda field: field != leading)
-    groups = [(field.replace("_", " ").capitalize(), field, refined[:MOST_PROFILES]) for field in present]
+    groups = [
+        (field.replace("_", " ").capitalize(), field, refined[: MOST_PROFILES if number == 0 else MOST_OTHER_PROFILES])
+        for number, field in enumerate(present)
+    ]
     groups[1:1] = [
         (f"{field.replace('_', ' ').capitalize()}: {title}", field, part)
         for field in present[:1]
-        for title, part in (("lines of a single run", single[:MOST_PROFILES]),)
+        for title, part in (("lines of a single run", single[:MOST_OTHER_PROFILES]),)
         if part
     ]
     return [
         {
             "title": title,
             "figures": _profiles(part, field, f"{name}-profile-{number}"),
-            "left": max(0, len(single) - MOST_PROFILES) if part == single[:MOST_PROFILES] else 0,
+            "left": len(single if part and part[0] in single else refined) - len(part),
         }
         for number, (title, field, part) in enumerate(groups)
     ]

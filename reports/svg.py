@@ -50,6 +50,8 @@ _STYLE = {
     "axes.axisbelow": True,
     "xtick.major.size": 0,  # the grid is there
     "ytick.major.size": 0,
+    "xtick.minor.size": 0,
+    "ytick.minor.size": 0,
     "axes.spines.top": False,
     "axes.spines.right": False,
     "lines.linewidth": 1.4,

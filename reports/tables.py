@@ -251,7 +251,7 @@ def _range(entry, key):
 
 
 def settings_matrix(case):
-    """Settings by row, lines of the figures by column; a row is marked where the columns differ."""
+    """Settings in which the lines of the figures differ, by row, the lines by column; and those that all share."""
     columns = {}
     for entry in case.series:
         if entry.vary in ("cells", ""):
@@ -264,10 +264,10 @@ def settings_matrix(case):
             text.exact(settings[key]) if key in settings else text.MISSING for _, settings in columns.values()
         ]
         rows.append({"key": key, "values": values, "differs": len(set(values)) > 1})
-    rows.sort(key=lambda row: not row["differs"])
     return {
         "columns": [{"label": label, "style": style} for label, (style, _) in columns.items()],
-        "rows": rows,
+        "rows": [row for row in rows if row["differs"]],
+        "shared": [f"{row['key']}={row['values'][0]}" for row in rows if not row["differs"]],
     }
 
 
@@ -354,6 +354,14 @@ def by_reason(rows):
     for row in rows:
         key = tuple(row[name] for name in ("verdict", "cause", "note", "origin", "reason"))
         groups.setdefault(key, []).append(row)
+    return list(groups.values())
+
+
+def by_bound(rows):
+    """Rows in groups of one reason and one bound, in the order in which each group begins."""
+    groups = {}
+    for row in rows:
+        groups.setdefault((row["reason"], row["expected"]), []).append(row)
     return list(groups.values())
 
 

@@ -324,7 +324,7 @@
       for (const text of this.drawing.querySelectorAll(':scope > text')) text.style.display = enlarged && inside(text) ? 'none' : '';
       const labels = [...axes.frame.querySelectorAll('text')].filter(text => !axes.words.includes(text.textContent));
       const below = labels.some(text => Number(text.getAttribute('y')) > axes.y + axes.height);
-      const beside = labels.some(text => Number(text.getAttribute('x')) < axes.x);
+      const beside = labels.some(text => text.hasAttribute('x') && Number(text.getAttribute('x')) < axes.x);
       for (const element of [...axes.frame.querySelectorAll('path'), ...labels]) element.style.display = enlarged ? 'none' : '';
       if (!enlarged) return;
       const { x, y, width, height, across, up } = axes;

@@ -46,7 +46,7 @@
       id: article.id,
       text: plain([...all(':scope > header, .claim-text', article), document.querySelector(`#overview tr[data-case="${article.id}"]`)]
         .map(part => part?.textContent || '').join(' ')),
-      gates: all('table.gates tbody tr[id]', article).map(row => ({ row, text: plain(row.id + ' ' + row.querySelector('th').textContent + ' ' + row.cells[2].textContent) })),
+      gates: all('table.gates tbody tr[id], .identities [id]', article).map(row => ({ row, text: plain(row.id + ' ' + (row.cells ? row.querySelector('th').textContent + row.cells[2].textContent : row.textContent)) })),
     }));
   }
 
@@ -64,9 +64,9 @@
           && (!chosen.kind.size || chosen.kind.has(row?.dataset.kind));
         if (!allowed) continue;
         const own = matches(entry.text, words);
-        const hits = words.length ? entry.gates.filter(gate => matches(`${entry.text} ${gate.text}`, words) && words.some(word => gate.text.includes(word))) : [];
+        const hits = words.length ? entry.gates.filter(gate => own ? matches(gate.text, words) : matches(`${entry.text} ${gate.text}`, words)) : [];
         if (own || hits.length) found.add(entry.id);
-        if (!own) gates.push(...hits);
+        gates.push(...hits);
       }
       for (const row of rows) row.hidden = !found.has(row.dataset.case);
       for (const item of links) item.hidden = !found.has(item.firstElementChild.hash.slice(1));

@@ -17,6 +17,13 @@ def without_scripts(source):
     return bare
 
 
+# What a tag, or the end of its parent, closes by itself in a table.
+IMPLIED = {
+    "td": ("td", "th"), "th": ("td", "th"), "tr": ("td", "th", "tr"), "tbody": ("td", "th", "tr", "thead", "tbody"),
+    "/tr": ("td", "th"), "/thead": ("td", "th", "tr"), "/tbody": ("td", "th", "tr"), "/table": ("td", "th", "tr", "thead", "tbody"),
+}  # fmt: skip
+
+
 class Page(HTMLParser):
     """ids, links, attributes that could load something, tables as rows of texts, and the text of the page."""
 
@@ -32,6 +39,7 @@ class Page(HTMLParser):
 
     def handle_starttag(self, tag, attributes):
         attributes = dict(attributes)
+        self._close_implied(tag)
         self._take(tag, attributes)
         if tag not in VOID:
             self._open.append(tag)
@@ -40,9 +48,16 @@ class Page(HTMLParser):
         assert tag in VOID | MAY_CLOSE_THEMSELVES, f"<{tag}/>"
         self._take(tag, dict(attributes))
 
+    def _close_implied(self, tag):
+        while self._open and self._open[-1] in IMPLIED.get(tag, ()):
+            self._ended(self._open.pop())
+
     def handle_endtag(self, tag):
+        self._close_implied(f"/{tag}")
         assert self._open and self._open[-1] == tag, f"</{tag}> closes {self._open[-3:]} at {self.getpos()}"
-        self._open.pop()
+        self._ended(self._open.pop())
+
+    def _ended(self, tag):
         if tag == "tr":
             self.rows.append((self._case, [" ".join("".join(cell).split()) for cell in self._row]))
             self._row = None
