@@ -24,6 +24,9 @@ set_up() {
   [[ -n ${PLUMBLINE_SETUP_DONE:-} ]] || ci/setup "${with[@]}"
 }
 
+# Ubuntu has Chromium as a snap only, which its package cannot bring into a container: tests in a browser are skipped.
+has_browser_package() { ! grep -qs '^ID=ubuntu' /etc/os-release; }
+
 # Configures and builds a preset: configure_and_build PRESET [TARGET]
 configure_and_build() {
   say "configure and build: preset $1, build/$1, $jobs jobs"

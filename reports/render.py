@@ -8,6 +8,7 @@ folder is damaged (the page is then written all the same, and lists it as INVALI
 """
 
 import argparse
+import collections
 import functools
 import gc
 import multiprocessing
@@ -118,7 +119,13 @@ def front_page(folder, cases):
     overview = [tables.case_row(case) for case in cases.values()]
     for row in overview:
         row["anchor"] = anchor(row["name"])
+    parts = {
+        "cost": cost_part(folder, cases),
+        "bite": mutants.page(folder.mutants),
+    }
     return {
+        **parts,
+        "glance": glance(cases, parts["cost"], parts["bite"]),
         "strips": tables.strips(folder, cases),
         "missed": _anchored(tables.missed(cases)),
         "expected_failures": _anchored(tables.expected_failures(cases)),
@@ -129,14 +136,44 @@ def front_page(folder, cases):
         "meanings": tables.MEANINGS,
         "provenance": tables.provenance(folder),
         "commands": tables.commands(folder),
-        "cost": cost_part(folder, cases),
         "trust": trust_part(folder, cases),
         "speed": speed_part(folder.bench),
         "stability": stability_part(folder.stability, cases),
-        "bite": mutants.page(folder.mutants),
         "compared": baseline.section(folder.diff, {name: anchor(name) for name in cases}),
         "file_count": len(folder.runs) + len(folder.studies) + len(folder.verdicts),
     }
+
+
+def glance(cases, cost_shown, bite):
+    """What a newcomer should know first, each a link to where it is shown."""
+    counts = sum((case.counts for case in cases.values()), collections.Counter())
+    if not counts:
+        return []
+    missed = sum(count for verdict, count in counts.items() if verdict not in gathering.GREEN)
+    judged = sum(counts.values()) - counts["NONE"]
+    cards = [
+        {"figure": f"{judged - missed} of {judged}", "target": "verdicts", "look": "fail" if missed else "pass",
+         "words": f"gates are as they should be, over {text.plural(len(cases), 'case')}"},
+    ]  # fmt: skip
+    if counts["XFAIL"]:
+        cards.append(
+            {"figure": str(counts["XFAIL"]), "target": "expected-failures", "look": "xfail",
+             "words": "of them are known failures of a scheme, each with its cause"}
+        )  # fmt: skip
+    chosen = [row for row in (cost_shown or {}).get("jobs", ()) if row.get("chosen")]
+    if chosen:
+        schemes = collections.Counter(row["scheme"] for row in chosen)
+        name, times = schemes.most_common(1)[0]
+        cards.append(
+            {"figure": name, "target": "which-scheme", "look": "",
+             "words": f"is the scheme to take for {times} of {text.plural(len(chosen), 'kind')} of scene: which scheme for which job"}
+        )  # fmt: skip
+    if bite:
+        cards.append(
+            {"figure": str(bite["score"]), "target": "bite", "look": "",
+             "words": f"of {bite['judged']} seeded bugs that change anything are caught by a gate or a named test"}
+        )  # fmt: skip
+    return cards
 
 
 def cost_part(folder, cases):

@@ -226,10 +226,12 @@ def study_rows(case):
             "vary": _varied(entry) or "single runs",
             "why": entry.why,
             "title": entry.title if entry.title != entry.label else "",
-            "levels": [
-                text.exact(level.get("value") if entry.vary else (level.get("settings") or {}).get("cells"))
-                for level in entry.levels
-            ],
+            "levels": list(
+                dict.fromkeys(
+                    text.exact(level.get("value") if entry.vary else (level.get("settings") or {}).get("cells"))
+                    for level in entry.levels
+                )
+            ),
             "points": _range(entry, "points"),
             "steps": _range(entry, "steps"),
             "file": entry.files[0] if len(entry.files) == 1 else f"{len(entry.files)} files",

@@ -402,7 +402,7 @@ def test_the_switch_to_the_dark_page_is_remembered(browser, page):
     light = browser.evaluate(ground)
     browser.evaluate("document.getElementById('theme').click()")
     dark = browser.evaluate(ground)
-    assert dark != light and browser.evaluate("document.getElementById('theme').textContent") == "Light page"
+    assert dark != light and browser.evaluate("document.getElementById('theme').textContent") == "Light"
     browser.open(page, *SIZES["desk"])
     assert browser.evaluate(ground) == dark
     browser.evaluate("document.getElementById('theme').click()")

@@ -32,6 +32,8 @@ class Page(HTMLParser):
         self.ids, self.links, self.loads, self.words = [], [], [], []
         self.rows = []  # (identifier of the section or case, [texts of cells])
         self.labels = []  # aria-label of drawings
+        self.identities = []  # (identifier of the case, scheme and name of a gate in the table of identities)
+        self._identity = False
         self._open, self._case, self._row = [], "", None
         self.feed(source)
         self.close()
@@ -41,6 +43,7 @@ class Page(HTMLParser):
         attributes = dict(attributes)
         self._close_implied(tag)
         self._take(tag, attributes)
+        self._identity = self._identity if tag != "span" else attributes.get("id", "").startswith("gate-")
         if tag not in VOID:
             self._open.append(tag)
 
@@ -65,6 +68,8 @@ class Page(HTMLParser):
     def handle_data(self, data):
         if self._open and self._open[-1] not in ("style", "script"):
             self.words.append(data)
+            if self._identity and self._open[-1] == "code":
+                self.identities.append((self._case, data))
             if self._row:
                 self._row[-1].append(data + " ")
 
@@ -101,4 +106,5 @@ class Page(HTMLParser):
                 quantity, scheme = cells[-5], cells[-4]
                 name = quantity.split(" · ")[0].split(" ")[-1]
                 found.append((cells[0], name, scheme))
+        found += [("PASS", *reversed(words.split(" ", 1))) for case, words in self.identities if case == section]
         return found
