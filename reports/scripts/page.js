@@ -24,13 +24,13 @@
     for (let part = target; part; part = part.parentElement) part.hidden = false;
   }
 
-  function followHash(first) {
+  function followHash() {
     const id = decodeURIComponent(location.hash.slice(1)),
       target = id && document.getElementById(id);
     if (!target) return;
     reveal(target);
     // Only now does it have its place.
-    requestAnimationFrame(() => target.scrollIntoView({ behavior: first ? 'instant' : 'auto' }));
+    requestAnimationFrame(() => target.scrollIntoView());
   }
 
   function addLinks() {
@@ -249,12 +249,12 @@
     addLinks();
     addSearch();
     for (const table of all('table[data-filter]')) addTableFilter(table);
-    addEventListener('hashchange', () => followHash(false));
+    addEventListener('hashchange', followHash);
     document.addEventListener('click', event => {
       // a link to where the page already is
       const link = event.target.closest?.('a[href^="#"]');
-      if (link && link.hash === location.hash) followHash(false);
+      if (link && link.hash === location.hash) followHash();
     });
-    followHash(true);
+    followHash();
   });
 })();
