@@ -108,14 +108,28 @@ Finding time_finding(const CostRecord& record, const Sums& sums) {
 }
 
 // A count repeats, so it needs no interval; it does not see memory, so a time that is surely worse stays worse.
+std::optional<Change> of_instructions(double ratio, Change of_time) {
+  if (of_time == Change::worse) return {};
+  if (ratio > 1 + instruction_share) return Change::worse;
+  if (ratio < 1 / (1 + instruction_share)) return Change::better;
+  return of_time == Change::inconclusive ? std::optional(Change::same) : std::nullopt;
+}
+
 void settle_by_instructions(const Sums& sums, Finding& f) {
   if (!(sums.instructions_before > 0)) return;
   const double ratio = sums.instructions_after / sums.instructions_before;
-  f.note += fmt::format("{}instructions x {:.4f}", f.note.empty() ? "" : "; ", ratio);
-  if (ratio > 1 + instruction_share) f.change = Change::worse;
-  if (ratio >= 1 / (1 + instruction_share) && ratio <= 1 + instruction_share && f.change == Change::inconclusive)
-    f.change = Change::same;
-  if (ratio < 1 / (1 + instruction_share) && f.change != Change::worse) f.change = Change::better;
+  const std::optional<Change> decided = of_instructions(ratio, f.change);
+  if (!decided) {
+    f.note += fmt::format("; instructions x {:.3f}", ratio);
+    return;
+  }
+  f.note = fmt::format("{} {}", f.quantity, words(f));  // what decides leads
+  f.quantity = "instructions";
+  f.before = sums.instructions_before;
+  f.after = sums.instructions_after;
+  f.size = ratio;
+  f.interval.reset();
+  f.change = *decided;
 }
 
 void not_comparable(const Snapshot& before, const Snapshot& after, std::vector<Finding>& findings) {

@@ -45,9 +45,9 @@ void compare_studies(const Snapshot& before, const Snapshot& after, std::vector<
 void compare_limits(const Snapshot& before, const Snapshot& after, std::vector<Finding>& findings);
 
 // By study: the levels that both have timed often enough, added up sample by sample, and their ratio
-// (two_samples.hpp); worse where the whole interval is beyond `cost_share`, INCONCLUSIVE where it reaches beyond. Instruction counts, where both have
-// them, decide whenever times do not. Not comparable between different machines, compilers or flags: one finding says
-// so.
+// (two_samples.hpp); worse where the whole interval is beyond `cost_share`, INCONCLUSIVE where it reaches beyond.
+// Instruction counts, where both have them, decide unless times are surely worse, and the finding is then of them. Not
+// comparable between different machines, compilers or flags: one finding says so.
 void compare_costs(const Snapshot& before, const Snapshot& after, std::vector<Finding>& findings);
 
 }  // namespace plumbline

@@ -1,5 +1,7 @@
 """ci/compare: what it runs in which order, and the exit status it ends with. Both programs are fakes that log."""
 import json
+import os
+import re
 import shutil
 import subprocess
 import sys
@@ -19,8 +21,9 @@ if words[0] == "list":
     print(json.dumps({{"cases": [{{"name": name}} for name in behave["cases"][{side!r}]]}}))
 if words[0] == "bench":
     calls = (folder / "log").read_text().count({side!r} + " bench")
-    pathlib.Path(after("--json")).write_text(json.dumps({{"machine": {{}}, "runs": [{{"case": "sod", "scheme": "default", "study": "cells",
-        "vary": "cells", "value": 100, "cells": 100, "wall_s": [calls], "instructions": None}}]}}))
+    pathlib.Path(after("--json")).write_text(json.dumps({{"machine": {{}}, "runs": [{{"case": "sod", "scheme": scheme, "study": "cells",
+        "vary": "cells", "value": cells, "cells": cells, "wall_s": [calls], "instructions": None}}
+        for scheme in behave["schemes"] for cells in (100, 50)]}}))
 if words[0] == "diff":
     calls = (folder / "log").read_text().count("head diff")
     change = "inconclusive" if calls < behave["settled"] else "same"
@@ -32,17 +35,18 @@ sys.exit(behave["status"].get(words[0], 0))
 class Pair:
     def __init__(self, folder):
         self.folder = folder
-        self.behave = {"cases": {"base": ["sod", "lax"], "head": ["sod", "lax"]}, "status": {}, "settled": 0}
+        self.behave = {"cases": {"base": ["sod", "lax"], "head": ["sod", "lax"]}, "status": {}, "settled": 0, "schemes": ["default"]}
         for side in ("base", "head"):
             executable = folder / side / "bin/plumbline"
             executable.parent.mkdir(parents=True)
             executable.write_text(FAKE.format(python=sys.executable, folder=str(folder), side=side))
             executable.chmod(0o755)
 
-    def run(self, *options):
+    def run(self, *options, **more):
         (self.folder / "behave.json").write_text(json.dumps(self.behave))
         return subprocess.run([sys.executable, str(SCRIPT), "--builds", str(self.folder / "base"), str(self.folder / "head"),
-                               "--output", str(self.folder / "out"), *options], capture_output=True, text=True, timeout=60)
+                               "--output", str(self.folder / "out"), *options], capture_output=True, text=True, timeout=60,
+                              env={**os.environ, **more})
 
     def calls(self):
         return (self.folder / "log").read_text().splitlines()
@@ -74,6 +78,44 @@ def test_times_are_taken_for_as_long_as_they_say_nothing(pair):
     pair.behave["settled"] = 99
     pair.run("--rounds", "4", "--most-rounds", "6")
     assert len(pair.cost("base")) == 6
+
+
+def fake(path, script):
+    path.parent.mkdir(exist_ok=True)
+    path.write_text(f"#!/bin/sh\n{script}\n")
+    path.chmod(0o755)
+    return path
+
+
+@pytest.fixture
+def valgrind(pair):
+    """A PATH with one that has always counted the same."""
+    tool = fake(pair.folder / "tools/valgrind", f'echo "$@" >> {pair.folder}/counted\necho "==1== Collected : 1234" >&2')
+    return f"{tool.parent}:{os.environ['PATH']}"
+
+
+@pytest.fixture
+def python(pair):
+    """The interpreter that the build knows fails."""
+    python = fake(pair.folder / "head/python", f'echo "$@" > {pair.folder}/rendered\nexit 3')
+    (pair.folder / "head/CMakeCache.txt").write_text(f"Python3_EXECUTABLE:FILEPATH={python}\n")
+
+
+def test_instructions_of_every_scheme_and_integrator_are_counted_on_the_coarsest_level(pair, valgrind):
+    pair.behave["schemes"] = ["york1997", "default+musl"]
+    assert pair.run("--rounds", "4", "--instructions", "--jobs", "1", PATH=valgrind).returncode == 0
+    counted = [line.split(" run ")[1].split(" --results")[0] for line in (pair.folder / "counted").read_text().splitlines()]
+    assert counted == ["sod --scheme york1997 --cells 50", "sod --integrator musl --cells 50"] * 2
+    runs = json.loads((pair.folder / "out/head/cost.json").read_text())["runs"]
+    assert [run["instructions"] for run in runs] == [None, 1234] * 2
+
+
+def test_page_is_rendered_by_the_python_of_the_build_and_leaves_the_verdict(pair, python):
+    pair.behave["status"]["diff"] = 1
+    result = pair.run("--rounds", "0", "--page")
+    assert result.returncode == 1 and "no page (exit status 3)" in result.stdout
+    assert (pair.folder / "rendered").read_text().split()[1:] == [str(pair.folder / "out" / word) if word[0] != "-" else word
+                                                                   for word in ("head", "index.html", "--baseline", "base")]
 
 
 @pytest.mark.parametrize("status", [0, 1, 4])
@@ -114,6 +156,15 @@ def test_results_of_an_earlier_comparison_do_not_pass_for_these(pair):
 def test_wrong_options(pair, options, words):
     result = pair.run(*options)
     assert result.returncode == 2 and words in result.stderr
+
+
+def test_workflow_gives_options_that_there_are(pair, valgrind, python):
+    workflow = (SCRIPT.parent.parent / ".github/workflows/compare.yml").read_text(encoding="utf-8")
+    (options,) = re.findall(r"ci/compare \$\{\{ github.event.pull_request.base.sha \}\} HEAD (.*)", workflow)
+    result = pair.run(*options.split(), PATH=valgrind)
+    assert result.returncode == 0 and (pair.folder / "counted").exists() and (pair.folder / "rendered").exists(), result.stderr
+    assert pair.calls()[-1].endswith("--allow inconclusive"), "times scatter on shared machines"
+    assert "fetch-depth: 0" in workflow and "ci/setup --with compare" in workflow
 
 
 def test_wrong_revision_and_build(tmp_path):

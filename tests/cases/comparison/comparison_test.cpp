@@ -328,7 +328,12 @@ TEST(Compare, InstructionsDecideWhereTimesDoNot) {
   const auto costs = changed(against(after, before), "cost");
   ASSERT_EQ(costs.size(), 1u);
   EXPECT_EQ(costs[0].change, Change::worse);
-  EXPECT_THAT(costs[0].note, HasSubstr("instructions x 1.2000"));
+  EXPECT_EQ(costs[0].quantity, "instructions") << "what decides leads";
+  EXPECT_NEAR(*costs[0].size, 1.2, 1e-12);
+  EXPECT_THAT(words(costs[0]), HasSubstr("1e+09 -> 1.2e+09, x 1.200; wall time in s 1.1 -> 1.2, x 1.0"));
+  after.costs = synthetic_costs({2.0, 2.1, 2.2, 2.0, 2.1}, 1.2e9);
+  EXPECT_THAT(words(changed(against(after, before), "cost").at(0)), HasSubstr("5 and 5 samples; instructions x 1.200"))
+      << "a time that says so itself leads";
 }
 
 TEST(Compare, CostsOfLevelsAreAddedUp) {
@@ -378,6 +383,8 @@ TEST(Compare, TheMostSeriousStandsFirst) {
   after.gates.pop_back();
   const Comparison comparison = against(after);
   EXPECT_EQ(overall(comparison), Change::worse);
+  EXPECT_LT(text(comparison).find("density.L1  2 -> 1"), text(comparison).find("  error "))
+      << "a lost order, then the errors it leaves";
   for (std::size_t k = 1; k < comparison.findings.size(); ++k)
     EXPECT_LE(comparison.findings[k - 1].change, comparison.findings[k].change);
 }
