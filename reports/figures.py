@@ -7,7 +7,7 @@ orders, intervals and constants are those of the study files.
 from dataclasses import dataclass, field
 
 import numpy
-from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, MaxNLocator, NullFormatter, NullLocator
+from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullLocator
 
 import baseline
 import svg
@@ -46,9 +46,7 @@ def log_axis(axis, low, high):
     ticks = log_ticks(low, high)
     axis.set_major_locator(FixedLocator(ticks))
     axis.set_major_formatter(FuncFormatter(lambda value, _: tick(value)))
-    decades = numpy.log10(high / low)
-    axis.set_minor_locator(LogLocator(10, subs=range(2, 10), numticks=99) if decades < 5 else NullLocator())
-    axis.set_minor_formatter(NullFormatter())
+    axis.set_minor_locator(NullLocator())
 
 
 def log_ticks(low, high):

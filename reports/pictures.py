@@ -355,8 +355,7 @@ def _reel(view, kind, name, ramp, levels, width, frames):
 
 def _colour_chain(view, canvas, number, places, colours, thickness=4):
     for part in view.lines(number, places):
-        for start, end in zip(part, part[1:]):
-            canvas.line(places[[start, end]], colours[start], thickness)
+        canvas.line(places[part], colours[part[:-1]], thickness)
 
 
 def _other_keys(view, kind):

@@ -62,15 +62,20 @@ class Canvas:
             for across, down in _disc(size):
                 self._set(column[chosen] + across, row[chosen] + down, colours[chosen])
 
-    def line(self, places, colour, thickness=1.5, dash=0):
-        """A line through the places, `thickness` and `dash` (0: none) in pixels."""
+    def line(self, places, colours, thickness=1.5, dash=0):
+        """A line through the places, of one colour or of one for each of its pieces, `thickness` and `dash` (0: none) in
+        pixels."""
         places = numpy.asarray(places, float)
-        for start, end in zip(places, places[1:]):
-            steps = int(2 * numpy.abs(end - start).max() * self.scale) + 2
-            share = numpy.linspace(0, 1, steps)
-            if dash:
-                share = share[(numpy.arange(steps) // (2 * dash)) % 2 == 0]
-            self.dots(start + share[:, None] * (end - start), colour, thickness / 2 / self.scale)
+        start, length = places[:-1], numpy.diff(places, axis=0)
+        steps = (2 * numpy.abs(length).max(axis=1, initial=0) * self.scale).astype(int) + 2
+        piece = numpy.repeat(numpy.arange(len(steps)), steps)
+        step = numpy.arange(len(piece)) - numpy.repeat(numpy.cumsum(steps) - steps, steps)
+        if dash:
+            kept = (step // (2 * dash)) % 2 == 0
+            piece, step = piece[kept], step[kept]
+        share = step / (steps[piece] - 1)
+        colours = numpy.broadcast_to(numpy.asarray(colours, numpy.uint8), len(steps))
+        self.dots(start[piece] + share[:, None] * length[piece], colours[piece], thickness / 2 / self.scale)
 
     def area(self, places, colours, radius, gap=3):
         """Dots, and the gaps between them of up to so many pixels: the area that the points occupy."""

@@ -198,17 +198,17 @@ int execute_cases(const Invocation& invocation, const BenchOptions& options) {
   }
   const auto samples = time_cost_runs(runs, options.repeats, cost_budget(tier), common.results);
   Json entries = Json::array();
-  std::size_t missing = 0;
+  Json left_out = Json::array();
   for (std::size_t k = 0; k < runs.size(); ++k) {
     Json entry = cost_entry(runs[k], samples[k]);
-    if (samples[k].document.is_null()) ++missing;
+    if (samples[k].document.is_null()) left_out.push_back(cost_run_name(runs[k]));
     if (!entry.is_null()) entries.push_back(std::move(entry));
   }
   const Output out(common);
   print_costs(out, entries);
-  if (missing > 0) {
-    out.line("{} longer runs are left out: neither in the time of the {} tier, nor stored in {}", missing, tier_name,
-             common.results);
+  if (!left_out.empty()) {
+    out.line("{} longer runs are left out: neither in the time of the {} tier, nor stored in {}", left_out.size(),
+             tier_name, common.results);
   }
   const std::string code = code_fingerprint();
   write_json(common, {{"machine", MachineLimits().document()},
@@ -216,6 +216,7 @@ int execute_cases(const Invocation& invocation, const BenchOptions& options) {
                       {"tier", tier_name},
                       {"repeats", options.repeats},
                       {"runs", std::move(entries)},
+                      {"left_out", std::move(left_out)},
                       {"provenance", to_json(invocation.provenance())}});
   return 0;
 }

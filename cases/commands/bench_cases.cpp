@@ -161,7 +161,7 @@ std::vector<CostRun> cost_runs(const Case& entry, Tier tier) {
   return runs;
 }
 
-CostBudget cost_budget(Tier tier) { return tier == Tier::quick ? CostBudget{0.2, 0.04, 30} : CostBudget{60, 3, 900}; }
+CostBudget cost_budget(Tier tier) { return tier == Tier::quick ? CostBudget{0.2, 0.04, 15} : CostBudget{60, 3, 900}; }
 
 std::vector<CostSample> time_cost_runs(const std::vector<CostRun>& runs, int repeats, const CostBudget& budget,
                                        const std::string& results) {
@@ -189,30 +189,35 @@ std::vector<CostSample> time_cost_runs(const std::vector<CostRun>& runs, int rep
   return samples;
 }
 
+Json cost_run_name(const CostRun& run) {
+  return {{"case", run.entry->name()},
+          {"scheme", run.scheme},
+          {"study", run.study},
+          {"vary", name(run.vary)},
+          {"value", run.value}};
+}
+
 Json cost_entry(const CostRun& run, const CostSample& sample) {
   const Json& document = sample.document;
   if (!document.is_object() || document["steps"] == 0) return nullptr;
   const bool is_timed = !sample.wall_s.empty();
   const long points = document["points"].get<long>(), steps = document["steps"].get<long>();
   const double time = document["time"].get<double>();
-  return {{"case", run.entry->name()},
-          {"scheme", run.scheme},
-          {"study", run.study},
-          {"kind", name(run.entry->kind())},
-          {"differs", own_choices(run)},
-          {"vary", name(run.vary)},
-          {"value", run.value},
-          {"cells", run.settings.integer("cells")},
-          {"h", document["h"]},
-          {"dt", time / static_cast<double>(steps)},
-          {"points", points},
-          {"steps", steps},
-          {"point_steps", points * steps},
-          {"finished", document["finished"]},
-          {"source", is_timed ? "timed" : "stored"},
-          {"wall_s", is_timed ? Json(sample.wall_s) : Json::array({document["wall_s"]})},
-          {"instructions", nullptr},
-          {"errors", errors_of(document["measures"])}};
+  Json entry = cost_run_name(run);
+  entry.update({{"kind", name(run.entry->kind())},
+                {"differs", own_choices(run)},
+                {"cells", run.settings.integer("cells")},
+                {"h", document["h"]},
+                {"dt", time / static_cast<double>(steps)},
+                {"points", points},
+                {"steps", steps},
+                {"point_steps", points * steps},
+                {"finished", document["finished"]},
+                {"source", is_timed ? "timed" : "stored"},
+                {"wall_s", is_timed ? Json(sample.wall_s) : Json::array({document["wall_s"]})},
+                {"instructions", nullptr},
+                {"errors", errors_of(document["measures"])}});
+  return entry;
 }
 
 }  // namespace plumbline

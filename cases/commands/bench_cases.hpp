@@ -47,6 +47,9 @@ struct CostSample {
 std::vector<CostSample> time_cost_runs(const std::vector<CostRun>& runs, int repeats, const CostBudget& budget,
                                        const std::string& results);
 
+// What a run is told by: case, scheme, study, what is varied and its value.
+Json cost_run_name(const CostRun& run);
+
 // The entry of "runs"; null where the run was neither made nor stored, or takes no step.
 Json cost_entry(const CostRun& run, const CostSample& sample);
 

@@ -80,8 +80,8 @@ class Bar final : public StabilityProblem {
       all.push_back({.kind = "growth",
                      .title = "spectral radius",
                      .overrides = method.overrides(),
-                     .x = {"theta", "wave number", spread(std::numbers::pi / 40, std::numbers::pi, full ? 40 : 20)},
-                     .y = {"dt", "step", spread(0.1, 3, full ? 30 : 15)}});
+                     .x = {"theta", "wave number", spread(std::numbers::pi / 40, std::numbers::pi, full ? 40 : 12)},
+                     .y = {"dt", "step", spread(0.1, 3, full ? 30 : 10)}});
       if (full) all[all.size() - 2].observe = {{0.02, 1}, {0.26, 1}, {0.5, 1}, {0.5, 2}};
     }
     return all;
