@@ -5,14 +5,16 @@
 #include <clocale>
 
 #include "cases/commands/command.hpp"
+#include "cases/harness/json_text.hpp"
 #include "reference/parameter.hpp"
 
 namespace plumbline {
 namespace {
 
 void report_error(const CommonOptions& options, const Json& document, const std::string& message) {
-  fmt::print(stderr, "plumbline: {}\n", message);
-  if (options.json == "-") fmt::print("{}\n", document.dump(1));
+  // Both may quote what the user gave, whatever bytes that is.
+  fmt::print(stderr, "plumbline: {}\n", valid_utf8(message));
+  if (options.json == "-") fmt::print("{}\n", document.dump(1, ' ', false, Json::error_handler_t::replace));
 }
 
 std::vector<std::string> option_names(const CLI::App& app) {

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "cases/harness/hdf5_file.hpp"
+#include "cases/harness/json_text.hpp"
 #include "cases/harness/nearest.hpp"
 #include "cases/harness/results.hpp"
 
@@ -91,7 +92,7 @@ bool same_values(const StudyRecord& a, const StudyRecord& b) { return a.values()
 
 Json parsed(const std::string& file, const std::string& content) {
   try {
-    return Json::parse(content);
+    return parse_json(content);
   } catch (const nlohmann::json::exception& error) {
     throw FileError(file, fmt::format("not JSON: {}", error.what()));
   }

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "cases/harness/errors.hpp"
+#include "cases/harness/json_text.hpp"
 #include "cases/harness/settings.hpp"
 
 namespace plumbline {
@@ -162,7 +163,7 @@ std::vector<LedgerLine> read_ledger(const std::string& file) {
   if (!in) throw FileError(file, file + ": cannot be opened; --update writes it");
   std::vector<LedgerLine> lines;
   try {
-    const Json json = Json::parse(in);
+    const Json json = parse_json({std::istreambuf_iterator<char>(in), {}});
     if (json.at("format").get<int>() > ledger_format) throw FileError(file, file + ": made by a newer version");
     for (const Json& item : json.at("gates")) lines.push_back(line(item));
   } catch (const nlohmann::json::exception& error) {

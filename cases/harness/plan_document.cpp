@@ -9,6 +9,7 @@
 #include <iterator>
 #include <set>
 
+#include "cases/harness/json_text.hpp"
 #include "cases/harness/nearest.hpp"
 #include "cases/harness/plan.hpp"
 
@@ -197,7 +198,7 @@ Batch batch_from(const std::string& place, const Json& written) {
 
 PlanDocument::PlanDocument(const std::string& name) {
   try {
-    document_ = Json::parse(read_all(name));
+    document_ = parse_json(read_all(name));
   } catch (const Json::exception& error) {
     throw UsageError("--from", name, "JSON", {}, fmt::format("plan {}: no JSON: {}", name, error.what()));
   }

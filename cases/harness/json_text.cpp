@@ -1,0 +1,19 @@
+#include "cases/harness/json_text.hpp"
+
+#include <fmt/format.h>
+
+namespace plumbline {
+
+Json parse_json(const std::string& text) {
+  return Json::parse(text, [](int depth, Json::parse_event_t, Json&) {
+    if (depth > deepest_json)
+      throw Json::other_error::create(501, fmt::format("nested more than {} deep", deepest_json), nullptr);
+    return true;
+  });
+}
+
+std::string valid_utf8(const std::string& text) {
+  return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
+}
+
+}  // namespace plumbline
