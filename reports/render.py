@@ -9,13 +9,16 @@ folder is damaged (the page is then written all the same, and lists it as INVALI
 
 import argparse
 import collections
+import concurrent.futures
 import functools
 import gc
 import multiprocessing
 import os
 import pathlib
+import platform
 import re
 import sys
+import threading
 
 import jinja2
 
@@ -77,19 +80,29 @@ def case_pages(cases, results, costs):
     if workers < 2:
         return [drawn(case) for case in cases.values()]
     gc.freeze()  # the workers share these numbers, and must not touch them to look for garbage
-    with multiprocessing.get_context("fork").Pool(workers, _Worker.begin, (drawn, list(cases.values()))) as pool:
-        return pool.map(_Worker.page, range(len(cases)), chunksize=1)
+    # A pool would wait forever for a worker that somebody killed.
+    fork = multiprocessing.get_context("fork")
+    with concurrent.futures.ProcessPoolExecutor(workers, fork, _Worker.begin, (drawn, list(cases.values()))) as pool:
+        return list(pool.map(_Worker.page, range(len(cases))))
 
 
 class _Worker:
-    """What a worker has from the moment it is forked: sent with every task it would cost more than the drawing."""
+    """What a worker has from the moment it is forked: sent with every task it would cost more than the drawing, and a worker
+    that is killed while much is sent to it would be waited for."""
 
     drawn, cases = None, ()
 
     @classmethod
     def begin(cls, drawn, cases):
         cls.drawn, cls.cases = staticmethod(drawn), cases
+        threading.Thread(target=cls.end_with_parent, daemon=True).start()
         gc.disable()  # figures are rings of thousands of parts: looking for garbage once a page is a quarter faster
+
+    @staticmethod
+    def end_with_parent():
+        """A parent that is killed cannot end its workers."""
+        multiprocessing.parent_process().join()
+        os._exit(1)
 
     @classmethod
     def page(cls, number):
@@ -450,6 +463,9 @@ def main(arguments=None):
     except (OSError, plumbline_results.ResultsError) as error:
         print(f"render: {error}", file=sys.stderr)
         return 4
+    except concurrent.futures.BrokenExecutor:
+        print("render: a process that drew figures was killed, perhaps for want of memory; no page was written", file=sys.stderr)
+        return 4
     for name, reason in folder.damaged:
         print(f"render: {name}: {reason}", file=sys.stderr)
     return 4 if folder.damaged else 0
@@ -475,12 +491,24 @@ def load_diff(path):
 def write_whole(path, page):
     """Under a temporary name first, so that a page is there whole or not at all."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(f".{path.name}.{os.getpid()}")
+    remove_abandoned(path)
+    temporary = path.with_name(f"{path.name}.{platform.node()}-{os.getpid()}.part")
     try:
         temporary.write_text(page, encoding="utf-8")
         temporary.replace(path)
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def remove_abandoned(path):
+    """What processes of this machine that were killed as they wrote the page left beside it."""
+    for part in path.parent.glob(f"{path.name}.{platform.node()}-*.part"):
+        try:
+            os.kill(int(part.name.split("-")[-1].removesuffix(".part")), 0)
+        except ProcessLookupError:
+            part.unlink(missing_ok=True)
+        except (PermissionError, ValueError):
+            pass
 
 
 if __name__ == "__main__":
