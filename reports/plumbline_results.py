@@ -17,6 +17,7 @@ import os
 import pathlib
 import re
 import sys
+import zlib
 from dataclasses import dataclass, field
 
 import h5py
@@ -25,6 +26,7 @@ import numpy
 FORMAT_VERSION = 2
 OLDEST_FORMAT_VERSION = 1
 KINDS = ("run", "study", "verdicts")
+SEAL_SIZE = 512  # bytes in front of the HDF5 part: how many follow, and their checksum
 BENCH_FILE = "bench.json"
 STABILITY_FILE = "stability.json"
 MUTANTS_FILE = "mutants.json"
@@ -186,12 +188,28 @@ def load(path):
     if not path.exists():
         raise FileNotFoundError(f"{path}: no such file")
     try:
+        check_seal(path)
         with h5py.File(path, "r") as file:
             return _read(file, path.name)
     except ResultsError:
         raise
     except (OSError, RuntimeError, LookupError, ValueError, TypeError, AttributeError, ArithmeticError, MemoryError) as error:
         raise DamagedFile(_why_unreadable(error)) from error
+
+
+def check_seal(path):
+    """Raises DamagedFile if a sealed file is not what was written: HDF5 may not come back from what is damaged."""
+    content = pathlib.Path(path).read_bytes()
+    if content.startswith(b"\x89HDF\r\n\x1a\n"):  # without a seal: of format 1, or made by another program
+        return
+    seal = re.match(rb"plumbline: (\d+) bytes follow byte 512, CRC-32 ([0-9a-f]{8})\n", content)
+    if not seal:
+        raise DamagedFile("neither HDF5 nor a result file of Plumbline")
+    whole = SEAL_SIZE + int(seal.group(1))
+    if len(content) < whole:
+        raise DamagedFile(f"truncated: {len(content)} of {whole} bytes are there")
+    if len(content) > whole or zlib.crc32(content[SEAL_SIZE:]) != int(seal.group(2), 16):
+        raise DamagedFile("its content is not what was written")
 
 
 def load_folder(path):

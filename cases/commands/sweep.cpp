@@ -204,7 +204,6 @@ int sweep_all(const Invocation& invocation, const SweepOptions& options) {
   const Provenance provenance = invocation.provenance();
   if (options.from.empty()) tier_of(options);  // a wrong call makes no folder
   const ResultsFolder folder(common.results);
-  remove_abandoned(folder.path());
   RunStore store(folder, provenance, true);
   const Work work = work_of(options, &store);
   Outcome outcome;

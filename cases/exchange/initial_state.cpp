@@ -1,16 +1,15 @@
 #include "cases/exchange/initial_state.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 #include "cases/exchange/exchange.hpp"
 #include "cases/exchange/final_state.hpp"
 #include "cases/harness/hdf5_file.hpp"
+#include "cases/harness/text_file.hpp"
 #include "kernel/materials/parameters.hpp"
 #include "kernel/materials/segment_membrane.hpp"
 #include "kernel/materials/uniaxial_membrane.hpp"
@@ -286,20 +285,6 @@ Json describe(const Case& entry, const std::string& scheme, const Settings& sett
   return description;
 }
 
-void write_text_whole(const std::string& path, const std::string& text) {
-  const std::string part = fmt::format("{}.{}.part", path, ::getpid());
-  std::ofstream file(part);
-  file << text;
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(part, path, error);
-  if (!file || error) {
-    std::error_code ignored;
-    std::filesystem::remove(part, ignored);
-    throw FileError(path, path + ": cannot be written");
-  }
-}
-
 }  // namespace
 
 std::string description_beside(const std::string& file) {
@@ -321,8 +306,8 @@ Json write_initial_state(const Case& entry, const std::string& scheme, const Set
   const Writer writer(scene, problem->end_time(), out);
   for (const Body& body : scene.bodies) description["bodies"].push_back(writer.body(body));
   out.text("/description", description.dump(1));
-  write_text_whole(description_beside(file), description.dump(1) + "\n");
   out.commit();
+  write_text_file(description_beside(file), description.dump(1) + "\n");
   return description;
 }
 

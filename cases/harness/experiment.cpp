@@ -109,6 +109,7 @@ const Measure* RunResult::find(const std::string& measure) const {
 void end_runs_on_signals() {
   std::signal(SIGINT, note_signal);
   std::signal(SIGTERM, note_signal);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file at its limit is then an error like a full disk, and is told
 }
 
 void throw_if_interrupted() {

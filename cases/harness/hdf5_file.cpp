@@ -4,9 +4,9 @@
 #include <hdf5.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "cases/harness/errors.hpp"
+#include "cases/harness/seal.hpp"
 #include "cases/harness/text_file.hpp"
 
 namespace plumbline {
@@ -62,7 +62,7 @@ void silence_hdf5() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 }  // namespace
 
 struct Hdf5Writer::Impl {
-  std::string path, temporary;
+  std::string path;
   hid_t file = -1;
 
   void require(bool good, const std::string& what) const {
@@ -73,15 +73,17 @@ struct Hdf5Writer::Impl {
 Hdf5Writer::Hdf5Writer(std::string path) : impl_(std::make_unique<Impl>()) {
   silence_hdf5();
   impl_->path = std::move(path);
-  impl_->temporary = temporary_name(impl_->path);
-  impl_->file = H5Fcreate(impl_->temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  // In memory: HDF5 cannot get over a disk that fills up, and ends in a crash.
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, impl_->path, "make a property list");
+  const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, impl_->path, "make a property list");
+  H5Pset_fapl_core(access, 1 << 20, false);
+  H5Pset_userblock(creation, seal_size);
+  impl_->file = H5Fcreate(impl_->path.c_str(), H5F_ACC_TRUNC, creation, access);
   if (impl_->file < 0) throw FileError(impl_->path, fmt::format("{}: cannot be written", impl_->path));
 }
 
 Hdf5Writer::~Hdf5Writer() {
   if (impl_->file >= 0) H5Fclose(impl_->file);
-  std::error_code ignored;
-  if (!impl_->temporary.empty()) std::filesystem::remove(impl_->temporary, ignored);
 }
 
 void Hdf5Writer::attribute(const std::string& object, const std::string& name, const std::string& text) {
@@ -192,13 +194,15 @@ template void Hdf5Writer::array(const std::string&, std::span<const std::int32_t
 template void Hdf5Writer::array(const std::string&, std::span<const std::uint8_t>, std::size_t);
 
 void Hdf5Writer::commit() {
-  const herr_t closed = H5Fclose(impl_->file);
+  impl_->require(H5Fflush(impl_->file, H5F_SCOPE_LOCAL) >= 0, "its end");
+  const ::ssize_t size = H5Fget_file_image(impl_->file, nullptr, 0);  // without the user block
+  impl_->require(size > 0, "its end");
+  std::string file(seal_size + static_cast<std::size_t>(size), '\0');
+  impl_->require(H5Fget_file_image(impl_->file, file.data() + seal_size, file.size() - seal_size) == size, "its end");
+  H5Fclose(impl_->file);
   impl_->file = -1;
-  impl_->require(closed >= 0, "its end");
-  std::error_code error;
-  std::filesystem::rename(impl_->temporary, impl_->path, error);
-  if (error) throw FileError(impl_->path, fmt::format("{}: {}", impl_->path, error.message()));
-  impl_->temporary.clear();
+  seal(file);
+  write_sealed_file(impl_->path, file);
 }
 
 namespace {
@@ -228,6 +232,7 @@ std::vector<Number> read_numbers(hid_t handle, const std::string& file, const st
 
 Hdf5Reader::Hdf5Reader(std::string path) : path_(std::move(path)) {
   silence_hdf5();
+  check_seal(path_);
   file_ = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (file_ < 0) throw FileError(path_, fmt::format("{}: cannot be opened as HDF5", path_));
 }

@@ -10,7 +10,8 @@
 
 namespace plumbline {
 
-// Writes a file under a temporary name and renames it when whole; if it is never committed, nothing is left.
+// Makes a file in memory. `commit` seals it (seal.hpp) and puts it in its place, whole or not at all; without, there is none.
+// While it commits it holds the file twice, compressed as it will stand on the disk.
 class Hdf5Writer {
  public:
   explicit Hdf5Writer(std::string path);
@@ -42,7 +43,7 @@ class Hdf5Writer {
   std::unique_ptr<Impl> impl_;
 };
 
-// Reads a file. Throws FileError, also for a part that is missing or of another type.
+// Reads a file whose seal holds. Throws FileError, also for a part that is missing or of another type.
 class Hdf5Reader {
  public:
   explicit Hdf5Reader(std::string path);

@@ -89,6 +89,7 @@ std::string write_paraview_files(const std::string& folder, const std::string& n
   std::error_code ignored;
   std::filesystem::remove(list, ignored);
   make_folder(folder);
+  remove_abandoned(folder);
   nlohmann::ordered_json files = nlohmann::ordered_json::array();
   for (std::size_t k = 0; k < set.frames.size(); ++k) {
     write_frame(folder + "/" + frame_name(k), set, set.frames[k]);

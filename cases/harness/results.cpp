@@ -7,6 +7,7 @@
 
 #include "cases/harness/frames_file.hpp"
 #include "cases/harness/hdf5_file.hpp"
+#include "cases/harness/text_file.hpp"
 
 namespace plumbline {
 namespace {
@@ -53,9 +54,10 @@ ResultsFolder::ResultsFolder(std::string path) : path_(std::move(path)) {
     throw FileError(
         path_, fmt::format("{}: cannot be made a results folder: {}", path_, error ? error.message() : "it is a file"));
   }
-  const std::string probe = fmt::format("{}/.probe", path_);
+  const std::string probe = temporary_name(path_ + "/probe");
   if (!std::ofstream(probe)) throw FileError(path_, fmt::format("{}: cannot be written to", path_));
   std::filesystem::remove(probe, error);
+  remove_abandoned(path_);
 }
 
 std::string ResultsFolder::run_name(const RunResult& run) { return run_name(run.case_name, run.scheme, run.settings); }

@@ -30,19 +30,30 @@ int write_all(int file, const std::string& text) {
   return 0;
 }
 
-// `flush`: to the disk, where a full or failing one is noticed at the latest.
+// `flush`: to the disk, where a failing one is noticed at the latest.
 int write_new(const std::string& path, const std::string& text, int flags, bool flush) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
   if (file < 0) return errno;
   int error = write_all(file, text);
   if (error == 0 && flush && ::fsync(file) != 0) error = errno;
-  if (::close(file) != 0 && error == 0) error = errno;
+  if (::close(file) != 0 && error == 0) error = errno;  // where a network's disk tells that it is full
   return error;
 }
 
-}  // namespace
-
-namespace {
+void write_whole(const std::string& path, const std::string& content, bool flush) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    if (const int error = write_new(path, content, 0, false); error != 0) fail(path, error);
+    return;
+  }
+  const std::string temporary = temporary_name(path);
+  int error = write_new(temporary, content, O_CREAT | O_TRUNC, flush);
+  if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
+  if (error == 0) return;
+  std::filesystem::remove(temporary, ignored);
+  fail(path, error);
+}
 
 std::string host() {
   std::array<char, 256> name{};
@@ -67,19 +78,8 @@ void remove_abandoned(const std::string& folder) {
   }
 }
 
-void write_text_file(const std::string& path, const std::string& text) {
-  std::error_code ignored;
-  const auto status = std::filesystem::status(path, ignored);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    if (const int error = write_new(path, text, 0, false); error != 0) fail(path, error);
-    return;
-  }
-  const std::string temporary = temporary_name(path);
-  int error = write_new(temporary, text, O_CREAT | O_TRUNC, true);
-  if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
-  if (error == 0) return;
-  std::filesystem::remove(temporary, ignored);
-  fail(path, error);
-}
+void write_text_file(const std::string& path, const std::string& text) { write_whole(path, text, true); }
+
+void write_sealed_file(const std::string& path, const std::string& content) { write_whole(path, content, false); }
 
 }  // namespace plumbline

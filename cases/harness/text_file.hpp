@@ -1,4 +1,4 @@
-// Text files that are there whole or not at all.
+// Files that are there whole or not at all.
 #pragma once
 
 #include <string>
@@ -9,6 +9,10 @@ namespace plumbline {
 // killed, or a disk that is full, leaves the file that was there before. A path that is no regular file (a pipe, a
 // device) is written to as it is. Throws FileError with the system's reason.
 void write_text_file(const std::string& path, const std::string& text);
+
+// The same for a sealed file, of which a sweep writes thousands: it need not be on disk when this returns. Should the power
+// fail before it is, its seal tells.
+void write_sealed_file(const std::string& path, const std::string& content);
 
 // The name under which this process writes `path` until it is whole: `path`.HOST-PROCESS.part.
 std::string temporary_name(const std::string& path);

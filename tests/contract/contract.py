@@ -1,7 +1,10 @@
 """The executable under test and the JSON Schema, as the contract tests use them. Environment: PLUMBLINE names the executable."""
+import contextlib
 import json
 import os
 import subprocess
+import time
+import zlib
 from pathlib import Path
 
 import h5py
@@ -56,6 +59,39 @@ def contents(path):
         visit("", stored["/"])
         stored.visititems(visit)
     return found
+
+
+@contextlib.contextmanager
+def edited(path):
+    """A result file to be changed by hand, and sealed again as if it had been written so."""
+    with h5py.File(path, "r+") as file:
+        yield file
+    path = Path(path)
+    content = path.read_bytes()[512:]
+    seal = f"plumbline: {len(content)} bytes follow byte 512, CRC-32 {zlib.crc32(content):08x}\n".encode()
+    path.write_bytes(seal.ljust(512, b"\0") + content)
+
+
+def children_of(process):
+    """Numbers of the processes that a process of ours has started."""
+    found = []
+    for entry in os.listdir("/proc"):
+        if not entry.isdigit():
+            continue
+        try:
+            with open(f"/proc/{entry}/stat", encoding="utf-8") as status:
+                if int(status.read().rpartition(")")[2].split()[1]) == process.pid:
+                    found.append(int(entry))
+        except (OSError, ValueError):
+            pass
+    return found
+
+
+def wait_for_end(process_ids):
+    deadline = time.monotonic() + 60
+    while any(os.path.exists(f"/proc/{number}") for number in process_ids):
+        assert time.monotonic() < deadline, "children outlive their parent"
+        time.sleep(0.01)
 
 
 class Result:

@@ -2,9 +2,8 @@
 import subprocess
 import sys
 
-import h5py
 import pytest
-from contract import ROOT
+from contract import ROOT, edited
 
 
 def render(folder):
@@ -23,12 +22,12 @@ def empty(path):
 
 
 def lose_format(path):
-    with h5py.File(path, "a") as stored:
+    with edited(path) as stored:
         del stored.attrs["plumbline_format"]
 
 
 def from_the_future(path):
-    with h5py.File(path, "a") as stored:
+    with edited(path) as stored:
         stored.attrs.modify("plumbline_format", 999)
 
 

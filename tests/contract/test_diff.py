@@ -2,10 +2,9 @@
 import json
 import shutil
 
-import h5py
 import numpy
 import pytest
-from contract import Plumbline
+from contract import Plumbline, edited
 
 
 @pytest.fixture(scope="module")
@@ -25,7 +24,7 @@ def pair(written, plumbline):
 
 
 def edit(file, path, change):
-    with h5py.File(file, "r+") as stored:
+    with edited(file) as stored:
         document = json.loads(stored[path][()].decode())
         change(document)
         attributes = dict(stored[path].attrs)

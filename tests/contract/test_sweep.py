@@ -7,7 +7,7 @@ import time
 
 import h5py
 import pytest
-from contract import parse, validate, without_volatile
+from contract import children_of, edited, parse, validate, wait_for_end, without_volatile
 
 # Fifteen runs of a tenth of a second: enough to be caught in the middle.
 PLAN = {"sweep": {"case": "sod", "scheme": ["default", "york1997"], "cells": [40, 60, 80, 100, 120], "ppc": [4, 6, 8]}}
@@ -49,27 +49,6 @@ def wait_for_runs(plumbline, process, count):
         assert process.poll() is None, "it ended before it could be killed"
         assert time.monotonic() < deadline
         time.sleep(0.005)
-
-
-def children_of(process):
-    found = []
-    for entry in os.listdir("/proc"):
-        if not entry.isdigit():
-            continue
-        try:
-            with open(f"/proc/{entry}/stat", encoding="utf-8") as status:
-                if int(status.read().rpartition(")")[2].split()[1]) == process.pid:
-                    found.append(int(entry))
-        except (OSError, ValueError):
-            pass
-    return found
-
-
-def wait_for_end(process_ids):
-    deadline = time.monotonic() + 60
-    while any(os.path.exists(f"/proc/{number}") for number in process_ids):
-        assert time.monotonic() < deadline, "children outlive their parent"
-        time.sleep(0.01)
 
 
 def test_plan_of_a_tier(plumbline):
@@ -221,7 +200,7 @@ def test_run_of_other_code_is_made_again(plumbline):
     plan = write(plumbline, SMALL)
     assert plumbline("sweep", "--from", plan).code == 0
     other = plumbline.folder / "results" / runs(plumbline)[0]
-    with h5py.File(other, "a") as stored:
+    with edited(other) as stored:
         text = stored["restore/run"][()].decode()
         mark = json.loads(text)["fingerprint"]
         assert len(mark) == 12 and mark == json.loads(stored["provenance"][()].decode())["fingerprint"]

@@ -130,12 +130,12 @@ TEST(Hdf5File, AWriterThatIsGivenUpLeavesTheFileBeforeIt) {
 TEST(Hdf5File, WhereNothingCanBeWrittenIsAnError) {
   const TemporaryFolder folder;
   std::ofstream(folder / "file") << "not a folder";
-  EXPECT_THROW(Hdf5Writer(folder / "file/a.h5"), FileError);
-  EXPECT_THROW(Hdf5Writer(folder / "no/such/a.h5"), FileError);
   std::filesystem::create_directories(folder / "taken.h5/inside");
-  Hdf5Writer onto_folder(folder / "taken.h5");
-  onto_folder.text("/note", "x");
-  EXPECT_THROW(onto_folder.commit(), FileError);
+  for (const char* name : {"file/a.h5", "no/such/a.h5", "taken.h5"}) {
+    Hdf5Writer writer(folder / name);
+    writer.text("/note", "x");
+    EXPECT_THROW(writer.commit(), FileError) << name;
+  }
 }
 
 TEST(Hdf5File, WritingTwiceToOnePlaceIsAnError) {
