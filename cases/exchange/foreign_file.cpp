@@ -6,25 +6,10 @@
 #include <algorithm>
 
 #include "cases/harness/errors.hpp"
+#include "cases/harness/hdf5_handle.hpp"
 
 namespace plumbline {
 namespace {
-
-// An HDF5 identifier that is closed by the function of its kind.
-class Handle {
- public:
-  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-  ~Handle() {
-    if (id_ >= 0) close_(id_);
-  }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  operator hid_t() const { return id_; }
-
- private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
 
 constexpr hsize_t most_values = hsize_t{1} << 27;
 constexpr std::size_t longest_text = 4096;
@@ -67,7 +52,7 @@ bool ForeignFile::has(const std::string& object) const {
 std::vector<std::string> ForeignFile::members(const std::string& group) const {
   std::vector<std::string> names;
   if (!has(group)) return names;
-  const Handle opened(H5Gopen2(impl_->file, group.c_str(), H5P_DEFAULT), H5Gclose);
+  const Hdf5Handle opened(H5Gopen2(impl_->file, group.c_str(), H5P_DEFAULT), H5Gclose);
   H5G_info_t info;
   if (opened < 0 || H5Gget_info(opened, &info) < 0) return names;
   for (hsize_t k = 0; k < info.nlinks; ++k) {
@@ -81,14 +66,14 @@ std::vector<std::string> ForeignFile::members(const std::string& group) const {
 
 std::optional<std::string> ForeignFile::text_attribute(const std::string& name) const {
   if (H5Aexists(impl_->file, name.c_str()) <= 0) return std::nullopt;
-  const Handle attribute(H5Aopen(impl_->file, name.c_str(), H5P_DEFAULT), H5Aclose);
-  const Handle type(H5Aget_type(attribute), H5Tclose), space(H5Aget_space(attribute), H5Sclose);
+  const Hdf5Handle attribute(H5Aopen(impl_->file, name.c_str(), H5P_DEFAULT), H5Aclose);
+  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose), space(H5Aget_space(attribute), H5Sclose);
   if (H5Tget_class(type) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1) {
     impl_->refuse("the attribute " + name + " is not one text");
   }
   if (H5Tis_variable_str(type) > 0) {
     char* text = nullptr;
-    const Handle memory(H5Tcopy(H5T_C_S1), H5Tclose);
+    const Hdf5Handle memory(H5Tcopy(H5T_C_S1), H5Tclose);
     H5Tset_size(memory, H5T_VARIABLE);
     H5Tset_cset(memory, H5Tget_cset(type));
     if (H5Aread(attribute, memory, &text) < 0 || !text) impl_->refuse("the attribute " + name + " cannot be read");
@@ -105,8 +90,8 @@ std::optional<std::string> ForeignFile::text_attribute(const std::string& name) 
 
 std::optional<double> ForeignFile::number_attribute(const std::string& name) const {
   if (H5Aexists(impl_->file, name.c_str()) <= 0) return std::nullopt;
-  const Handle attribute(H5Aopen(impl_->file, name.c_str(), H5P_DEFAULT), H5Aclose);
-  const Handle type(H5Aget_type(attribute), H5Tclose), space(H5Aget_space(attribute), H5Sclose);
+  const Hdf5Handle attribute(H5Aopen(impl_->file, name.c_str(), H5P_DEFAULT), H5Aclose);
+  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose), space(H5Aget_space(attribute), H5Sclose);
   double value = 0;
   if (!is_number(type) || H5Sget_simple_extent_npoints(space) != 1 ||
       H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) < 0) {
@@ -116,9 +101,9 @@ std::optional<double> ForeignFile::number_attribute(const std::string& name) con
 }
 
 ForeignFile::Table ForeignFile::numbers(const std::string& dataset) const {
-  const Handle data(H5Dopen2(impl_->file, dataset.c_str(), H5P_DEFAULT), H5Dclose);
+  const Hdf5Handle data(H5Dopen2(impl_->file, dataset.c_str(), H5P_DEFAULT), H5Dclose);
   if (data < 0) impl_->refuse(dataset + " is not a dataset");
-  const Handle type(H5Dget_type(data), H5Tclose), space(H5Dget_space(data), H5Sclose);
+  const Hdf5Handle type(H5Dget_type(data), H5Tclose), space(H5Dget_space(data), H5Sclose);
   const int rank = H5Sget_simple_extent_ndims(space);
   if (!is_number(type)) impl_->refuse(dataset + " does not hold numbers");
   if (rank < 1 || rank > 2) impl_->refuse(fmt::format("{} has {} dimensions; one or two are wanted", dataset, rank));

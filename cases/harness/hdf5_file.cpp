@@ -6,27 +6,12 @@
 #include <algorithm>
 
 #include "cases/harness/errors.hpp"
+#include "cases/harness/hdf5_handle.hpp"
 #include "cases/harness/seal.hpp"
 #include "cases/harness/text_file.hpp"
 
 namespace plumbline {
 namespace {
-
-// An HDF5 identifier that is closed by the function of its kind.
-class Handle {
- public:
-  Handle(hid_t id, herr_t (*close)(hid_t), const std::string& file, const std::string& what) : id_(id), close_(close) {
-    if (id < 0) throw FileError(file, fmt::format("{}: cannot {}", file, what));
-  }
-  ~Handle() { close_(id_); }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  operator hid_t() const { return id_; }
-
- private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
 
 // Types of a number in a file and in memory.
 template <class Number>
@@ -74,8 +59,8 @@ Hdf5Writer::Hdf5Writer(std::string path) : impl_(std::make_unique<Impl>()) {
   silence_hdf5();
   impl_->path = std::move(path);
   // In memory: HDF5 cannot get over a disk that fills up, and ends in a crash.
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, impl_->path, "make a property list");
-  const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, impl_->path, "make a property list");
+  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, impl_->path, "make a property list");
+  const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, impl_->path, "make a property list");
   H5Pset_fapl_core(access, 1 << 20, false);
   H5Pset_userblock(creation, seal_size);
   impl_->file = H5Fcreate(impl_->path.c_str(), H5F_ACC_TRUNC, creation, access);
@@ -87,38 +72,38 @@ Hdf5Writer::~Hdf5Writer() {
 }
 
 void Hdf5Writer::attribute(const std::string& object, const std::string& name, const std::string& text) {
-  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, impl_->path, "make a string type");
+  const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, impl_->path, "make a string type");
   H5Tset_size(type, text.size() + 1);
   H5Tset_cset(type, H5T_CSET_UTF8);
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, impl_->path, "make a space");
-  const Handle attribute(
+  const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, impl_->path, "make a space");
+  const Hdf5Handle attribute(
       H5Acreate_by_name(impl_->file, object.c_str(), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
       H5Aclose, impl_->path, "write attribute " + name);
   impl_->require(H5Awrite(attribute, type, text.c_str()) >= 0, name);
 }
 
 void Hdf5Writer::attribute(const std::string& object, const std::string& name, std::int64_t number) {
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, impl_->path, "make a space");
-  const Handle attribute(H5Acreate_by_name(impl_->file, object.c_str(), name.c_str(), H5T_STD_I64LE, space, H5P_DEFAULT,
-                                           H5P_DEFAULT, H5P_DEFAULT),
-                         H5Aclose, impl_->path, "write attribute " + name);
+  const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, impl_->path, "make a space");
+  const Hdf5Handle attribute(H5Acreate_by_name(impl_->file, object.c_str(), name.c_str(), H5T_STD_I64LE, space,
+                                               H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                             H5Aclose, impl_->path, "write attribute " + name);
   impl_->require(H5Awrite(attribute, H5T_NATIVE_INT64, &number) >= 0, name);
 }
 
 void Hdf5Writer::real_attribute(const std::string& object, const std::string& name, double number) {
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, impl_->path, "make a space");
-  const Handle attribute(H5Acreate_by_name(impl_->file, object.c_str(), name.c_str(), H5T_IEEE_F64LE, space,
-                                           H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                         H5Aclose, impl_->path, "write attribute " + name);
+  const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, impl_->path, "make a space");
+  const Hdf5Handle attribute(H5Acreate_by_name(impl_->file, object.c_str(), name.c_str(), H5T_IEEE_F64LE, space,
+                                               H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                             H5Aclose, impl_->path, "write attribute " + name);
   impl_->require(H5Awrite(attribute, H5T_NATIVE_DOUBLE, &number) >= 0, name);
 }
 
 void Hdf5Writer::ascii_attribute(const std::string& object, const std::string& name, const std::string& text) {
-  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, impl_->path, "make a string type");
+  const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, impl_->path, "make a string type");
   H5Tset_size(type, text.size());
   H5Tset_strpad(type, H5T_STR_NULLPAD);
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, impl_->path, "make a space");
-  const Handle attribute(
+  const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, impl_->path, "make a space");
+  const Hdf5Handle attribute(
       H5Acreate_by_name(impl_->file, object.c_str(), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
       H5Aclose, impl_->path, "write attribute " + name);
   impl_->require(H5Awrite(attribute, type, text.c_str()) >= 0, name);
@@ -127,41 +112,41 @@ void Hdf5Writer::ascii_attribute(const std::string& object, const std::string& n
 void Hdf5Writer::integers_attribute(const std::string& object, const std::string& name,
                                     const std::vector<std::int64_t>& values) {
   const hsize_t size = values.size();
-  const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose, impl_->path, "make a space");
-  const Handle attribute(H5Acreate_by_name(impl_->file, object.c_str(), name.c_str(), H5T_STD_I64LE, space, H5P_DEFAULT,
-                                           H5P_DEFAULT, H5P_DEFAULT),
-                         H5Aclose, impl_->path, "write attribute " + name);
+  const Hdf5Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose, impl_->path, "make a space");
+  const Hdf5Handle attribute(H5Acreate_by_name(impl_->file, object.c_str(), name.c_str(), H5T_STD_I64LE, space,
+                                               H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                             H5Aclose, impl_->path, "write attribute " + name);
   impl_->require(H5Awrite(attribute, H5T_NATIVE_INT64, values.data()) >= 0, name);
 }
 
 void Hdf5Writer::group(const std::string& path) {
-  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, impl_->path, "make a property list");
+  const Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, impl_->path, "make a property list");
   H5Pset_create_intermediate_group(links, 1);
-  const Handle group(H5Gcreate2(impl_->file, path.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, impl_->path,
-                     "write group " + path);
+  const Hdf5Handle group(H5Gcreate2(impl_->file, path.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, impl_->path,
+                         "write group " + path);
 }
 
 void Hdf5Writer::text(const std::string& path, const std::string& text) {
-  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, impl_->path, "make a string type");
+  const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, impl_->path, "make a string type");
   H5Tset_size(type, text.size() + 1);
   H5Tset_cset(type, H5T_CSET_UTF8);
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, impl_->path, "make a space");
-  const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, impl_->path, "make a property list");
+  const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, impl_->path, "make a space");
+  const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, impl_->path, "make a property list");
   H5Pset_obj_track_times(creation, false);  // the same content gives the same bytes
-  const Handle data(H5Dcreate2(impl_->file, path.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose,
-                    impl_->path, "write " + path);
+  const Hdf5Handle data(H5Dcreate2(impl_->file, path.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT),
+                        H5Dclose, impl_->path, "write " + path);
   impl_->require(H5Dwrite(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()) >= 0, path);
 }
 
 void Hdf5Writer::numbers(const std::string& path, std::span<const double> values) {
   const hsize_t size = values.size();
-  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, impl_->path, "make a property list");
+  const Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, impl_->path, "make a property list");
   H5Pset_create_intermediate_group(links, 1);
-  const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose, impl_->path, "make a space");
-  const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, impl_->path, "make a property list");
+  const Hdf5Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose, impl_->path, "make a space");
+  const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, impl_->path, "make a property list");
   H5Pset_obj_track_times(creation, false);
-  const Handle data(H5Dcreate2(impl_->file, path.c_str(), H5T_IEEE_F64LE, space, links, creation, H5P_DEFAULT),
-                    H5Dclose, impl_->path, "write " + path);
+  const Hdf5Handle data(H5Dcreate2(impl_->file, path.c_str(), H5T_IEEE_F64LE, space, links, creation, H5P_DEFAULT),
+                        H5Dclose, impl_->path, "write " + path);
   if (size > 0) {
     impl_->require(H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, path);
   }
@@ -171,10 +156,10 @@ template <class Number>
 void Hdf5Writer::array(const std::string& path, std::span<const Number> values, std::size_t columns) {
   const hsize_t width = columns == 0 ? 1 : columns, size[] = {values.size() / width, width};
   const int rank = columns == 0 ? 1 : 2;
-  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, impl_->path, "make a property list");
+  const Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, impl_->path, "make a property list");
   H5Pset_create_intermediate_group(links, 1);
-  const Handle space(H5Screate_simple(rank, size, nullptr), H5Sclose, impl_->path, "make a space");
-  const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, impl_->path, "make a property list");
+  const Hdf5Handle space(H5Screate_simple(rank, size, nullptr), H5Sclose, impl_->path, "make a space");
+  const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, impl_->path, "make a property list");
   H5Pset_obj_track_times(creation, false);
   if (values.size() > 64) {  // below, a chunk's own bytes outweigh what compression saves
     const hsize_t chunk[] = {std::min<hsize_t>(size[0], 16384), width};
@@ -182,8 +167,9 @@ void Hdf5Writer::array(const std::string& path, std::span<const Number> values, 
     H5Pset_shuffle(creation);
     H5Pset_deflate(creation, 6);
   }
-  const Handle data(H5Dcreate2(impl_->file, path.c_str(), Type<Number>::stored(), space, links, creation, H5P_DEFAULT),
-                    H5Dclose, impl_->path, "write " + path);
+  const Hdf5Handle data(
+      H5Dcreate2(impl_->file, path.c_str(), Type<Number>::stored(), space, links, creation, H5P_DEFAULT), H5Dclose,
+      impl_->path, "write " + path);
   if (values.empty()) return;
   impl_->require(H5Dwrite(data, Type<Number>::in_memory(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, path);
 }
@@ -213,7 +199,7 @@ struct OpenData {
       : data(H5Dopen2(handle, path.c_str(), H5P_DEFAULT), H5Dclose, file, "find " + path),
         type(H5Dget_type(data), H5Tclose, file, "read the type of " + path),
         space(H5Dget_space(data), H5Sclose, file, "read the size of " + path) {}
-  Handle data, type, space;
+  Hdf5Handle data, type, space;
 };
 
 template <class Number>
@@ -242,8 +228,8 @@ Hdf5Reader::~Hdf5Reader() { H5Fclose(file_); }
 bool Hdf5Reader::has(const std::string& path) const { return H5Lexists(file_, path.c_str(), H5P_DEFAULT) > 0; }
 
 std::int64_t Hdf5Reader::attribute(const std::string& object, const std::string& name) const {
-  const Handle attribute(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-                         path_, "find attribute " + name);
+  const Hdf5Handle attribute(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                             path_, "find attribute " + name);
   std::int64_t number = 0;
   if (H5Aread(attribute, H5T_NATIVE_INT64, &number) < 0) throw FileError(path_, path_ + ": cannot read " + name);
   return number;
