@@ -18,7 +18,7 @@ from xml.etree import ElementTree
 
 import numpy
 
-TOLERANCE = 0.15  # points by which a simplified line may be off
+TOLERANCE = 0.22  # points by which a simplified line may be off
 _FEW = 60  # marks of a line up to which the places have two decimals, so that values read back have three digits
 _SVG = "{http://www.w3.org/2000/svg}"
 _HREF = "{http://www.w3.org/1999/xlink}href"
@@ -64,22 +64,6 @@ def with_shared_styles(page):
 
     page = re.sub(r'<svg class="pl".*?</svg>', drawing, page, flags=re.DOTALL)
     return page, "\n".join(f".pl .{name}{{{style}}}" for style, name in names.items())
-
-
-def without_optional_parts(page):
-    """The page with its tables bare of what HTML lets one leave out: implied end tags, quotes around plain values.
-
-    Drawings in tables stay as they are, so that each is well-formed XML.
-    """
-    return re.sub(r"<table.*?</table>", lambda table: _bare(table.group(0)), page, flags=re.DOTALL)
-
-
-def _bare(table):
-    parts = re.split(r"(<svg .*?</svg>|<pre.*?</pre>)", table, flags=re.DOTALL)
-    for index in range(0, len(parts), 2):
-        short = re.sub(r"</(?:td|th|tr|tbody|thead)>\s*(?=<(?:td|th|tr|tbody|thead|/table|/tr|/tbody|/thead)\b)", "", parts[index])
-        parts[index] = re.sub(r"<\w[^<>]*>", lambda tag: re.sub(r'="([A-Za-z0-9_.:#%-]+)"(?=[\s>])', r"=\1", tag.group(0)), short)
-    return "".join(parts)
 
 
 def number(value, digits=1):
@@ -354,8 +338,8 @@ def _relative_shape(commands):
             text += "z"
             continue
         places = numpy.reshape(values, (-1, 2))
-        text += ("m" if letter == "M" else letter.lower()) + _joined((numpy.round(places, 2) - pen).ravel(), 2)
-        pen = numpy.round(places[-1], 2)
+        text += ("m" if letter == "M" else letter.lower()) + _joined((numpy.round(places, 1) - pen).ravel(), 1)
+        pen = numpy.round(places[-1], 1)
     return text
 
 

@@ -277,25 +277,16 @@ def _paint_line(axes, line, points, kind):
 def _caption(measure, kind, rows, sticks):
     samples = [len(level["wall_s"]) for _, points in rows for _, _, level in points]
     single = sum(1 for count in samples if count == 1)
-    words = (
-        f"Error in {measure} against {'wall time' if kind == 'time' else 'point-steps'}, one mark per level. Lower and further "
-        "left is better; ringed marks on the broad line are the front: no other run of the same problem is both cheaper and "
-        "more accurate. "
-    )
+    words = ""
     if kind == "time":
-        words += (
-            f"Each mark is the median of up to {max(samples)} interleaved repeats on one thread, the bar reaches from the "
-            "fastest to the slowest"
-            + (f"; {single} of {len(samples)} marks {'is' if single == 1 else 'are'} one run only. " if single else ". ")
+        words = f"Medians of up to {max(samples)} interleaved repeats on one thread, bars from the fastest to the slowest" + (
+            f"; {single} of {len(samples)} marks {'is' if single == 1 else 'are'} one run only. " if single else ". "
         )
-    else:
-        words += "Point-steps count the work free of the machine. "
     if any(not line.same_problem for line, _ in rows):
-        words += "Pale lines change the problem itself and are not in the front. "
+        words += "Pale: another problem, not in the front. "
     if sticks:
         words += (
-            f"The broken line is another method on the same problem: {text.listing(entry.title for entry, _ in sticks)}; "
-            "not judged, and not in the front" + ("." if kind == "time" else "; its work is cells × steps.")
+            f"Broken: another method, {text.listing(entry.title for entry, _ in sticks)}; not judged, and not in the front" + ("." if kind == "time" else "; its work is cells × steps.")
         )
     return words.strip()
 

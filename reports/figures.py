@@ -239,7 +239,7 @@ def convergence(case, measure, prefix):
         [Key(f"theory: slope {text.number(order)}", "var(--muted)", dash=True)] if order is not None else []
     )
     return Figure(
-        svg.draw(paint, prefix, f"Error in {measure} against cell size; {orders}", height=3.7),
+        svg.draw(paint, prefix, f"Error in {measure} against cell size", height=3.7),
         f"Convergence of {measure}",
         caption,
         _files(series),

@@ -19,7 +19,7 @@ STATUSES = {  # how each is shown: name, colour, meaning
     "equivalent": ("equivalent", "none", "the program does the same with it, so nothing can go red; the reason is given"),
 }
 RAN, UNREACHED, NOT_RUN = "r", "u", "n"  # the sign of a cell in its row
-MOST_NAMES = 4  # gates that a cell names
+MOST_NAMES = 2  # gates that a cell names
 
 
 def page(document):
@@ -91,7 +91,7 @@ def _cell(name, found, stops, mark):
     if name in found:
         gates = found[name]
         drift = all(gate["origin"] == DRIFT for gate in gates)
-        named = [f"{gate['gate']} ({gate['verdict']})" for gate in gates[:MOST_NAMES]]
+        named = [f"{gate['gate']}{'' if gate['verdict'] == 'FAIL' else ' (' + gate['verdict'] + ')'}" for gate in gates[:MOST_NAMES]]
         more = f" and {len(gates) - MOST_NAMES} more" if len(gates) > MOST_NAMES else ""
         return {
             "look": "drift" if drift else "red",
@@ -101,7 +101,7 @@ def _cell(name, found, stops, mark):
     if mark == RAN:
         return {"look": "green", "words": "0", "hint": ""}
     if mark == NOT_RUN:
-        return {"look": "open", "words": "?", "hint": f"{name}: not run"}
+        return {"look": "open", "words": "?", "hint": ""}
     return {"look": "", "words": "", "hint": ""}
 
 

@@ -21,10 +21,10 @@ import text
 from figures import Figure, Key
 
 STRIP = 6  # pictures of the points over time
-MOST_STUDIES = 2  # of a case, whose frames are drawn
+MOST_STUDIES = 1  # of a case, whose frames are drawn
 FILM_BYTES = 150_000  # of a film at most; its text in the page is a third longer
-ALL_FILM_BYTES = 450_000  # of all films of a page
-_STRIP_WIDTH, _FILM_WIDTH, _FIELD_WIDTH = 280, 440, 360  # pixels
+ALL_FILM_BYTES = 200_000  # of all films of a page
+_STRIP_WIDTH, _FILM_WIDTH, _FIELD_WIDTH = 240, 440, 320  # pixels
 _HOLD = 1.5  # s that a film stays on its last frame
 _SECOND_PER_FRAME = 0.16
 _NEAR = 0.12  # walls so near to the points, in sizes of what they occupy, are shown
@@ -92,7 +92,9 @@ def _group(entry, level, result, prefix, most_bytes):
     view = View(result.frames)
     cells = (level.get("settings") or {}).get("cells")
     run = f"{entry.label}, {text.count(cells)} cells" if isinstance(cells, (int, float)) else entry.label
-    fields = [field_at_one_time(view, kind, run, result.name, f"{prefix}-{kind}") for kind in _FIELDS]
+    # Of the first run only: those of another differ too little to be worth their weight.
+    kinds = _FIELDS if prefix.endswith("-0") else ()
+    fields = [field_at_one_time(view, kind, run, result.name, f"{prefix}-{kind}") for kind in kinds]
     return {
         "title": run,
         "points": text.count(level.get("points")) if level.get("points") else "",
@@ -462,7 +464,7 @@ def _paint_field(axes, view, frame, kind, name, ramp, levels, label):
         elif body["chain"]:
             _paint_chain(axes, view, number, places, colours(steps(points[name])) if body["kind"] == kind else None)
         else:
-            few = places[:: max(1, len(places) // 1500)]
+            few = places[:: max(1, len(places) // 250)]
             axes.plot(*few.T, ".", markersize=1.6, color=view.colours[number], alpha=0.6, zorder=0)
     for ends in view.walls():
         axes.plot(*ends.T, color=svg.MUTED, linewidth=1.8, zorder=3)
@@ -483,10 +485,15 @@ def _paint_chain(axes, view, number, places, colours):
         if colours is None:
             axes.plot(*places[part].T, color=view.colours[number], linewidth=1.6, zorder=2)
             continue
-        lines = numpy.stack([places[part[:-1]], places[part[1:]]], axis=1)
-        axes.add_collection(
-            matplotlib.collections.LineCollection(lines, colors=colours[part[:-1]], linewidths=3.2, zorder=2)
-        )
+        # Pieces of one colour are one broken line: a picture of hundreds of pieces weighs little.
+        shades = colours[part[:-1]]
+        gap = numpy.full(2, numpy.nan)
+        for shade in numpy.unique(shades, axis=0):
+            chosen = numpy.flatnonzero((shades == shade).all(axis=1))
+            pieces = []
+            for run in numpy.split(chosen, numpy.flatnonzero(numpy.diff(chosen) > 1) + 1):
+                pieces += [*places[part[run[0] : run[-1] + 2]], gap]
+            axes.plot(*numpy.array(pieces).T, color=shade, linewidth=3.2, zorder=2)
 
 
 def on_pixels(places, values, spacing, view):

@@ -9,10 +9,11 @@ from figures import Figure, Key
 
 LEVEL_NAMES = ("coarsest", "middle", "finest")
 REFERENCE = "_reference"
-_BINS = 150
-_MOST_DOTS = 120  # points of a run that are drawn one by one; of more, a line
-_RESIDUAL_BINS = 40  # of what is noise but for its size
-_ERROR_BINS = 80
+_BINS = 100
+_MOST_DOTS = 80  # points of a run that are drawn one by one; of more, a line
+_RESIDUAL_BINS = 24  # of what is noise but for its size
+_ERROR_BINS = 60
+MOST_RESIDUALS = 3  # lines of a quantity, the default scheme first
 _LONGEST_LABEL = 18     # characters that fit along the vertical axis, unit aside
 _QUANTITIES = {
     "mass": "mass",
@@ -83,13 +84,13 @@ def profile(entry, name, levels, prefix):
         for size, (which, _, columns) in zip(sizes, present):
             _computed(upper, lower, which, columns, name, size)
         upper.set_ylabel(axis_label(last, name))
-        figures.plain_axis(upper.yaxis)
+        _few_ticks(upper.yaxis)
         _error_axis(lower)
         lower.set_xlabel(axis_label(last, last.abscissa))
-        figures.plain_axis(lower.xaxis)
+        _few_ticks(lower.xaxis)
 
     caption = (
-        f"Computed by {entry.label} over the exact solution (broad grey line), and below the size of the difference."
+        ""
     )
     keys = [Key("exact", "currentColor", band=True)]
     keys += [
@@ -130,6 +131,11 @@ def _computed(upper, lower, which, columns, name, label):
         middles = (edges[1:] + edges[:-1]) / 2
         (below,) = lower.plot(middles, largest, color=colour, linewidth=0.9, label=label)
         below.set_gid(f"class:level-{which}")
+
+
+def _few_ticks(axis):
+    axis.set_major_locator(figures.MaxNLocator(6, steps=[1, 2, 2.5, 5, 10]))
+    figures.plain_axis(axis)
 
 
 def _is_sparse(columns, name):
@@ -176,15 +182,23 @@ def quantity_name(quantity):
     return _QUANTITIES.get(quantity, quantity.replace("_", " "))
 
 
-def drifts(quantities, finest, prefix):
+def drifts(quantities, finest, prefix, worth_drawing=0.0):
     """Residuals of the books over their scale against time, a panel a quantity, for [(series, run result)].
 
     The file states the largest |residual|/scale of all steps (`relative_drift`), which fixes the scale.
+    None where all stay below `worth_drawing`: noise of rounding.
     """
     panels = {quantity: _residuals(quantity, finest) for quantity in quantities}
     panels = {quantity: lines for quantity, lines in panels.items() if lines}
-    if not panels:
+    if max((relative.max() for lines in panels.values() for _, _, relative in lines), default=0) < worth_drawing:
         return None
+
+    largest = text.listing(
+        f"{quantity_name(quantity)} {text.number(max(relative.max() for _, _, relative in lines), 2)}"
+        for quantity, lines in panels.items()
+    )
+    count = len({entry.label for lines in panels.values() for entry, _, _ in lines})
+    panels = {quantity: lines[:MOST_RESIDUALS] for quantity, lines in panels.items()}
 
     def paint(axes):
         every = numpy.ravel(axes)
@@ -200,14 +214,11 @@ def drifts(quantities, finest, prefix):
             figures.log_axis(panel.yaxis, *panel.get_ylim())
             panel.yaxis.set_minor_locator(figures.NullLocator())
         every[-1].set_xlabel("time in s")
-        figures.plain_axis(every[-1].xaxis)
+        _few_ticks(every[-1].xaxis)
 
     entries = {entry.label: entry for lines in panels.values() for entry, _, _ in lines}
-    largest = text.listing(
-        f"{quantity_name(quantity)} {text.number(max(relative.max() for _, _, relative in lines), 2)}"
-        for quantity, lines in panels.items()
-    )
-    caption = f"What the books leave unexplained, over the scale of the run, in the finest run of each line; at most: {largest}."
+    some = f" Drawn are {len(entries)} of {count} lines." if len(entries) < count else ""
+    caption = f"Finest run of each line; at most, over all lines: {largest}.{some}"
     keys = [Key(label, f"var(--s{entry.style % len(svg.SERIES) + 1})") for label, entry in entries.items()]
     keys.append(Key("rounding of one operation", "var(--muted)", dash=True))
     files = list(dict.fromkeys(result.name for lines in panels.values() for _, result, _ in lines))
@@ -221,6 +232,15 @@ def drifts(quantities, finest, prefix):
 def _residuals(quantity, finest):
     found = [(entry, result, relative_residual(result, quantity)) for entry, result in finest]
     return [(entry, result, relative) for entry, result, relative in found if relative is not None and relative.any()]
+
+
+def at_rounding(quantities, finest, bound):
+    """Names of the quantities, with their largest relative residual, where something is left over, but less than `bound`."""
+    found = {quantity: _residuals(quantity, finest) for quantity in quantities}
+    largest = {quantity: max(relative.max() for _, _, relative in lines) for quantity, lines in found.items() if lines}
+    if max(largest.values(), default=0) >= bound:
+        return []
+    return [f"{quantity_name(quantity)} {text.number(value, 2)}" for quantity, value in largest.items()]
 
 
 def _panel_name(quantity):

@@ -34,6 +34,7 @@ import normals
 import pictures
 import plumbline_results
 import profiles
+import small
 import speed
 import stability
 import svg
@@ -44,8 +45,13 @@ import trust
 HERE = pathlib.Path(__file__).resolve().parent
 SHARED_STYLES = "/* styles of the drawings */"  # where compact.py puts them
 NORMS = (".L1", ".L2", ".Linf")
-MOST_PROFILES = 5  # lines of a case that are drawn over the exact solution, in the field that stands for it
-MOST_OTHER_PROFILES = 2  # in every other field
+MOST_PROFILES = 3  # lines of a case that are drawn over the exact solution, in the field that stands for it
+MOST_OTHER_PROFILES = 1  # in every other field
+MOST_OTHER_FIELDS = 1  # of a case that are drawn beside it; all are in its CSV
+MOST_CONVERGENCE = 2  # measures of a case whose errors are drawn; fits of the others are in the table below
+ROUNDING_OF_A_RUN = 1e-11  # what many roundings add up to; books off by less are stated, not drawn
+MOST_BOOKS = 2  # lines of a case whose books are shown in full; those of all are in its CSV
+MOST_TOLERANCES = 200  # in the ledger of the page; all are in its CSV
 
 
 def render(folder, earlier=None):
@@ -69,7 +75,7 @@ def render(folder, earlier=None):
         style=_markup(style_sheet(front["stability"].get("style", ""))), scripts=scripts(), pages=pages, **front
     )
     page, rules = compact.with_shared_styles(page)
-    return compact.without_optional_parts(page.replace(SHARED_STYLES, rules, 1))
+    return small.tables(page.replace(SHARED_STYLES, rules, 1))
 
 
 def case_pages(cases, results, costs):
@@ -118,7 +124,7 @@ def style_sheet(more):
         f"@media screen and (prefers-color-scheme: dark) {{ :root:not([data-theme=light]) {{ {dark} color-scheme: dark; }} }}\n"
         f"@media screen {{ :root[data-theme=dark] {{ {dark} color-scheme: dark; }} :root[data-theme=light] {{ color-scheme: light; }} }}"
     )
-    return "\n".join((style, dark, more, SHARED_STYLES))
+    return "\n".join((style, dark, small.STYLES, more, SHARED_STYLES))
 
 
 def scripts():
@@ -214,6 +220,8 @@ def trust_part(folder, cases):
     return {
         **part,
         "references": _anchored(part["references"]),
+        "first_tolerances": (judged := [row for row in part["tolerances"] if row["origin_key"] != "identity"])[:MOST_TOLERANCES],
+        "other_tolerances": max(0, len(judged) - MOST_TOLERANCES),
         "margins": _ready([trust.margins(part["tolerances"], [result.name for result in folder.verdicts])]),
     }
 
@@ -295,7 +303,7 @@ def case_page(case, results, film_bytes, costs):
         "has_norms": any(measure.endswith(NORMS) for measure in convergence_measures(case)),
         "scalars": tables.scalar_rows(case),
         "leads_with_scalars": not (case.measure or "").endswith(NORMS),
-        "books": tables.ledger_rows([pair for pair in finest if pair[0].refined] or finest),
+        "books": tables.ledger_rows(([pair for pair in finest if pair[0].refined] or finest)[:MOST_BOOKS]),
         "stopped": tables.stopped(case),
         "pictures": picture_groups(case, results, name, film_bytes),
         "normals": _ready(normals.drawings(case, results, f"{name}-normals")),
@@ -316,7 +324,7 @@ def picture_groups(case, results, name, film_bytes):
 def case_figures(case, results, finest, name, costs):
     """All figures of a case, by the part of the page they stand in; what cannot be drawn is left out."""
     drawn = {"profiles": profile_groups(case, results, name), "convergence": [], "variations": []}
-    for number, measure in enumerate(convergence_measures(case)):
+    for number, measure in enumerate(convergence_measures(case)[:MOST_CONVERGENCE]):
         drawn["convergence"].append(
             _ready(
                 function(case, measure, f"{name}-{function.__name__}-{number}")
@@ -332,7 +340,8 @@ def case_figures(case, results, finest, name, costs):
     drawn["costs"] = _ready(cost.case_figures(costs, case, name)) if costs else cost_figures(case, name)
     refined = [pair for pair in finest if pair[0].refined] or finest
     quantities = profiles.quantities(finest)
-    drawn["drifts"] = _ready([profiles.drifts(quantities, refined, f"{name}-drift")])
+    drawn["drifts"] = _ready([profiles.drifts(quantities, refined, f"{name}-drift", ROUNDING_OF_A_RUN)])
+    drawn["rounding"] = profiles.at_rounding(quantities, refined, ROUNDING_OF_A_RUN)
     closed = [
         (profiles.quantity_name(quantity), profiles.closed(quantity, refined)) for quantity in quantities
     ]
@@ -386,7 +395,7 @@ def profile_groups(case, results, name):
     present.sort(key=lambda field: field != leading)
     groups = [
         (field.replace("_", " ").capitalize(), field, refined[: MOST_PROFILES if number == 0 else MOST_OTHER_PROFILES])
-        for number, field in enumerate(present)
+        for number, field in enumerate(present[: 1 + MOST_OTHER_FIELDS])
     ]
     groups[1:1] = [
         (f"{field.replace('_', ' ').capitalize()}: {title}", field, part)

@@ -172,7 +172,7 @@ def test_what_a_reader_needs_is_there(parsed):
         "Error against point-steps",
         "Time step alone",
         "Order and error constant, level by level",
-        "Residuals of the books",
+        "Within rounding: over the scale of the run",
         "Closed to the last bit at every stored step: mass",
         "1 gate declared for this case, not judged in these files",
     ):
