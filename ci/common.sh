@@ -19,7 +19,7 @@ drop_root() {
 # Installs what is missing for a preset and for groups of ci/packages, once per invocation: set_up PRESET [GROUP]...
 set_up() {
   local with=() group
-  case $1 in clang | sanitize) with=(--with clang) ;; esac
+  case $1 in clang | sanitize | tsan) with=(--with clang) ;; esac
   for group in "${@:2}"; do with+=(--with "$group"); done
   [[ -n ${PLUMBLINE_SETUP_DONE:-} ]] || ci/setup "${with[@]}"
 }
