@@ -198,7 +198,14 @@ struct OpenData {
   OpenData(hid_t handle, const std::string& file, const std::string& path)
       : data(H5Dopen2(handle, path.c_str(), H5P_DEFAULT), H5Dclose, file, "find " + path),
         type(H5Dget_type(data), H5Tclose, file, "read the type of " + path),
-        space(H5Dget_space(data), H5Sclose, file, "read the size of " + path) {}
+        space(H5Dget_space(data), H5Sclose, file, "read the size of " + path) {
+    const hssize_t count = H5Sget_simple_extent_npoints(space);
+    const double bytes = static_cast<double>(count) * static_cast<double>(H5Tget_size(type));
+    if (count < 0 || bytes > most_compressed * static_cast<double>(H5Dget_storage_size(data)))
+      throw FileError(file, fmt::format("{}: {} says that it is larger than what is stored of it", file, path));
+  }
+
+  static constexpr double most_compressed = 1032;  // what deflate makes of zeros
   Hdf5Handle data, type, space;
 };
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "cases/harness/fingerprint.hpp"
+#include "cases/harness/json_text.hpp"
 #include "cases/harness/verification.hpp"
 
 namespace plumbline {
@@ -27,7 +28,7 @@ auto RunStore::guarded(const std::string& file, Read read) -> decltype(read()) {
   try {
     return read();
   } catch (const std::exception& error) {
-    if (told_.insert(file).second) fmt::print(stderr, "plumbline: not used again: {}\n", error.what());
+    if (told_.insert(file).second) fmt::print(stderr, "plumbline: not used again: {}\n", valid_utf8(error.what()));
     return std::nullopt;
   }
 }

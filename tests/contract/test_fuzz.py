@@ -1,8 +1,15 @@
 """Junk on the command line: the call is refused with a reason and leaves nothing, or it is a call like any other; never a crash."""
 import json
 import random
+import sys
 
+import h5py
+import numpy
 import pytest
+from contract import ROOT, edited
+
+sys.path.insert(0, str(ROOT / "reports"))
+import plumbline_results  # noqa: E402
 
 SEED = 20261122
 CALLS = 40  # of each kind; hundredths of a second each
@@ -101,3 +108,95 @@ def test_deep_plan(plumbline):
     """Nesting that would use up the stack of a parser by recursion."""
     (plumbline.folder / "plan.json").write_text('{"runs": ' + "[" * 100_000 + "]" * 100_000 + "}", encoding="utf-8")
     settle(plumbline("sweep", "--from", "plan.json", "--plan", "-"), "deep", (2,))
+
+
+# --- files whose seal holds, and whose content nobody would write --------------------------------
+
+
+def junk_dataset(dice, group, name):
+    """In the place of a data set: another type, another shape, or one that claims to be larger than any memory."""
+    text = json.dumps(dice.choice((None, [], {}, 1e308, -1, "x", {"format": []}, [[1], "2"])))
+    values = (numpy.bytes_(text), text, numpy.bytes_(b"\xff\xfe{"), numpy.zeros(0), numpy.float64(numpy.nan), numpy.zeros((2, 3, 4)),
+              numpy.arange(7, dtype="i2"), numpy.full(5, numpy.inf), h5py.Empty("f"), numpy.array([(1, 2.0)], dtype="i4,f8"))
+    if dice.random() < 0.15:
+        group.create_dataset(name, shape=(dice.choice((2**31, 2**40, 2**62)),), chunks=(4096,), dtype=dice.choice(("f8", "u1")))
+    else:
+        group[name] = dice.choice(values)
+
+
+def spoil(dice, path, part=""):
+    """Up to three objects of a file, or of one of its groups."""
+    with edited(path) as file:
+        names = []
+        file.visit(lambda name: names.append(name) if name.startswith(part) else None)
+        for _ in range(dice.choice((1, 1, 3))):
+            name = dice.choice(names)
+            if name not in file:
+                continue
+            kind = dice.choice(("delete", "replace", "text", "group", "attribute"))
+            item = file[name]
+            text = item[()].decode() if isinstance(item, h5py.Dataset) and item.dtype.kind == "S" and item.shape == () else ""
+            if kind == "attribute":
+                file.attrs[dice.choice(("plumbline_format", "kind"))] = dice.choice((-1, 2.5, "run", numpy.zeros(3), numpy.bytes_(b"\xff")))
+                continue
+            del file[name]
+            if kind == "group":
+                file.create_group(name)
+            elif kind == "text" and text:
+                file[name] = numpy.bytes_(broken_text(dice, text).encode())
+            elif kind == "replace":
+                junk_dataset(dice, file, name)
+
+
+def test_runs_of_any_content(plumbline):
+    """A run is used again or made anew; the page's reader reads it or says why not."""
+    call = ("converge", "sod", "--cells", "10,20", "--reuse")
+    assert plumbline(*call).code in (0, 1)
+    (path,) = (plumbline.folder / "results").glob("sod-default-10-*.h5")
+    whole, made = path.read_bytes(), 0
+    for number in range(CALLS):
+        dice = random.Random(f"{SEED} run {number}")
+        path.unlink()
+        path.write_bytes(whole)
+        spoil(dice, path, "restore" if dice.random() < 0.7 else "")
+        read_or_refuse(path)
+        result = plumbline(*call, timeout=60)
+        assert result.code in (0, 1) and result.err.count("std::") == 0, (number, result.text)
+        made += "not used again" in result.err
+    assert made > CALLS / 4
+
+
+def test_frames_of_any_content(plumbline):
+    assert plumbline("run", "two-disks", "--cells", 4, "--frames", 2).code in (0, 1)
+    (path,) = (plumbline.folder / "results").glob("two-disks-*.h5")
+    whole = path.read_bytes()
+    for number in range(2 * CALLS):
+        path.unlink()
+        path.write_bytes(whole)
+        spoil(random.Random(f"{SEED} frames {number}"), path, "frames" if number % 2 else "")
+        read_or_refuse(path)
+
+
+def test_studies_of_any_content(plumbline):
+    """`diff` compares them, or lists them as damaged."""
+    assert plumbline("verify", "bar-riemann").code == 0
+    (plumbline.folder / "results").rename(plumbline.folder / "base")
+    names = [name for name in plumbline.files("base") if name.startswith(("study-", "verdicts-"))]
+    (plumbline.folder / "results").mkdir()
+    for number in range(CALLS):
+        dice = random.Random(f"{SEED} study {number}")
+        path = plumbline.folder / "results" / dice.choice(names)
+        path.write_bytes((plumbline.folder / "base" / path.name).read_bytes())
+        spoil(dice, path)
+        read_or_refuse(path)
+        result = plumbline("diff", "base", "results", timeout=60)
+        settle(result, number, (0, 1, 2, 4))
+        assert "terminate" not in result.err and "std::" not in result.text, (number, result.text)
+        path.unlink()
+
+
+def read_or_refuse(path):
+    try:
+        plumbline_results.load(path)
+    except plumbline_results.ResultsError as error:
+        assert str(error)
