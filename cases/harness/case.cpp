@@ -34,8 +34,8 @@ Vary vary_from(const std::string& text) {
   throw unknown_name("--vary", text, {vary_names.begin(), vary_names.end()});
 }
 
-RegisterCase::RegisterCase(const Case* entry, std::source_location where) {
-  source_files()[entry] = where.file_name();
+RegisterCase::RegisterCase(const Case* entry, const char* file) {
+  source_files()[entry] = file;
   auto& all = registered();
   const auto place = std::upper_bound(all.begin(), all.end(), entry,
                                       [](const Case* a, const Case* b) { return a->name() < b->name(); });

@@ -6,7 +6,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <source_location>
 #include <string>
 #include <vector>
 
@@ -129,8 +128,9 @@ class Case {
 const std::vector<const Case*>& cases();         // in the order of their names
 const Case& find_case(const std::string& name);  // UsageError with the nearest names
 
+// `file`: where it is called, which g++ and clang++ both put there; clang++ 14 has no std::source_location.
 struct RegisterCase {
-  explicit RegisterCase(const Case* entry, std::source_location where = std::source_location::current());
+  explicit RegisterCase(const Case* entry, const char* file = __builtin_FILE());
 };
 // The file that registers a case, as the compiler was told it: "/.../cases/gas/sod.cpp". Several may share one.
 const std::string& source_file(const Case& entry);
