@@ -70,9 +70,9 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
   print_reused(out, store);
   write_json(common, document);
   if (!options.junit.empty()) write_junit(options.junit, verification.gates, common.allow_inconclusive);
-  const bool complete = static_cast<int>(verification.gates.size()) == verification.declared;
-  if (!complete) out.line("INVALID: the number of gates executed is not the number declared");
-  return complete ? exit_of(false, verification.gates, common.allow_inconclusive) : exit_red;
+  if (complete(verification)) return exit_of(false, verification.gates, common.allow_inconclusive);
+  out.line("INVALID: the number of gates executed is not the number declared");
+  return exit_red;
 }
 
 }  // namespace

@@ -126,6 +126,10 @@ std::vector<CaseGate> gates_on(const StudyResult& study, const std::vector<CaseG
 
 }  // namespace
 
+bool complete(const Verification& verification) {
+  return static_cast<int>(verification.gates.size()) == verification.declared;
+}
+
 std::vector<StudyPlan> selected_studies(const Case& entry, Tier tier, const Selection& selection) {
   return selected_plans(entry, tier, selection).all;
 }

@@ -24,6 +24,9 @@ struct Verification {
   std::vector<const Case*> entries;
 };
 
+// Whether as many gates were executed as the cases declare: nothing was left out in silence.
+bool complete(const Verification& verification);
+
 // What to verify of a case: everything, or the studies of some schemes and the generic gates of some integrators. Keys
 // that are set leave the generic gates alone to be judged: the declared numbers hold for the declared choices.
 struct Selection {

@@ -21,6 +21,19 @@ TEST(ShearDecayPublished, HalvesInItsHalfLife) {  // Landau, Lifshitz, section 2
   }
 }
 
+// e = p/((gamma - 1) rho) [York 4.4], exactly at the start and later to the order that the solution keeps.
+TEST(ShearDecayIdentity, EquationOfState) {
+  for (const ShearDecayProblem& p : {thick, thin}) {
+    const ShearDecay shear(p);
+    EXPECT_NEAR(shear.sample(0.1, 0).energy.value, p.pressure / ((p.gamma - 1) * p.density), 1e-14 * p.pressure);
+    for (double t : {0.3, 2.0}) {
+      const Sample s = shear.sample(0.4 / p.wavenumber, t / shear.decay_rate().value);
+      const Bounded expected = s.pressure / (Bounded(p.gamma - 1) * s.density);
+      EXPECT_LE(std::abs(s.energy.value - expected.value), s.energy.bound + expected.bound);
+    }
+  }
+}
+
 TEST(ShearDecayIdentity, DiffusionEquation) {  // rho u_t = mu u_xx: York's stress 2 mu D' [York 4.1]
   for (const ShearDecayProblem& p : {thick, thin}) {
     const ShearDecay shear(p);

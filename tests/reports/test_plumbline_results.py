@@ -107,8 +107,9 @@ def test_what_is_refused_and_why(tmp_path, what, reason):
 
 
 def test_newer_format_is_told_apart(tmp_path):
-    path = _file(tmp_path / "new.h5", version=3, verdicts="{}")
-    with pytest.raises(NewerFormat, match="format 3"):
+    version = plumbline_results.FORMAT_VERSION + 1
+    path = _file(tmp_path / "new.h5", version=version, verdicts="{}")
+    with pytest.raises(NewerFormat, match=f"format {version}"):
         plumbline_results.load(path)
     assert plumbline_results.load_folder(tmp_path).damaged[0][0] == "new.h5"
 
@@ -131,6 +132,49 @@ def test_csv_gives_the_same_numbers_back(results, tmp_path):
     run.to_csv("measures", tmp_path / "measures.csv")
     measures = {row[0]: row for row in as_rows(tmp_path / "measures.csv")[1:]}
     assert float(measures["period"][1]) == 0.01987 and measures["energy_drift"][2] == ""
+
+
+def test_a_ledger_table_has_every_row_from_the_first(results):
+    folder, names = results
+    run = plumbline_results.load(folder / names["run"])
+    header, rows = run.table("ledger")
+    step = header.index("step")
+    for quantity, columns in run.ledger.items():
+        assert [row[step] for row in rows if row[0] == quantity] == list(columns["step"])
+
+
+def test_a_frame_holds_all_its_points_and_no_others(results):
+    folder, names = results
+    frames = plumbline_results.load(folder / names["frames"]).frames
+    for number in range(len(frames)):
+        bodies = [frames.body(number, body) for body in range(len(frames.bodies))]
+        made = synthetic_results.frame_bodies(number)
+        assert [list(body["id"]) for body in bodies] == [list(body["id"]) for body in made]
+
+
+def test_verdicts_without_a_part_of_gates_give_those_of_their_object(tmp_path):
+    gate = synthetic_results.all_gates()[0]
+    path = _file(tmp_path / "verdicts.h5", verdicts=json.dumps({"gates": [gate]}))
+    header, rows = plumbline_results.load(path).table("gates")
+    assert rows[0][header.index("id")] == gate["id"]
+
+
+def test_the_ends_of_a_two_sided_gate_keep_their_places():
+    gate = {"id": "a", "expected": {"low": 1.0, "high": 2.0}, "interval": [1.2, 1.4]}
+    row = dict(zip(plumbline_results.GATE_COLUMNS, plumbline_results.gate_row(gate)))
+    assert (row["low"], row["high"], row["interval_low"], row["interval_high"]) == (1.0, 2.0, 1.2, 1.4)
+
+
+def test_documents_that_are_none_are_refused(tmp_path):
+    (tmp_path / "bench.json").write_text('{"machine": {}}', encoding="utf-8")
+    with pytest.raises(DamagedFile, match="no list of kernels"):
+        plumbline_results.load_bench(tmp_path / "bench.json")
+    document = synthetic_results.stability_document()
+    found = next(problem["maps"][0] for problem in document["problems"] if problem.get("maps"))
+    found["values"].append(list(found["values"][0]))
+    (tmp_path / "stability.json").write_text(json.dumps(document), encoding="utf-8")
+    with pytest.raises(DamagedFile, match="is not a matrix of"):
+        plumbline_results.load_stability(tmp_path / "stability.json")
 
 
 def test_every_table_of_every_file(results, tmp_path):
