@@ -107,6 +107,17 @@ InadmissibleState stop_of(Simulation&& run, double end) {
   return {"", "", -1, "", 0};
 }
 
+// The edge of the grid lies 1e-9 of a cell outside, and belongs to it.
+TEST(Stop, NotOnTheVeryEdge) {
+  Scene scene = stretching(0, 1.4);
+  Columns& points = scene.bodies[0].points;
+  points(column::position)[0] = 0.0 - 1e-9 * 0.1;
+  std::fill_n(points(column::energy), 8, 0.0);  // nothing moves
+  Simulation run(std::move(scene), "musl", {0.3, 1e-9});
+  EXPECT_NO_THROW(run.step(1));
+  EXPECT_EQ(scenes::by_id(run.scene().bodies[0], column::position, 0)[0], 0.0 - 1e-9 * 0.1);
+}
+
 // All points drift to the right by 0.02 a step; the last one, at 0.775, passes the end at 1.2 in its 22nd.
 TEST(Stop, APointLeftTheGrid) {
   for (const char* integrator : {"usf", "musl", "energy"}) {

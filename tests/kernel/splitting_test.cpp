@@ -168,6 +168,11 @@ TEST(Splitting, RingsGrowAroundToo) {
   EXPECT_EQ(split_points(scene, 0, 1, ledger), 0);
   points(column::velocity)[0] = -1.99 * 0.53;
   EXPECT_EQ(split_points(scene, 0, 1, ledger), 1);
+  // Halves stand along a stretch in the plane: without one there is no split, however the ring grows around.
+  Scene outward = lone_point(Space::axisymmetric);
+  outward.bodies[0].points(column::velocity)[0] = 1;
+  for (int k = 0; k < 4; ++k) outward.bodies[0].points(column::affine, k)[0] = 0;
+  EXPECT_EQ(split_points(outward, 0, 1, ledger), 0);
   Scene moving = lone_point(Space::line);
   moving.bodies[0].points(column::affine)[0] = 1e-12;
   EXPECT_EQ(split_points(moving, 0, 1, ledger), 0);

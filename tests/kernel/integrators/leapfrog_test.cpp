@@ -21,6 +21,37 @@ TEST(Leapfrog, RefusesWhatCannotWork) {
   EXPECT_TRUE(integrator->returns_transfer_loss());
 }
 
+// Cold gas is thrown at a wall: what drifts beyond it comes back with its velocity along the wall, where that is smooth, and
+// with the opposite one where it holds. [EC-APIC walls]
+TEST(Leapfrog, PointsComeBackFromWalls) {
+  for (const Wall kind : {Wall::symmetry, Wall::no_slip}) {
+    IdealGas gas;
+    gas.gamma = 1.4;
+    const GridSpec grid = scenes::plane(8, 8, 0.1, scenes::walls(kind, Wall::free));
+    Scene scene = scenes::scene_of(grid,
+                                   {scenes::gas_body(gas, 2, {{0.01, 0.4, 0}, {0.41, 0.4, 0}}, 0.0025,
+                                                     [](const scenes::Place&) {
+                                                       return scenes::GasState{1, 1e-12, {-1, 0.5}};
+                                                     })},
+                                   "quadratic", "apic");
+    Ledger ledger;
+    const auto engine = make_engine(scene, ledger, {});
+    engine->initialise();
+    engine->drift_points(0.03);
+    const auto x = scenes::by_id(scene.bodies[0], column::position, 0);
+    const auto y = scenes::by_id(scene.bodies[0], column::position, 1);
+    const auto across = scenes::by_id(scene.bodies[0], column::velocity, 0);
+    const auto along = scenes::by_id(scene.bodies[0], column::velocity, 1);
+    EXPECT_NEAR(x[0], 0.02, 1e-15);
+    EXPECT_NEAR(x[1], 0.38, 1e-15);
+    EXPECT_NEAR(y[0], 0.415, 1e-15);
+    EXPECT_EQ(across[0], 1);
+    EXPECT_EQ(across[1], -1);
+    EXPECT_EQ(along[0], kind == Wall::symmetry ? 0.5 : -0.5);
+    EXPECT_EQ(along[1], 0.5);
+  }
+}
+
 // One degree of freedom behind the stages, without the losses of maps: a mass on a spring, of which the share `by_place` pulls by
 // where the mass was located (as a gas by its density) and the rest by a strain that is advanced (as a gas by
 // its energy, a membrane by its strain).
