@@ -1,5 +1,7 @@
 """What the section "Gates proven to bite" shows of the kill matrix that ci/mutants writes."""
 
+import itertools
+
 import text
 
 DRIFT = "frozen"
@@ -80,14 +82,23 @@ def _row(row, columns):
         "place": f"{row['file']}:{row['line']}",
         "status": name,
         "colour": colour,
-        "cells": [_cell(column["name"], found, stops, mark) for column, mark in zip(columns, row["cells"])],
+        "cells": _spanned(_cell(column["name"], found, stops, mark) for column, mark in zip(columns, row["cells"])),
     }
+
+
+def _spanned(cells):
+    """The cells of a row, neighbours without a word as one: most cells are such."""
+    spanned = []
+    for empty, alike in itertools.groupby(cells, key=lambda cell: not cell["look"]):
+        alike = list(alike)
+        spanned += [{**alike[0], "span": len(alike)}] if empty else [{**cell, "span": 1} for cell in alike]
+    return spanned
 
 
 def _cell(name, found, stops, mark):
     """{look, words, hint}: what stands in a cell, and what it says when pointed at."""
     if name in stops:
-        return {"look": "stop", "words": "×", "hint": f"{name}: the run did not end ({_why(stops[name])})"}
+        return {"look": "stop", "words": "×", "hint": f"the run did not end: {_why(stops[name])}"}
     if name in found:
         gates = found[name]
         drift = all(gate["origin"] == DRIFT for gate in gates)
@@ -96,7 +107,7 @@ def _cell(name, found, stops, mark):
         return {
             "look": "drift" if drift else "red",
             "words": str(len(gates)),
-            "hint": f"{name}: {', '.join(named)}{more}",
+            "hint": f"{', '.join(named)}{more}",
         }
     if mark == RAN:
         return {"look": "green", "words": "0", "hint": ""}

@@ -49,8 +49,8 @@ def test_every_sort_of_cell_looks_its_own(folder):
 def test_a_cell_names_its_gates(folder):
     page = mutants.page(synthetic_mutants.document())
     hints = [cell["hint"] for cell in page["areas"][0]["rows"][0]["cells"]]
-    assert hints[0] == "sod: order 0, order 1 and 4 more"
-    assert hints[1] == "spring-mass: period (MISSING)" and hints[3] == ""
+    assert hints[0] == "order 0, order 1 and 4 more"
+    assert hints[1] == "period (MISSING)" and hints[3] == ""
 
 
 def test_survivors_and_bugs_that_are_none_are_listed_with_reasons(folder):
