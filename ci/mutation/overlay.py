@@ -145,8 +145,7 @@ def build(base, folder, mutants, tests=(), evaluator=False, jobs=1, plain=False)
     for name in sorted(affected):
         if not name.startswith("tests/"):
             recipe.compile(name)
-    kernel = [name for name in os.listdir(base.build / "lib") if name.startswith("libplumbline_kernel.so.")]
-    kernel = max(kernel, key=len)
+    kernel = (base.build / "lib/libplumbline_kernel.so").resolve().name  # older ones may lie beside it
     recipe.link("plumbline_kernel", f"lib/{kernel}", also="libplumbline_kernel.so.0")
     recipe.link("plumbline_reference", "reference/libplumbline_reference.so")
     recipe.link("plumbline", "cases/libplumbline_harness.a")

@@ -288,6 +288,6 @@ def test_sources_find_their_tests():
 def test_one_bug_is_shown_as_a_patch_that_applies(tmp_path):
     command = [sys.executable, str(ROOT / "ci/mutants"), "--plain"]
     patch = subprocess.run([*command, "order-one-sided"], capture_output=True, text=True, check=True).stdout
-    assert re.search(r"^\+.*complement\(t, 0\.05\)", patch, re.MULTILINE)
+    assert re.search(r"^\+.*complement\(StudentT\(degrees\), 0\.05\)", patch, re.MULTILINE)
     wrong = subprocess.run([*command, "order-one-side"], capture_output=True, text=True)
     assert wrong.returncode == 2 and "order-one-sided" in wrong.stderr
