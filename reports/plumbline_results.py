@@ -246,13 +246,18 @@ def _load_if_there(read, path, folder):
         return {}
 
 
+def _with_list(path, part, command):
+    """The JSON object in a file that a command wrote, whose part of this name is a list of objects."""
+    document = _json_file(path)
+    entries = document.get(part) if isinstance(document, dict) else None
+    if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
+        raise DamagedFile(f"not an output of {command}: there is no list of {part}")
+    return document
+
+
 def load_bench(path):
     """The JSON object that `plumbline bench --json` wrote. Raises DamagedFile or FileNotFoundError."""
-    bench = _json_file(path)
-    kernels = bench.get("kernels") if isinstance(bench, dict) else None
-    if not isinstance(kernels, list) or not all(isinstance(kernel, dict) for kernel in kernels):
-        raise DamagedFile("not an output of plumbline bench: there is no list of kernels")
-    return bench
+    return _with_list(path, "kernels", "plumbline bench")
 
 
 def load_mutants(path):
@@ -332,11 +337,7 @@ def load_coverage(path):
 
 def load_diff(path):
     """The JSON object that `plumbline diff --json` wrote. Raises DamagedFile or FileNotFoundError."""
-    diff = _json_file(path)
-    findings = diff.get("findings") if isinstance(diff, dict) else None
-    if not isinstance(findings, list) or not all(isinstance(found, dict) for found in findings):
-        raise DamagedFile("not an output of plumbline diff: there is no list of findings")
-    return diff
+    return _with_list(path, "findings", "plumbline diff")
 
 
 def load_stability(path):

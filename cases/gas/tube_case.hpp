@@ -19,10 +19,10 @@ struct TubeDescription {
   std::vector<std::string> known_limits = {};
 };
 
-// Registers itself with the first mention of a static object.
+// Registers itself with the first mention of a static object, as a case of the file that mentions it.
 class TubeCase final : public Case {
  public:
-  explicit TubeCase(TubeDescription description);
+  explicit TubeCase(TubeDescription description, const char* file = __builtin_FILE());
 
   Statement statement() const override;
   Kind kind() const override { return Kind::gas; }

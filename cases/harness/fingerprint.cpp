@@ -70,25 +70,18 @@ std::string hash_of(const Counts& counts) {
   return short_hash(text);
 }
 
-bool in_header(const std::string& source) {
-  return source.size() > 4 && source.compare(source.size() - 4, 4, ".hpp") == 0;
-}
-
 bool is_told(const std::string& own) {
-  return in_header(own) || std::any_of(code().objects.begin(), code().objects.end(),
-                                       [&](const ObjectHash& object) { return object.source == own; });
+  return std::any_of(code().objects.begin(), code().objects.end(),
+                     [&](const ObjectHash& object) { return object.source == own; });
 }
 
 std::string fingerprint_of_file(const std::string& own) {
   std::set<std::string> registering;
   for (const Case* entry : cases()) registering.insert(below_cases(source_file(*entry)));
-  const std::string own_folder = folder_of(own);
-  const std::set<std::string> folders = reached_from(own_folder);
+  const std::set<std::string> folders = reached_from(folder_of(own));
   return hash_of([&](const ObjectHash& object) {
     if (is_common(object.source) || object.source == own) return true;
-    const std::string folder = folder_of(object.source);
-    if (folders.count(folder) == 0) return false;
-    if (in_header(own) && folder == own_folder) return true;
+    if (folders.count(folder_of(object.source)) == 0) return false;
     return object.has_header || registering.count(object.source) == 0;
   });
 }

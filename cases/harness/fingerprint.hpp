@@ -29,7 +29,6 @@ std::string code_fingerprint();
 
 // Of what the numbers of one case depend on: compiler and flags; kernel, references, harness; its own object; and what
 // its folder, and folders that this one includes, share. An object is shared unless it registers cases and has no header.
-// A case that a header registers depends on every object of its folder.
 // Empty where the build has told nothing, or nothing of the case.
 std::string fingerprint(const Case& entry);
 
