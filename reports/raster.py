@@ -66,7 +66,9 @@ class Canvas:
         """A line through the places, of one colour or of one for each of its pieces, `thickness` and `dash` (0: none) in
         pixels."""
         places = numpy.asarray(places, float)
-        start, length = places[:-1], numpy.diff(places, axis=0)
+        drawn = numpy.isfinite(places[:-1]).all(axis=1) & numpy.isfinite(places[1:]).all(axis=1)
+        start, length = places[:-1][drawn], (places[1:] - places[:-1])[drawn]
+        colours = numpy.broadcast_to(numpy.asarray(colours, numpy.uint8), len(drawn))[drawn]
         steps = (2 * numpy.abs(length).max(axis=1, initial=0) * self.scale).astype(int) + 2
         piece = numpy.repeat(numpy.arange(len(steps)), steps)
         step = numpy.arange(len(piece)) - numpy.repeat(numpy.cumsum(steps) - steps, steps)
@@ -74,7 +76,6 @@ class Canvas:
             kept = (step // (2 * dash)) % 2 == 0
             piece, step = piece[kept], step[kept]
         share = step / (steps[piece] - 1)
-        colours = numpy.broadcast_to(numpy.asarray(colours, numpy.uint8), len(steps))
         self.dots(start[piece] + share[:, None] * length[piece], colours[piece], thickness / 2 / self.scale)
 
     def area(self, places, colours, radius, gap=3):

@@ -137,6 +137,20 @@ def test_area_fills_gaps_of_a_body_and_no_others():
     assert canvas.pixels[50, 50] == 9
 
 
+def test_lines_in_pieces_of_their_own_colour_and_none_to_places_that_are_no_numbers():
+    canvas = raster.Canvas((0, 0), (1, 1), 101)
+    canvas.line([(0, 0.5), (0.5, 0.5), (1, 0.5)], [3, 4], thickness=1)
+    assert canvas.pixels[50, 20] == 3 and canvas.pixels[50, 80] == 4 and set(canvas.pixels[50]) == {3, 4}
+    assert not canvas.pixels[:49].any() and not canvas.pixels[52:].any()
+    for bad in (numpy.nan, numpy.inf):
+        canvas = raster.Canvas((0, 0), (1, 1), 101)
+        canvas.line([(0, 0.5), (0.25, 0.5), (0.5, bad), (0.75, 0.5), (1, 0.5)], 3, thickness=1)
+        assert canvas.pixels[50, 10] == canvas.pixels[50, 90] == 3 and not canvas.pixels[:, 30:70].any()
+    canvas = raster.Canvas((0, 0), (1, 1), 101)
+    canvas.line([(0, 0.5), (1, 0.5)], 3, thickness=1, dash=5)
+    assert set(canvas.pixels[50]) == {0, 3}
+
+
 def test_ramp_keeps_its_ends():
     assert raster.ramp(("#000000", "#ffffff"), 3) == ("#000000", "#808080", "#ffffff")
 

@@ -162,6 +162,21 @@ TEST(Hdf5File, WhatCannotBeReadIsAnError) {
 }
 
 // HDF5 may stamp objects with the second in which they were made: over a second later the bytes must be the same.
+// Of a chunked data set only the chunks that were written are stored: this one claims 8 MB, and stores none of them.
+TEST(Hdf5File, WhatClaimsToBeLargerThanItIsStoredIsAnError) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.h5";
+  const hsize_t count = 1 << 20, chunk = 4096;
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t space = H5Screate_simple(1, &count, nullptr), layout = H5Pcreate(H5P_DATASET_CREATE);
+  H5Pset_chunk(layout, 1, &chunk);
+  H5Dclose(H5Dcreate2(file, "claim", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, layout, H5P_DEFAULT));
+  H5Pclose(layout);
+  H5Sclose(space);
+  H5Fclose(file);
+  EXPECT_THROW(Hdf5Reader(path).numbers("claim"), FileError);
+}
+
 TEST(Hdf5File, TheSameContentGivesTheSameBytes) {
   const TemporaryFolder folder;
   for (const char* name : {"a.h5", "b.h5"}) {
