@@ -354,6 +354,28 @@ TEST(GenericGates, BookedImpulseCountsInTheScaleOfMomentum) {
   EXPECT_EQ(red(run), Names{});
 }
 
+// What falls freely is given the same increment in every step, and each addition is rounded alike: errors grow as the steps
+// do, not as their root. So the ledger of a long run may be off by a rounding of twice the velocity's a step.
+TEST(GenericGates, EqualStepsRoundAlikeAndTheLedgerOfALongRunMayBeOffByAsMuch) {
+  const int steps = 20'000;
+  const double increment = 9.8 * 5e-6;
+  double velocity = 2;
+  for (int n = 0; n < steps; ++n) velocity += increment;
+  const double exact = std::fma(steps, increment, 2.0), energy = (velocity * velocity) / (exact * exact);
+  EXPECT_GT(std::abs(energy - 1), 2e-12);
+
+  RunResult run = finished_run({}, {.energy = energy});
+  EXPECT_EQ(red(run), Names{"ledger"}) << "in 10 steps";
+  run.steps = steps;
+  EXPECT_EQ(red(run), Names{});
+  run = finished_run({}, {.energy = 1 + 1e-11});
+  run.steps = steps;
+  EXPECT_EQ(red(run), Names{"ledger"});
+  run = finished_run({}, {.grid_mass = 1 + 1e-11});
+  run.steps = 1'000'000;
+  EXPECT_EQ(red(run), Names{"mass"}) << "of the last step alone";
+}
+
 TEST(GenericGates, SayWhereARunStopped) {
   const auto gates = judge_gates(generic_gates("s", 1), study({{1, stopped_run(5, "density")}}));
   ASSERT_EQ(gates[0].gate.id, "s/finite");
