@@ -41,7 +41,8 @@ std::string ends(const ShockTube& tube) {
 }  // namespace
 
 TubeCase::TubeCase(TubeDescription description, const char* file)
-    : about_(std::move(description)), registered_(this, file) {}
+    : about_(std::move(description)),
+      registered_(this, file) {}
 
 Statement TubeCase::statement() const {
   Statement s;

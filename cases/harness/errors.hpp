@@ -1,6 +1,7 @@
 // What a user can get wrong, as errors that name it.
 #pragma once
 
+#include <exception>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -28,9 +29,10 @@ struct FileError : std::runtime_error {
   std::string path;
 };
 
-// SIGINT or SIGTERM arrived.
-struct Interrupted : std::runtime_error {
-  explicit Interrupted(int signal_number) : std::runtime_error("interrupted"), signal(signal_number) {}
+// SIGINT or SIGTERM arrived. No runtime_error: where one of those is a finding, this is none.
+struct Interrupted : std::exception {
+  explicit Interrupted(int signal_number) : signal(signal_number) {}
+  const char* what() const noexcept override { return "interrupted"; }
   int signal;
 };
 

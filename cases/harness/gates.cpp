@@ -259,13 +259,13 @@ std::vector<CaseGate> generic_gates(const std::string& study, int dim, bool axis
                                return drift;
                              })));
   }
-  gates.push_back(
-      identity(study, study + "/ledger", "relative residual of the energy ledger",
-               "every joule is booked by its own formula, " + why + "; beyond 4500 steps, over what they round, steps/4500",
-               largest_over_runs([](const RunResult& r) {
-                 const double rounding = static_cast<double>(r.steps) * std::numeric_limits<double>::epsilon();
-                 return r.ledger.energy.relative_drift(false) / std::max(1.0, rounding / 1e-12);
-               })));
+  gates.push_back(identity(
+      study, study + "/ledger", "relative residual of the energy ledger",
+      "every joule is booked by its own formula, " + why + "; beyond 4500 steps, over what they round, steps/4500",
+      largest_over_runs([](const RunResult& r) {
+        const double rounding = static_cast<double>(r.steps) * std::numeric_limits<double>::epsilon();
+        return r.ledger.energy.relative_drift(false) / std::max(1.0, rounding / 1e-12);
+      })));
   return gates;
 }
 

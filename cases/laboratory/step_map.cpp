@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "cases/harness/experiment.hpp"
+
 namespace plumbline {
 namespace {
 
@@ -174,6 +176,7 @@ void StepMap::set_state(const std::vector<double>& state) {
 }
 
 void StepMap::step() {
+  throw_if_interrupted();
   engine_->set_time(0);
   integrator_->step(*engine_, dt_);
 }

@@ -224,7 +224,8 @@ class Pendulum final : public Case {
                         "period is too long by the share h^2/(8 L^2)"},
                        {"amplitude_loss", 2, "the affine transfer loses what is not affine over a kernel"}};
     s.known_limits = {
-        "`york1997` on 20 and 40 cells: the string tears at 1.3 and 1.4 s, after the swing that is judged; the bob falls.",
+        "`york1997` on 20 and 40 cells: the string tears at 1.3 and 1.4 s, after the swing that is judged; the bob "
+        "falls.",
         "A wall within 1.5 h of the string disturbs the swing: York's box at h = 0.2 and 0.1.",
         "Period errors below 3e-4 depend on the spacing of the points: points per cell must grow as York's do."};
     return s;
@@ -388,12 +389,13 @@ class Pendulum final : public Case {
       const std::string id = "york1997/length-" + to_text(level);
       return value_gate(
           "york1997", "length_drift", level,
-          expected_failure(declare(id, {-0.01, 0.01}, Origin::literature,
-                                   "Fig. 37 shows swings to 1.8 s, so the string is whole; it stretches by 0.001, and a "
-                                   "hundredth of its length cannot be seen there"),
-                           "after a whole swing the noise of its light points has torn the string: the bob falls to the "
-                           "floor from 1.3 s on, and lies there with a velocity that no node sees",
-                           {0.02, 0.3}, "2026-11-22 7c0a6a5"),
+          expected_failure(
+              declare(id, {-0.01, 0.01}, Origin::literature,
+                      "Fig. 37 shows swings to 1.8 s, so the string is whole; it stretches by 0.001, and a "
+                      "hundredth of its length cannot be seen there"),
+              "after a whole swing the noise of its light points has torn the string: the bob falls to the "
+              "floor from 1.3 s on, and lies there with a velocity that no node sees",
+              {0.02, 0.3}, "2026-11-22 7c0a6a5"),
           Tier::full);
     };
     return {

@@ -80,18 +80,16 @@ class BarEdge final : public StabilityProblem {
   std::vector<MapPlan> maps(Tier tier) const override {
     std::vector<MapPlan> all;
     const bool full = tier == Tier::full;
-    for (const Method& method :
-         explicit_methods(full ? std::vector<std::string>{"linear", "gimp", "quadratic", "cubic"}
-                               : std::vector<std::string>{"linear", "quadratic"},
-                          full ? std::vector<std::string>{"pic", "flip", "apic"} : std::vector<std::string>{"flip"})) {
+    for (const Method& method : explicit_methods(full ? std::vector<std::string>{"linear", "gimp", "quadratic", "cubic"}
+                                                      : std::vector<std::string>{"linear", "quadratic"},
+                                                 {"flip"})) {
       std::vector<Override> overrides = method.overrides();
       if (!full) overrides.emplace_back("length", 6.0);  // the mode that is lost first sits at the end
-      all.push_back(
-          {.kind = "limit",
-           .title = "largest stable step",
-           .overrides = std::move(overrides),
-           .x = {"depth", "depth of the last point in its cell", falling(1, 0.25, full ? 8 : 4)},
-           .y = {"ppc", "points per cell", full ? std::vector<double>{1, 2, 3, 4} : std::vector<double>{1, 2}}});
+      all.push_back({.kind = "limit",
+                     .title = "largest stable step",
+                     .overrides = std::move(overrides),
+                     .x = {"depth", "depth of the last point in its cell", falling(1, 0.25, full ? 6 : 4)},
+                     .y = {"ppc", "points per cell", full ? std::vector<double>{1, 2, 3} : std::vector<double>{1, 2}}});
     }
     return all;
   }

@@ -11,6 +11,9 @@ import pytest
 LONG = {
     "run": ["run", "sod", "--cells", 3200, "--set", "cfl=0.0001"],
     "converge": ["converge", "sod", "--cells", "20,3200", "--set", "cfl=0.001"],
+    "stability": ["stability", "bar-edge", "--maps", "--tier", "full", "--threads", 2],
+    "verify": ["verify", "stability-coupled", "--tier", "full"],  # limits, found in many small steps
+    "bench": ["bench", "--points", 1e6],
 }
 
 
