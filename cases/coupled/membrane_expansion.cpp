@@ -418,8 +418,11 @@ std::vector<CaseGate> MembraneExpansion::gates() const {
                       "table 6; no mean can differ from the virial's by more than the energy does");
     if (row.cells == 8) fails(hoop, "he lost 3.4 % of the energy, this run 0.5 % with 6 % in motion", 403, 0.03);
     if (row.cells == 32) {
-      fails(hoop, "first law and virial allow a mean of 432 Pa with nothing lost; this run loses 2 % of the energy",
-            417.5, 0.02);
+      hoop = expected_failure(
+          hoop,
+          "first law and virial allow a mean of 432 Pa with nothing lost; this run loses 2 % of the "
+          "energy",
+          {409, 426}, "2026-11-22 7c0a6a5");
     }
   }
   value("york1997", "hoop_scatter", 8, {{}, 0.1}, Origin::target, "asked of default", Tier::quick);
