@@ -161,7 +161,7 @@ std::vector<CostRun> cost_runs(const Case& entry, Tier tier) {
   return runs;
 }
 
-CostBudget cost_budget(Tier tier) { return tier == Tier::quick ? CostBudget{0.2, 0.04, 15} : CostBudget{60, 3, 900}; }
+CostBudget cost_budget(Tier tier) { return tier == Tier::quick ? CostBudget{0.2, 0.04, 15} : CostBudget{20, 1.5, 180}; }
 
 std::vector<CostSample> time_cost_runs(const std::vector<CostRun>& runs, int repeats, const CostBudget& budget,
                                        const std::string& results) {

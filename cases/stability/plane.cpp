@@ -74,8 +74,9 @@ class Plane final : public StabilityProblem {
   std::vector<MapPlan> maps(Tier tier) const override {
     std::vector<MapPlan> all;
     const bool full = tier == Tier::full;
-    const std::vector<double> places = full ? std::vector<double>{0.02, 0.26, 0.5} : std::vector<double>{0.02, 0.5};
-    for (const Method& method : methods({"linear"}, {"flip"})) {
+    const std::vector<double> places = full ? std::vector<double>{0.02, 0.14, 0.26, 0.38, 0.5}
+                                            : std::vector<double>{0.02, 0.5};
+    for (const Method& method : explicit_methods({"linear"}, {"flip"})) {
       if (!full && method.integrator != "musl" && method.integrator != "usl") continue;
       all.push_back({.kind = "limit",
                      .title = "largest stable step, one point a cell",
