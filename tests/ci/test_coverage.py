@@ -6,7 +6,11 @@ from pathlib import Path
 
 import pytest
 
-SCRIPT = Path(__file__).resolve().parents[2] / "ci/coverage_summary.py"
+ROOT = Path(__file__).resolve().parents[2]
+SCRIPT = ROOT / "ci/coverage_summary.py"
+sys.path.insert(0, str(ROOT / "reports"))
+
+import plumbline_results  # noqa: E402
 
 
 def evaluate(tmp_path, **counts):
@@ -19,15 +23,20 @@ def evaluate(tmp_path, **counts):
     return done.returncode, json.loads((tmp_path / "coverage.json").read_text()), done.stdout
 
 
+def test_the_report_reads_it(tmp_path):
+    _, document, _ = evaluate(tmp_path, **GOOD)
+    assert plumbline_results.load_coverage(tmp_path / "coverage.json") == document
+
+
 GOOD = {"kernel/a.cpp": (90, 100), "reference/b.cpp": (10, 10), "cases/harness/c.cpp": (45, 50)}
 
 
 def test_lines_are_summed_over_the_files_of_a_folder(tmp_path):
     status, document, _ = evaluate(tmp_path, **GOOD, **{"kernel/engine/d.cpp": (300, 300), "cases/gas/sod.cpp": (0, 1000)})
     assert status == 0
-    assert document["folders"] == {"kernel": 97.5, "reference": 100.0, "cases/harness": 90.0}
-    assert document["total"] == 96.74 and "cases/gas/sod.cpp" not in document["files"]
-    assert document["files"]["kernel/a.cpp"] == 90.0
+    assert document["folders"] == {"kernel": 0.975, "reference": 1.0, "cases/harness": 0.9}
+    assert document["total"] == 0.9674 and "cases/gas/sod.cpp" not in document["files"]
+    assert document["files"]["kernel/a.cpp"] == 0.9
 
 
 @pytest.mark.parametrize("folder, path", [("kernel", "kernel/a.cpp"), ("reference", "reference/b.cpp"), ("cases/harness", "cases/harness/c.cpp")])
