@@ -142,7 +142,7 @@ def test_report_sets_up_builds_verifies_and_renders(tree, tmp_path):
 def test_full_report(tree):
     assert tree.run("report", "--full").returncode == 0
     assert "plumbline verify --reuse --tier full --results results" in without_threads(tree.calls())
-    assert bench("full", "1e7") in tree.calls() and cost("full") in tree.calls()
+    assert bench("full", "2e6") in tree.calls() and cost("full") in tree.calls()
     assert stability("full") in without_threads(tree.calls())
 
 
