@@ -161,7 +161,6 @@ TEST(Hdf5File, WhatCannotBeReadIsAnError) {
   EXPECT_THROW(read_hdf5_text(folder / "a.h5", "/note"), FileError);
 }
 
-// HDF5 may stamp objects with the second in which they were made: over a second later the bytes must be the same.
 // Of a chunked data set only the chunks that were written are stored: this one claims 8 MB, and stores none of them.
 TEST(Hdf5File, WhatClaimsToBeLargerThanItIsStoredIsAnError) {
   const TemporaryFolder folder;
@@ -177,6 +176,7 @@ TEST(Hdf5File, WhatClaimsToBeLargerThanItIsStoredIsAnError) {
   EXPECT_THROW(Hdf5Reader(path).numbers("claim"), FileError);
 }
 
+// HDF5 may stamp objects with the second in which they were made: over a second later the bytes must be the same.
 TEST(Hdf5File, TheSameContentGivesTheSameBytes) {
   const TemporaryFolder folder;
   for (const char* name : {"a.h5", "b.h5"}) {
