@@ -6,11 +6,12 @@ one path. Looks stay the same to a tenth of a point, a seventh of a pixel on a w
 
 Structure of a drawing, on which report.js relies: for each pair of axes a group `x` (frame, ticks, labels) and a group
 `d` (data, clipped to the axes); lines that can be pointed at have `data-s`, the number of their label, and what vanishes with them too, of class `b`; marks are a path of class `m` in which
-each `M x y` begins one mark, `data-n` their notes. `data-plot` of the drawing holds {"a": axes, "s": labels}, the axes
-being [left, top, width, height, x scale, x low, x high, y scale, y low, y high, x label, y label]; a scale is 0 for linear, 1
+each `M x y` begins one mark, `data-n` their notes, or the one note of all. `data-plot` of the drawing holds
+{"a": axes, "s": labels}, the axes being [left, top, width, height, x scale, x low, x high, y scale, y low, y high, x label, y label]; a scale is 0 for linear, 1
 for logarithmic, [threshold, linear decades] for symmetric logarithmic.
 """
 
+import itertools
 import json
 import re
 import zlib
@@ -18,7 +19,9 @@ from xml.etree import ElementTree
 
 import numpy
 
-TOLERANCE = 0.22  # points by which a simplified line may be off
+import raster
+
+TOLERANCE = 0.3  # points by which a simplified line may be off
 _FEW = 60  # marks of a line up to which the places have two decimals, so that values read back have three digits
 _SVG = "{http://www.w3.org/2000/svg}"
 _HREF = "{http://www.w3.org/1999/xlink}href"
@@ -55,12 +58,12 @@ def with_shared_styles(page):
     names = {}
 
     def drawing(found):
-        return re.sub(r'<(path|text|g|tspan)(?: class="([^"]*)")? style="([^"]*)"', element, found.group(0))
+        return re.sub(r'<(path|text|g|tspan)(?: class="([^"]*)")?((?: data-\w="[^"]*")*) style="([^"]*)"', element, found.group(0))
 
     def element(found):
-        tag, classes, style = found.groups()
+        tag, classes, data, style = found.groups()
         name = names.setdefault(style, f"y{len(names)}")
-        return f'<{tag} class="{classes + " " if classes else ""}{name}"'
+        return f'<{tag} class="{classes + " " if classes else ""}{name}"{data}'
 
     page = re.sub(r'<svg class="pl".*?</svg>', drawing, page, flags=re.DOTALL)
     return page, "\n".join(f".pl .{name}{{{style}}}" for style, name in names.items())
@@ -149,17 +152,20 @@ def path_data(commands, shift=(0.0, 0.0), digits=1):
 
 def _polyline(places, digits):
     rounded = numpy.round(places, digits)
-    text, last = "M" + _joined(rounded[0], digits), ""
-    for across, down in numpy.diff(rounded, axis=0):
+    return "M" + _joined(rounded[0], digits) + (_segments(numpy.diff(rounded, axis=0), digits) or "h0"), rounded[-1]
+
+
+def _segments(steps, digits):
+    """Straight lines by their steps across and down."""
+    text, last = "", ""
+    for across, down in steps:
         if abs(across) < 1e-9 and abs(down) < 1e-9:
             continue
         letter, values = ("h", (across,)) if abs(down) < 1e-9 else ("v", (down,)) if abs(across) < 1e-9 else ("l", (across, down))
         words = _joined(values, digits)
         text += (" " if words[0] != "-" and letter == last else "") + words if letter == last else letter + words
         last = letter
-    if not last:
-        text += "h0"
-    return text, rounded[-1]
+    return text
 
 
 def _joined(values, digits):
@@ -214,6 +220,8 @@ class _Drawing:
             return self._path(element, own, marks)
         if name == "text":
             return self._words(element, own)
+        if name == "image":
+            element.set(_HREF, raster.smaller("".join(element.get(_HREF).split())))
         attributes = "".join(f' {key.rpartition("}")[2]}="{value}"' for key, value in element.attrib.items() if "clip" not in key and key != "id")
         return f"<{name}{attributes}/>"
 
@@ -281,8 +289,8 @@ class _Drawing:
         radius = _radius(commands)
         places = [(float(use.get("x")), float(use.get("y"))) for use in uses]
         digits = 2 if len(places) <= _FEW and marks else 1
-        if len(commands) and commands[0][0] == "M" and not marks and len(places) == 1 and radius is None:
-            return f'<path{_style_text(own)} d="{path_data(commands, places[0])}"/>'
+        if commands[0][0] == "M" and (not marks or "b" in marks[0].split()) and len(places) == 1 and radius is None:
+            return f'<path{_line(marks)}{_style_text(own)} d="{path_data(commands, places[0])}"/>'  # an area, not a mark
         if radius is not None and filled:
             edge = float(own.get("stroke-width", 1)) if "stroke" in own else 0
             kept = {key: own[key] for key in ("opacity", "fill-opacity") if key in own}
@@ -291,7 +299,7 @@ class _Drawing:
             places = _apart(places, 0.3)
         elif radius is not None:
             r = number(radius, 2)
-            each = f"m-{r} 0a{r} {r} 0 1 0 {number(2 * radius, 2)} 0a{r} {r} 0 1 0-{number(2 * radius, 2)} 0"
+            each = f"m-{r} 0a{r} {r} 0 1 1 0 .1z"  # all but a tenth of a point of the circle, and that straight
         else:
             each = _relative_shape(commands)
         if not filled:
@@ -317,7 +325,8 @@ class _Drawing:
 def _line(marks, kind=""):
     classes, label, notes = marks or ("", "", "")
     words = " ".join(word for word in (kind, classes) if word)
-    said = f' data-n="{_text(notes)}"' if kind and notes else ""
+    each = notes.split("|")
+    said = f' data-n="{_text(each[0] if len(set(each)) == 1 else notes)}"' if kind and notes else ""
     return (f' class="{words}"' if words else "") + (f' data-s="{label}"' if label else "") + said
 
 
@@ -332,14 +341,15 @@ def _radius(commands):
 
 def _relative_shape(commands):
     """A mark drawn from its centre: `M x y` before it places it."""
-    text, pen = "", numpy.zeros(2)
-    for letter, values in commands:
-        if letter == "z":
-            text += "z"
-            continue
-        places = numpy.reshape(values, (-1, 2))
-        text += ("m" if letter == "M" else letter.lower()) + _joined((numpy.round(places, 1) - pen).ravel(), 1)
-        pen = numpy.round(places[-1], 1)
+    text, pen, steps = "", numpy.zeros(2), []
+    for letter, values in [*commands, ("", ())]:
+        places = numpy.round(numpy.reshape(values, (-1, 2)), 1)
+        if letter == "L":
+            steps.append(places[0] - pen)
+        else:
+            text, steps = text + _segments(steps, 1), []
+            text += "z" if letter == "z" else ("m" if letter == "M" else letter.lower()) + _joined((places - pen).ravel(), 1)
+        pen = places[-1] if len(places) else pen
     return text
 
 
@@ -352,20 +362,25 @@ def _apart(places, distance):
 
 
 def _labels(found):
-    """Labels in one row, those of a horizontal axis, as one text with a part each."""
+    """Labels in one row, those of a horizontal axis, as one text with a part each; others of one style as a group."""
     rows = []
     for style, x, y, words in re.findall(r'<text( style="[^"]*")? x="([^"]*)" y="([^"]*)">([^<]*)</text>', found.group(0)):
         if not rows or rows[-1][:2] != (style, y):
             rows.append((style, y, []))
         rows[-1][2].append((x, words))
     texts = []
-    for style, y, parts in rows:
-        if len(parts) == 1:
-            texts.append(f'<text{style} x="{parts[0][0]}" y="{y}">{parts[0][1]}</text>')
-        else:
-            inner = "".join(f'<tspan x="{x}">{words}</tspan>' for x, words in parts)
-            texts.append(f'<text{style} y="{y}">{inner}</text>')
+    for style, alike in itertools.groupby(rows, key=lambda row: row[0]):
+        alike = list(alike)
+        own, group = ("", f"<g{style}>") if style and len(alike) > 1 else (style, "")
+        texts += [group, *(_row(own, y, parts) for _, y, parts in alike), "</g>" if group else ""]
     return "".join(texts)
+
+
+def _row(style, y, parts):
+    if len(parts) == 1:
+        return f'<text{style} x="{parts[0][0]}" y="{y}">{parts[0][1]}</text>'
+    inner = "".join(f'<tspan x="{x}">{words}</tspan>' for x, words in parts)
+    return f'<text{style} y="{y}">{inner}</text>'
 
 
 def _merged(frame):

@@ -115,7 +115,7 @@ class Scale:
     @property
     def picture(self):
         pixels = numpy.arange(1, 1 + STEPS, dtype=numpy.uint8)[None, :]
-        return raster.data_url(raster.png(pixels, self.palette))
+        return raster.picture(pixels, self.palette)
 
 
 def scale_of(maps, growth, threshold=THRESHOLD):
@@ -182,7 +182,7 @@ def draw(entry, scale, unit):
         words=words,
         label=f"{entry.get('title') or title}: {words}",
         name=entry.get("id") or "",
-        picture=raster.data_url(raster.png(scale.numbers(values)[::-1], scale.palette)),
+        picture=raster.picture(scale.numbers(values)[::-1], scale.palette),
         across=values.shape[1],
         down=values.shape[0],
         x=x,

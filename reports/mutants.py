@@ -87,11 +87,11 @@ def _row(row, columns):
 
 
 def _spanned(cells):
-    """The cells of a row, neighbours without a word as one: most cells are such."""
+    """The cells of a row, neighbours that say nothing of their own as one: most cells are such."""
     spanned = []
-    for empty, alike in itertools.groupby(cells, key=lambda cell: not cell["look"]):
+    for look, alike in itertools.groupby(cells, key=lambda cell: cell["look"]):
         alike = list(alike)
-        spanned += [{**alike[0], "span": len(alike)}] if empty else [{**cell, "span": 1} for cell in alike]
+        spanned += [{**alike[0], "span": len(alike)}] if look in ("", "open") else [{**cell, "span": 1} for cell in alike]
     return spanned
 
 

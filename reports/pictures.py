@@ -22,9 +22,9 @@ from figures import Figure, Key
 
 STRIP = 6  # pictures of the points over time
 MOST_STUDIES = 1  # of a case, whose frames are drawn
-FILM_BYTES = 150_000  # of a film at most; its text in the page is a third longer
-ALL_FILM_BYTES = 200_000  # of all films of a page
-_STRIP_WIDTH, _FILM_WIDTH, _FIELD_WIDTH = 240, 440, 320  # pixels
+FILM_CHARACTERS = 200_000  # of a film's address at most
+ALL_FILM_CHARACTERS = 100_000  # of all films of a page
+_STRIP_WIDTH, _FILM_WIDTH, _FIELD_WIDTH = 210, 440, 320  # pixels
 _HOLD = 1.5  # s that a film stays on its last frame
 _SECOND_PER_FRAME = 0.16
 _NEAR = 0.12  # walls so near to the points, in sizes of what they occupy, are shown
@@ -62,16 +62,16 @@ class Film:
     svg: str = ""  # the scale of colours
 
 
-def film_bytes(cases, results):
-    """Size of each film, so that those of many cases do not outgrow the page."""
+def film_characters(cases, results):
+    """Length of each film's address, so that those of many cases do not outgrow the page."""
     count = sum(len(_with_frames(case, results)) for case in cases)
-    return min(FILM_BYTES, ALL_FILM_BYTES // max(1, count))
+    return min(FILM_CHARACTERS, ALL_FILM_CHARACTERS // max(1, count))
 
 
-def groups(case, results, prefix, most_bytes):
+def groups(case, results, prefix, most_characters):
     """[{title, strip, film, fields}] of the studies and single runs of a case that kept frames."""
     return [
-        _group(entry, level, results[name], f"{prefix}-{number}", most_bytes)
+        _group(entry, level, results[name], f"{prefix}-{number}", most_characters)
         for number, (entry, level, name) in enumerate(_with_frames(case, results))
     ]
 
@@ -88,7 +88,7 @@ def _with_frames(case, results):
     return found[:MOST_STUDIES]
 
 
-def _group(entry, level, result, prefix, most_bytes):
+def _group(entry, level, result, prefix, most_characters):
     view = View(result.frames)
     cells = (level.get("settings") or {}).get("cells")
     run = f"{entry.label}, {text.count(cells)} cells" if isinstance(cells, (int, float)) else entry.label
@@ -99,7 +99,7 @@ def _group(entry, level, result, prefix, most_bytes):
         "title": run,
         "points": text.count(level.get("points")) if level.get("points") else "",
         "strip": strip(view, run, result.name),
-        "film": film(view, run, result.name, f"{prefix}-film", most_bytes),
+        "film": film(view, run, result.name, f"{prefix}-film", most_characters),
         "fields": [drawn for drawn in fields if drawn],
     }
 
@@ -254,7 +254,7 @@ def strip(view, run, file):
                     canvas.dots(places, numbers[number], 2.5 / canvas.scale)
             else:
                 canvas.dots(places, numbers[number], share * view.spacing(frame, number))
-        picture = raster.data_url(raster.png(canvas.pixels, palette))
+        picture = raster.picture(canvas.pixels, palette)
         cells.append({"time": _time(view.frames.times[frame]), "picture": picture})
     every = view.frames.every
     few = f" One point in {every} is drawn." if every > 1 else ""
@@ -291,8 +291,8 @@ def _back_to_front(view):
 # --- film -----------------------------------------------------------------------------------------
 
 
-def film(view, run, file, prefix, most_bytes=FILM_BYTES):
-    """All frames side by side in one picture, made smaller until it keeps within `most_bytes`."""
+def film(view, run, file, prefix, most_characters=FILM_CHARACTERS):
+    """All frames side by side in one picture, made smaller until its address keeps within `most_characters`."""
     kind = next((kind for kind in _FIELDS if kind in view.kinds()), None)
     name, title, colours = _FIELDS[kind]
     values = _values(view, kind, name)
@@ -300,13 +300,13 @@ def film(view, run, file, prefix, most_bytes=FILM_BYTES):
         return None
     levels = colour_levels(values)
     ramp = raster.ramp(colours, len(levels) - 1)
-    width, frames = _FILM_WIDTH, list(range(len(view.frames)))
+    width, frames = _FILM_WIDTH, chosen_frames(len(view.frames), min(len(view.frames), raster.WIDEST // _FILM_WIDTH))
     while True:
-        content = _reel(view, kind, name, ramp, levels, width, frames)
-        if len(content) <= most_bytes or width < 200:
+        picture = _reel(view, kind, name, ramp, levels, width, frames)
+        if len(picture) <= most_characters or width < 200:
             break
         if width > 300:
-            width = max(299, int(width * min(0.9, (most_bytes / len(content)) ** 0.5)))
+            width = max(299, int(width * min(0.9, (most_characters / len(picture)) ** 0.5)))
         else:
             frames = [frames[k] for k in chosen_frames(len(frames), (len(frames) + 1) // 2)]
             width = _FILM_WIDTH - 100
@@ -325,7 +325,7 @@ def film(view, run, file, prefix, most_bytes=FILM_BYTES):
         caption,
         label,
         [_time(view.frames.times[frame]) for frame in frames],
-        raster.data_url(content),
+        picture,
         view.shape,
         round(len(frames) * _SECOND_PER_FRAME + _HOLD, 2),
         [file],
@@ -352,7 +352,7 @@ def _reel(view, kind, name, ramp, levels, width, frames):
             else:
                 canvas.area(places, colours, 0.62 * view.spacing(frame, number))
         pictures.append(canvas.pixels)
-    return raster.png(numpy.concatenate(pictures, axis=1), palette)
+    return raster.picture(numpy.concatenate(pictures, axis=1), palette)
 
 
 def _colour_chain(view, canvas, number, places, colours, thickness=4):

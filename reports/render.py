@@ -3,8 +3,9 @@
     python render.py RESULTS_DIR OUTPUT.html [--csv DIR] [--baseline DIR] [--diff FILE]
 
 Verdicts, orders and intervals are shown as the files state them; nothing is judged again. The same files
-give the same bytes. Exit status: 0; 2 wrong call; 4 the folder or the output cannot be used, or a file in the
-folder is damaged (the page is then written all the same, and lists it as INVALID).
+give the same bytes. Exit status: 0; 1 the page is written and larger than five megabytes; 2 wrong call; 4 the folder or
+the output cannot be used, or a file in the folder is damaged (the page is then written all the same, and lists it as
+INVALID).
 """
 
 import argparse
@@ -45,10 +46,11 @@ import trust
 HERE = pathlib.Path(__file__).resolve().parent
 SHARED_STYLES = "/* styles of the drawings */"  # where compact.py puts them
 NORMS = (".L1", ".L2", ".Linf")
-MOST_PROFILES = 3  # lines of a case that are drawn over the exact solution, in the field that stands for it
+MOST_PROFILES = 2  # lines of a case that are drawn over the exact solution, in the field that stands for it
 MOST_OTHER_PROFILES = 1  # in every other field
 MOST_OTHER_FIELDS = 1  # of a case that are drawn beside it; all are in its CSV
 MOST_CONVERGENCE = 2  # measures of a case whose errors are drawn; fits of the others are in the table below
+MOST_BYTES = 5_000_000  # of the page, so that it is a file one can send
 ROUNDING_OF_A_RUN = 1e-11  # what many roundings add up to; books off by less are stated, not drawn
 MOST_BOOKS = 2  # lines of a case whose books are shown in full; those of all are in its CSV
 MOST_TOLERANCES = 200  # in the ledger of the page; all are in its CSV
@@ -66,7 +68,7 @@ def render(folder, earlier=None):
         lstrip_blocks=True,
         undefined=jinja2.ChainableUndefined,
     )
-    environment.filters.update(plural=text.plural, by_label=tables.by_label, by_reason=tables.by_reason, by_bound=tables.by_bound, prose=text.prose)
+    environment.filters.update(plural=text.plural, by_label=tables.by_label, by_reason=tables.by_reason, identity_matrix=tables.identity_matrix, prose=text.prose)
     environment.globals.update(series_mark=svg.series_mark)
     results = {result.name: result for result in folder.runs}
     pages = case_pages(cases, results, folder.cost)
@@ -75,13 +77,13 @@ def render(folder, earlier=None):
         style=_markup(style_sheet(front["stability"].get("style", ""))), scripts=scripts(), pages=pages, **front
     )
     page, rules = compact.with_shared_styles(page)
-    return small.tables(page.replace(SHARED_STYLES, rules, 1))
+    return small.page(page.replace(SHARED_STYLES, rules, 1))
 
 
 def case_pages(cases, results, costs):
     """The pages of all cases, drawn side by side: most of the time goes into figures."""
-    film_bytes = pictures.film_bytes(cases.values(), results)
-    drawn = functools.partial(case_page, results=results, film_bytes=film_bytes, costs=costs)
+    film_characters = pictures.film_characters(cases.values(), results)
+    drawn = functools.partial(case_page, results=results, film_characters=film_characters, costs=costs)
     workers = min(len(os.sched_getaffinity(0)), len(cases))
     if workers < 2:
         return [drawn(case) for case in cases.values()]
@@ -267,14 +269,13 @@ def _anchored(rows):
 # --- a case ---------------------------------------------------------------------------------------
 
 
-def case_page(case, results, film_bytes, costs):
+def case_page(case, results, film_characters, costs):
     """What the template of a case shows, in the order of the page."""
     name, catalog = anchor(case.name), case.catalog
     finest = finest_results(case, results)
     title = catalog.get("title") or case.name
     own, choices = tables.parameter_rows(case)
     gates, identities = tables.split_identities(case.gates)
-    fits, further_fits = tables.fit_rows(case, leading_measures(case))
     return {
         "name": case.name,
         "anchor": name,
@@ -296,8 +297,7 @@ def case_page(case, results, film_bytes, costs):
         "identities": identities,
         "other_gates": tables.gate_rows(case.other_gates),
         "not_run": tables.not_run(case),
-        "fits": fits,
-        "further_fits": further_fits,
+        **tables.fit_rows(case, leading_measures(case)),
         "levels": tables.level_rows(case, case.measure),
         "measure": case.measure,
         "has_norms": any(measure.endswith(NORMS) for measure in convergence_measures(case)),
@@ -305,15 +305,15 @@ def case_page(case, results, film_bytes, costs):
         "leads_with_scalars": not (case.measure or "").endswith(NORMS),
         "books": tables.ledger_rows(([pair for pair in finest if pair[0].refined] or finest)[:MOST_BOOKS]),
         "stopped": tables.stopped(case),
-        "pictures": picture_groups(case, results, name, film_bytes),
+        "pictures": picture_groups(case, results, name, film_characters),
         "normals": _ready(normals.drawings(case, results, f"{name}-normals")),
         **case_figures(case, results, finest, name, costs),
     }
 
 
-def picture_groups(case, results, name, film_bytes):
+def picture_groups(case, results, name, film_characters):
     """What can be looked at of the runs that kept frames: points over time, a film, fields."""
-    groups = pictures.groups(case, results, f"{name}-pictures", film_bytes)
+    groups = pictures.groups(case, results, f"{name}-pictures", film_characters)
     for group in groups:
         if group["film"]:
             group["film"].svg = _markup(group["film"].svg)
@@ -466,7 +466,8 @@ def main(arguments=None):
         earlier = plumbline_results.load_folder(options.baseline) if options.baseline else None
         if options.diff:
             folder.diff = load_diff(options.diff)
-        write_whole(pathlib.Path(options.output), render(folder, earlier))
+        page = render(folder, earlier)
+        write_whole(pathlib.Path(options.output), page)
         if options.csv:
             write_tables(folder, gathering.gather(folder), pathlib.Path(options.csv))
     except (OSError, plumbline_results.ResultsError) as error:
@@ -477,7 +478,13 @@ def main(arguments=None):
         return 4
     for name, reason in folder.damaged:
         print(f"render: {name}: {reason}", file=sys.stderr)
-    return 4 if folder.damaged else 0
+    if folder.damaged:
+        return 4
+    size = len(page.encode())
+    if size > MOST_BYTES:
+        print(f"render: {options.output} has {size / 1e6:.2f} MB, more than {MOST_BYTES / 1e6:g}", file=sys.stderr)
+        return 1
+    return 0
 
 
 def write_tables(folder, cases, target):

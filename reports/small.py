@@ -6,16 +6,17 @@ for the table instead of once in every cell, and tags and quotes go that HTML do
 
 import re
 
-_MOST_COLUMNS = 16  # counted from the last; the style sheet has a rule for each
+_MOST_COLUMNS = 24  # counted from the last; the style sheet has a rule for each
 # The rule weighs as much as that of .num, so that other rules stand above the two alike.
 STYLES = "".join(
     f":where(.n{k} tbody tr)>:nth-last-child({k}){','*(k < _MOST_COLUMNS)}" for k in range(1, _MOST_COLUMNS + 1)
 ) + "{text-align:right;white-space:nowrap}"
 
 
-def tables(page):
-    """The page with its tables written short. Drawings in them stay as they are, so that each is well-formed XML."""
-    return re.sub(r"<table.*?</table>", lambda table: _bare(_numbers(table.group(0))), page, flags=re.DOTALL)
+def page(source):
+    """The page with its tables and what is in its figures written short."""
+    source = re.sub(r"<table.*?</table>", lambda table: _bare(_numbers(table.group(0))), source, flags=re.DOTALL)
+    return re.sub(r'(<svg class="pl"[^>]*>)(.*?</svg>)', lambda figure: figure[1] + _unquoted(figure[2]), source, flags=re.DOTALL)
 
 
 def _numbers(table):
@@ -60,5 +61,10 @@ def _bare(table):
     parts = re.split(r"(<svg .*?</svg>|<pre.*?</pre>)", table, flags=re.DOTALL)
     for index in range(0, len(parts), 2):
         short = re.sub(r"</(?:td|th|tr|tbody|thead)>\s*(?=<(?:td|th|tr|tbody|thead|/table|/tr|/tbody|/thead)\b)", "", parts[index])
-        parts[index] = re.sub(r"<\w[^<>]*>", lambda tag: re.sub(r'="([A-Za-z0-9_.:#%-]+)"(?=[\s>])', r"=\1", tag.group(0)), short)
+        parts[index] = _unquoted(short)
     return "".join(parts)
+
+
+def _unquoted(source):
+    """Values without quotes where they need none; before the end of an empty element they do."""
+    return re.sub(r"<\w[^<>]*>", lambda tag: re.sub(r'="([A-Za-z0-9_.:#%-]+)"(?=[\s>])', r"=\1", tag[0]), source)

@@ -3,6 +3,7 @@
 Limits are those that the document states; the page compares them with each other and judges nothing.
 """
 
+import collections
 import decimal
 import json
 import math
@@ -19,9 +20,11 @@ from plumbline_results import STABILITY_FILE
 
 CASE_PREFIX = "stability-"
 MOST_ROWS = 24  # of a table of configurations that is shown unfolded
-MOST_LINES = 6  # of one panel of growth
-MOST_PANELS = 12
+MOST_LINES = 4  # of one panel of growth
+MOST_PANELS = 6
 FEW_MAPS = 12  # that are shown unfolded
+MOST_MAPS = 10  # of a shape; where there are more, those of one transfer are drawn
+DRAWN_TRANSFER = "flip"  # that one, where it is there: the transfer of most codes
 EDGE_COLLAPSE = 0.5  # a free edge is named apart where it bears less than this share of what the inside bears
 STEADY_RANGE = 10  # times the smallest step, over which growth of a power of the step is told from rounding
 STEADY_POWERS = (0.8, 6)  # rounding of a double eigenvalue goes as the root of the step at most; a limit is a jump
@@ -652,25 +655,20 @@ def map_parts(problem):
         kinds.setdefault((entry.get("kind") == "growth", unit(entry.get("unit"))), []).append(entry)
     for (grows, measured_in), chosen in sorted(kinds.items(), key=lambda kind: kind[0]):
         scale = maps.scale_of(chosen, grows, _threshold(problem["configurations"]))
-        groups = {}
+        entries = {}
         for entry in chosen:
-            groups.setdefault(str(entry.get("shape") or "any shape"), []).append(maps.draw(entry, scale, measured_in))
-        every = [drawn for found in groups.values() for drawn in found]
+            entries.setdefault(str(entry.get("shape") or "any shape"), []).append(entry)
+        groups = [_group(shape, found, scale, measured_in) for shape, found in entries.items()]
+        for number, group in enumerate(groups):
+            group["open"] = len(chosen) <= FEW_MAPS or number == 0
+        every = [drawn for group in groups for drawn in group["maps"]]
         parts.append(
             {
                 "growth": grows,
                 "unit": measured_in,
                 "scale": scale,
                 "count": len(chosen),
-                "groups": [
-                    {
-                        "shape": shape,
-                        "maps": sorted(_told_apart(drawn), key=lambda m: m.title),
-                        "axes": _common_axes(drawn),
-                        "open": len(chosen) <= FEW_MAPS or number == 0,
-                    }
-                    for number, (shape, drawn) in enumerate(groups.items())
-                ],
+                "groups": groups,
                 "observed": any(drawn.observed for drawn in every),
                 "closed": any(drawn.closed or any(cut.closed for cut in drawn.cuts) for drawn in every),
                 "spans": any(drawn.spans for drawn in every),
@@ -678,6 +676,31 @@ def map_parts(problem):
             }
         )
     return parts
+
+
+def _group(shape, entries, scale, measured_in):
+    """Maps of one shape, their common axes and, where all have the same curves, the legend of these."""
+    shown, left_out = _of_one_transfer(entries)
+    drawn = _told_apart([maps.draw(entry, scale, measured_in) for entry in shown])
+    legends = [[(cut.name, cut.colour) for cut in m.cuts] for m in drawn]
+    return {
+        "shape": shape,
+        "maps": sorted(drawn, key=lambda m: m.title),
+        "axes": _common_axes(drawn),
+        "cuts": drawn[0].cuts if all(legend == legends[0] for legend in legends) else [],
+        "left_out": left_out,
+    }
+
+
+def _of_one_transfer(entries):
+    """(maps to draw, {transfer: number of its maps that are not drawn})."""
+    transfers = collections.Counter(str(entry.get("transfer") or "") for entry in entries)
+    if len(entries) <= MOST_MAPS or len(transfers) < 2:
+        return entries, {}
+    drawn = DRAWN_TRANSFER if DRAWN_TRANSFER in transfers else next(iter(transfers))
+    return [entry for entry in entries if str(entry.get("transfer") or "") == drawn], {
+        name or "without one": count for name, count in transfers.items() if name != drawn
+    }
 
 
 def _told_apart(drawn):

@@ -313,11 +313,25 @@ def _parameter_range(entry):
 
 
 def fit_rows(case, leading):
-    """(rows of the leading measures, rows of all others) of every study with a fit."""
+    """Fits of every study: rows of the leading measures; of all others those of the first line of each scheme, and how many
+    more there are; {reason: measures} of those without an order."""
     rows = _fit_rows(case)
-    return [row for row in rows if row["measure"] in leading], [
-        row for row in rows if row["measure"] not in leading
-    ]
+    others = [row for row in rows if row["measure"] not in leading]
+    fitted = [row for row in others if row["order"] != text.MISSING]
+    first = {}
+    for row in fitted:
+        first.setdefault(row["scheme"], row["label"])
+    shown = [row for row in fitted if row["label"] == first[row["scheme"]]]
+    without = {}
+    for row in others:
+        if row["order"] == text.MISSING:
+            without.setdefault(row["reason"] or "no reason stated", {})[row["measure"]] = None
+    return {
+        "fits": [row for row in rows if row["measure"] in leading],
+        "further_fits": shown,
+        "other_fits": len(fitted) - len(shown),
+        "without_order": {reason: list(names) for reason, names in without.items()},
+    }
 
 
 def _fit_rows(case):
@@ -325,6 +339,7 @@ def _fit_rows(case):
         {
             "style": entry.style,
             "label": entry.label,
+            "scheme": entry.scheme,
             "vary": _varied(entry),
             "measure": name,
             "order": text.order(fit),
@@ -359,12 +374,19 @@ def by_reason(rows):
     return list(groups.values())
 
 
-def by_bound(rows):
-    """Rows in groups of one reason and one bound, in the order in which each group begins."""
-    groups = {}
+def identity_matrix(rows):
+    """{columns: what must hold, rows: lines with a gate, or None, for each}."""
+    columns, lines = {}, {}
     for row in rows:
-        groups.setdefault((row["reason"], row["expected"]), []).append(row)
-    return list(groups.values())
+        line, _, name = row["id"].rpartition("/")
+        key = name, row["expected"], row["reason"]
+        columns.setdefault(key, {"name": name, "expected": row["expected"], "reason": row["reason"]})
+        label = line if row["scheme"] in line else f"{row['scheme']} {line}".strip()
+        lines.setdefault(label, {})[key] = row
+    return {
+        "columns": list(columns.values()),
+        "rows": [{"label": label, "cells": [gates.get(key) for key in columns]} for label, gates in lines.items()],
+    }
 
 
 def by_label(rows):
@@ -387,7 +409,7 @@ def level_rows(case, measure):
             "speed": text.number(level.get("point_steps_per_s")),
             "error": text.number(_error(level, measure)),
             "relative": text.number(_error(level, measure, "relative_error"), 3),
-            "file": level.get("file") or "",
+            "file": (level.get("file") or "").rpartition("-")[2],
         }
         for entry in case.series
         for level in entry.levels

@@ -1,7 +1,7 @@
 # Finds a Python that *has* the modules, not merely the python3 that stands first on PATH.
 # -DPLUMBLINE_PYTHON=... names one explicitly; a wrong explicit choice is an error, not a hint.
 function(plumbline_find_python)
-  set(modules numpy,scipy,h5py,matplotlib,jinja2,jsonschema,mpmath,pytest)
+  set(modules numpy,scipy,h5py,matplotlib,PIL,jinja2,jsonschema,mpmath,pytest)
   if(PLUMBLINE_PYTHON)
     set(candidates "${PLUMBLINE_PYTHON}")
   else()

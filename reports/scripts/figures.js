@@ -182,7 +182,7 @@
             x: values.at(-2),
             y: values.at(-1),
             joined: !marks && letter !== 'M',
-            note: marks ? notes[index] : '',
+            note: marks ? notes[notes.length > 1 ? index : 0] : '',
           }));
         if (points.length) found.push({ axes, series, path, marks, points });
       }

@@ -99,8 +99,9 @@ inline Scene rough_solid(Law law, const Scene& gas, double strain = 0.1) {
   double volume = from(column::volume)[0] / (space == Space::axisymmetric ? places[0][0] : 1);
   if (is_chain(law)) {
     places.clear();
+    // Neither here nor in the motions of the tests does a point stand on a node line: see LinearShapes in solids_test.cpp.
     for (int k = 0; k < 12; ++k) {
-      places.push_back({0.13 + 0.0223 * k, 0.21 + 0.07 * std::sin(0.9 * k), 0.19 + 0.05 * std::cos(1.1 * k)});
+      places.push_back({0.13 + 0.0223 * k, 0.21 + 0.07 * std::sin(0.9 * k), 0.187 + 0.05 * std::cos(1.1 * k)});
     }
     volume = 0.02 * 0.0223;
   }

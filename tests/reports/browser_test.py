@@ -172,7 +172,7 @@ FIRST_COST = """(() => {
   return marks.flatMap(path => path.getAttribute('d').split('M').slice(1).map((part, index) => {
     const [, x, y] = part.match(/^(-?[\\d.]+) ?(-?[\\d.]+)/);
     const place = new DOMPoint(Number(x), Number(y)).matrixTransform(drawing.getScreenCTM());
-    return {series: JSON.parse(drawing.dataset.plot).s[path.dataset.s], note: path.dataset.n.split('|')[index], x: place.x, y: place.y};
+    return {series: JSON.parse(drawing.dataset.plot).s[path.dataset.s], note: path.dataset.n.split('|')[path.dataset.n.includes('|') ? index : 0], x: place.x, y: place.y};
   }));
 })()"""
 READOUT = "document.querySelector('.readout.on')?.innerText || ''"

@@ -1,7 +1,12 @@
 """Reads the report back: a strict parser of the page that keeps what the tests ask for."""
 
+import base64
+import io
 import re
 from html.parser import HTMLParser
+
+import numpy
+from PIL import Image
 
 VOID = {"meta", "link", "br", "input", "img", "hr"}
 MAY_CLOSE_THEMSELVES = {"path", "image", "circle", "rect", "line", "use", "polyline", "polygon", "ellipse"}
@@ -32,8 +37,8 @@ class Page(HTMLParser):
         self.ids, self.links, self.loads, self.words = [], [], [], []
         self.rows = []  # (identifier of the section or case, [texts of cells])
         self.labels = []  # aria-label of drawings
-        self.identities = []  # (identifier of the case, scheme and name of a gate in the table of identities)
-        self._identity = False
+        self.identities = []  # (identifier of the case, scheme and line, name of a gate in the table of identities)
+        self._identities = None  # of the table of identities that is read: names of its columns, name of the row
         self._open, self._case, self._row = [], "", None
         self.feed(source)
         self.close()
@@ -43,7 +48,11 @@ class Page(HTMLParser):
         attributes = dict(attributes)
         self._close_implied(tag)
         self._take(tag, attributes)
-        self._identity = self._identity if tag != "span" else attributes.get("id", "").startswith("gate-")
+        if tag == "table":
+            self._identities = ([], [""]) if "identities" in attributes.get("class", "").split() else None
+        if tag == "td" and self._identities and attributes.get("id", "").startswith("gate-"):
+            names, line = self._identities
+            self.identities.append((self._case, line[0], names[len(self._row) - 2]))
         if tag not in VOID:
             self._open.append(tag)
 
@@ -68,8 +77,12 @@ class Page(HTMLParser):
     def handle_data(self, data):
         if self._open and self._open[-1] not in ("style", "script"):
             self.words.append(data)
-            if self._identity and self._open[-1] == "code":
-                self.identities.append((self._case, data))
+            if self._identities and self._open[-1] == "code":
+                names, line = self._identities
+                if "thead" in self._open:
+                    names.append(data)
+                else:
+                    line[0] = data
             if self._row:
                 self._row[-1].append(data + " ")
 
@@ -91,7 +104,7 @@ class Page(HTMLParser):
             for name, value in attributes.items()
             if name in ("src", "srcset", "data", "action", "poster")
             or (name == "href" and tag not in ("a", "use"))
-            or (name == "style" and value and "url(" in value.replace("url(data:image/png;base64,", ""))
+            or (name == "style" and value and "url(" in value.replace("url(data:image/webp;base64,", ""))
         ]
 
     @property
@@ -106,5 +119,15 @@ class Page(HTMLParser):
                 quantity, scheme = cells[-5], cells[-4]
                 name = quantity.split(" · ")[0].split(" ")[-1]
                 found.append((cells[0], name, scheme))
-        found += [("PASS", *reversed(words.split(" ", 1))) for case, words in self.identities if case == section]
+        for case, line, name in self.identities:
+            if case == section:
+                scheme, _, variant = line.partition(" ")
+                found.append(("PASS", f"{variant or scheme}/{name}", scheme))
         return found
+
+
+def pixels_of(address):
+    """Red, green, blue and opacity of each pixel of a picture in the page."""
+    form, _, content = address.partition(",")
+    assert form == "data:image/webp;base64"
+    return numpy.array(Image.open(io.BytesIO(base64.b64decode(content))).convert("RGBA"))

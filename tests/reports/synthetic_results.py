@@ -880,7 +880,7 @@ def all_gates():
         gate(
             "sod",
             "default",
-            "energy-drift",
+            "default/energy-drift",
             "relative drift of energy",
             None,
             1e-12,

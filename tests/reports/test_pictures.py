@@ -1,9 +1,7 @@
 """Pictures: what is drawn of the frames of a run, and of normals."""
 
-import base64
+import dataclasses
 import re
-import struct
-import zlib
 
 import h5py
 import numpy
@@ -16,7 +14,7 @@ import plumbline_results
 import raster
 import render
 import synthetic_results
-from html_page import Page, without_scripts
+from html_page import Page, pixels_of, without_scripts
 
 
 @pytest.fixture(scope="module")
@@ -33,24 +31,14 @@ def axisymmetric(tmp_path_factory):
     return plumbline_results.load(folder / name)
 
 
-def pixels_of(content):
-    """Colour numbers of a PNG and its palette."""
-    width, height = struct.unpack(">II", content[16:24])
-    parts, place = {}, 8
-    while place < len(content):
-        (length,) = struct.unpack(">I", content[place : place + 4])
-        name, body = content[place + 4 : place + 8], content[place + 8 : place + 8 + length]
-        assert struct.unpack(">I", content[place + 8 + length : place + 12 + length])[0] == zlib.crc32(name + body)
-        parts[name] = body
-        place += 12 + length
-    rows = numpy.frombuffer(zlib.decompress(parts[b"IDAT"]), numpy.uint8).reshape(height, width + 1)
-    assert not rows[:, 0].any(), "rows without a filter"
-    return rows[:, 1:], numpy.frombuffer(parts[b"PLTE"], numpy.uint8).reshape(-1, 3)
-
-
-def picture(address):
-    assert address.startswith("data:image/png;base64,")
-    return pixels_of(base64.b64decode(address.partition(",")[2]))
+def numbers(address, palette):
+    """Colour numbers of a picture in a palette, 0 what is transparent; of equal colours the first."""
+    pixels = pixels_of(address)
+    seen = pixels[..., 3] == 255
+    assert (pixels[~seen, 3] == 0).all(), "there or not"
+    same = (pixels[..., None, :3] == numpy.array(palette)).all(axis=-1)
+    assert same[seen].any(axis=-1).all(), "no other colours"
+    return numpy.where(seen, 1 + same.argmax(axis=-1), 0)
 
 
 # --- reading --------------------------------------------------------------------------------------
@@ -111,12 +99,10 @@ def test_frames_of_unequal_length_are_damaged(with_frames, part):
 # --- raster ---------------------------------------------------------------------------------------
 
 
-def test_png_says_what_the_pixels_were():
+def test_a_picture_says_what_the_pixels_were():
     pixels = numpy.arange(12, dtype=numpy.uint8).reshape(3, 4)
     palette = [(10 * k, 5, 255 - k) for k in range(1, 12)]
-    found, colours = pixels_of(raster.png(pixels, palette))
-    assert numpy.array_equal(found, pixels)
-    assert [tuple(colour) for colour in colours] == [(0, 0, 0), *palette]
+    assert numpy.array_equal(numbers(raster.picture(pixels, palette), palette), pixels)
 
 
 def test_y_points_upwards_and_dots_lie_where_points_are():
@@ -190,7 +176,8 @@ def test_axisymmetric_scenes_are_mirrored(axisymmetric):
     assert view.axis()[:, 0].tolist() == [0, 0]
     assert sorted(ends[0, 0] for ends in view.walls() if ends[0, 0] == ends[1, 0]) == [-1, 1], "the axis is no wall"
     drawn = pictures.strip(view, "run", "file")
-    pixels, _ = picture(drawn.cells[-1]["picture"])
+    _, palette = raster.colour_numbers(tuple(view.colours))
+    pixels = numbers(drawn.cells[-1]["picture"], palette)
     other = numpy.count_nonzero(pixels[:, : pixels.shape[1] // 2] > 2) / numpy.count_nonzero(pixels > 2)
     assert other == pytest.approx(0.5, abs=0.03)
     assert "Both sides of the axis" in drawn.caption
@@ -200,13 +187,15 @@ def test_axisymmetric_scenes_are_mirrored(axisymmetric):
 
 
 def test_strip_shows_six_instants_with_their_times(run):
-    drawn = pictures.strip(pictures.View(run.frames), "run", "file")
+    view = pictures.View(run.frames)
+    drawn = pictures.strip(view, "run", "file")
+    _, palette = raster.colour_numbers(tuple(view.colours))
     assert [cell["time"] for cell in drawn.cells][:1] + [drawn.cells[-1]["time"]] == ["t = 0 s", "t = 0.143 s"]
     assert len(drawn.cells) == 6
     assert [key.label for key in drawn.keys] == ["air", "bag", "probe"]
     assert "One point in 3" in drawn.caption and "walls" in drawn.caption
     for cell in drawn.cells:
-        pixels, palette = picture(cell["picture"])
+        pixels = numbers(cell["picture"], palette)
         assert set(numpy.unique(pixels)) == {0, raster.WALL, 3, 4, 5}, "nothing, walls, and each body"
         assert pixels.shape[1] / pixels.shape[0] == pytest.approx(drawn.shape, rel=0.02)
 
@@ -215,20 +204,30 @@ def test_film_has_all_frames_side_by_side(run):
     view = pictures.View(run.frames)
     drawn = pictures.film(view, "run", "file", "p")
     assert len(drawn.times) == 9 and "pressure of the gas" in drawn.caption.lower()
-    pixels, palette = picture(drawn.picture)
-    assert pixels.shape[1] % 9 == 0
-    frames = numpy.split(pixels, 9, axis=1)
+    shown = pixels_of(drawn.picture)
+    assert shown.shape[1] % 9 == 0
+    frames = numpy.split(shown, 9, axis=1)
     assert all(not numpy.array_equal(one, other) for one, other in zip(frames, frames[1:]))
     assert [key.label for key in drawn.keys] == ["bag", "probe"], "what is coloured has the scale of colours instead"
-    # the pressure falls from 2 at the start, in the middle of the bag, to 1.2 at the end
-    middle = [frame[frame.shape[0] * 6 // 10, frame.shape[1] // 2] for frame in frames]
-    assert middle[0] > middle[-1] > 5 and numpy.all(numpy.diff(numpy.array(middle, int)) <= 0)
+    # The pressure falls from 2 at the start, in the middle of the bag, to 1.2 at the end, down a scale that grows lighter.
+    middle = [frame[frame.shape[0] * 6 // 10, frame.shape[1] // 2].astype(int) @ (299, 587, 114, 0) for frame in frames]
+    assert middle[0] > middle[-1] > 0 and numpy.all(numpy.diff(middle) <= 0)
+
+
+def test_film_is_no_wider_than_a_picture_may_be(run):
+    frames, often = run.frames, 10
+    starts = numpy.concatenate([[0], numpy.cumsum(numpy.tile(numpy.diff(frames.starts), often))])
+    points = {name: numpy.concatenate([values] * often) for name, values in frames.points.items()}
+    longer = dataclasses.replace(frames, times=numpy.linspace(0, 1, len(starts) - 1), points=points, starts=starts)
+    drawn = pictures.film(pictures.View(longer), "run", "file", "p", most_characters=10**7)
+    assert 8 < len(drawn.times) < 90 and drawn.times[-1] == "t = 1 s"
+    assert pixels_of(drawn.picture).shape[1] <= raster.WIDEST
 
 
 def test_film_keeps_within_its_bytes(run):
     view = pictures.View(run.frames)
-    drawn = pictures.film(view, "run", "file", "p", most_bytes=12000)
-    assert len(drawn.picture) < 12000 * 4 / 3 + 100
+    drawn = pictures.film(view, "run", "file", "p", most_characters=12000)
+    assert len(drawn.picture) <= 12000
     assert len(drawn.times) >= 5
 
 

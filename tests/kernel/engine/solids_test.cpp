@@ -178,6 +178,27 @@ TEST_P(Solids, TranslationStrainsNothing) {
   }
 }
 
+// A known limit. Linear shapes alone have a gradient where their weight is zero: of a point that stands exactly on a node line
+// with none beyond, the node beyond has no mass, and so no velocity, and a translation reads as a strain of dt v / h. A
+// rounding beside the line it does not.
+TEST(LinearShapes, StrainAPointAloneOnANodeLine) {
+  const double h = 0.25, v = 0.5, dt = 0.125;
+  const auto strain = [&](const std::string& shape, double x) {
+    Body body = scenes::solid_body(Law::hooke, Space::line, {{x, 0, 0}}, 0.1);
+    body.points(column::velocity)[0] = v;
+    Simulation run(scenes::scene_of(scenes::line(8, h, scenes::walls_everywhere(Wall::free)), {body}, shape, "flip"),
+                   "usl", {0.3, dt});
+    run.step(1);
+    return run.scene().bodies[0].points(column::strain)[0];
+  };
+  EXPECT_EQ(strain("linear", 4 * h), -dt * v / h);
+  EXPECT_NEAR(strain("linear", std::nextafter(4 * h, 2.0)), 0, 1e-15);
+  for (const Choice& shape : shapes()) {
+    if (shape.name == "linear") continue;
+    EXPECT_NEAR(strain(shape.name, 4 * h), 0, 1e-15) << shape.name;
+  }
+}
+
 // A body that spins: small strains see the spin's symmetric part, zero, exactly; finite ones F = 1 + dt W, whose stretch of
 // (w dt)^2 / 2 is the step's error and the law's stress that of it: mu ((F F^T - 1) + ...) of second order in dt.
 // [Hooke 1] [Neo-Hookean 1, 2]
