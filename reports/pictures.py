@@ -23,7 +23,7 @@ from figures import Figure, Key
 STRIP = 6  # pictures of the points over time
 MOST_STUDIES = 1  # of a case, whose frames are drawn
 FILM_CHARACTERS = 200_000  # of a film's address at most
-ALL_FILM_CHARACTERS = 100_000  # of all films of a page
+ALL_FILM_CHARACTERS = 150_000  # of all films of a page
 _STRIP_WIDTH, _FILM_WIDTH, _FIELD_WIDTH = 210, 440, 320  # pixels
 _HOLD = 1.5  # s that a film stays on its last frame
 _SECOND_PER_FRAME = 0.16

@@ -22,6 +22,7 @@ CASE_PREFIX = "stability-"
 MOST_ROWS = 24  # of a table of configurations that is shown unfolded
 MOST_LINES = 4  # of one panel of growth
 MOST_PANELS = 6
+MOST_RINGS = 16  # of one line: growth that runs showed; all are in the document
 FEW_MAPS = 12  # that are shown unfolded
 MOST_MAPS = 10  # of a shape; where there are more, those of one transfer are drawn
 DRAWN_TRANSFER = "flip"  # that one, where it is there: the transfer of most codes
@@ -605,6 +606,8 @@ def _growth_line(panel, configuration, style, label):
         steps, added, mark + "-", color=colour, linewidth=1.0, markersize=3, markevery=every, label=label
     )
     seen = _curve(configuration["observed_growth"])
+    chosen = _evenly(len(seen[0]), MOST_RINGS)
+    seen = [[values[index] for index in chosen] for values in seen]
     if seen[0]:
         (rings,) = panel.plot(
             *seen, "o", color=colour, markerfacecolor="none", markersize=4, markeredgewidth=0.9, label=label
