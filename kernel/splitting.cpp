@@ -44,8 +44,7 @@ std::vector<int> outgrown(const Columns& points, const GridSpec& grid, double la
 class Splitter {
  public:
   Splitter(const Scene& scene, Body& body, double time, Ledger& ledger)
-      : scene_(scene),
-        grid_(scene.grid),
+      : grid_(scene.grid),
         body_(body),
         ledger_(ledger),
         affine_(body.points.has(column::affine)),
@@ -152,7 +151,6 @@ class Splitter {
     }
   }
 
-  const Scene& scene_;
   const GridSpec& grid_;
   Body& body_;
   Ledger& ledger_;
