@@ -31,5 +31,5 @@ has_browser_package() { ! grep -qs '^ID=ubuntu' /etc/os-release; }
 configure_and_build() {
   say "configure and build: preset $1, build/$1, $jobs jobs"
   cmake --preset "$1"
-  cmake --build --preset "$1" --parallel "$jobs" ${2:+--target "$2"}
+  cmake --build --preset "$1" --parallel "$jobs" ${2:+--target "${@:2}"}
 }
