@@ -27,7 +27,7 @@ set_up() {
 # Ubuntu has Chromium as a snap only, which its package cannot bring into a container: tests in a browser are skipped.
 has_browser_package() { ! grep -qs '^ID=ubuntu' /etc/os-release; }
 
-# Configures and builds a preset: configure_and_build PRESET [TARGET]
+# Configures and builds a preset: configure_and_build PRESET [TARGET]...
 configure_and_build() {
   say "configure and build: preset $1, build/$1, $jobs jobs"
   cmake --preset "$1"
