@@ -23,8 +23,9 @@ from figures import Figure, Key
 STRIP = 6  # pictures of the points over time
 MOST_STUDIES = 1  # of a case, whose frames are drawn
 FILM_CHARACTERS = 200_000  # of a film's address at most
-ALL_FILM_CHARACTERS = 150_000  # of all films of a page
+ALL_FILM_CHARACTERS = 180_000  # of all films of a page
 _STRIP_WIDTH, _FILM_WIDTH, _FIELD_WIDTH = 210, 440, 320  # pixels
+_LEAST_FILM_WIDTH = 220  # below it frames are left out instead
 _HOLD = 1.5  # s that a film stays on its last frame
 _SECOND_PER_FRAME = 0.16
 _NEAR = 0.12  # walls so near to the points, in sizes of what they occupy, are shown
@@ -303,15 +304,12 @@ def film(view, run, file, prefix, most_characters=FILM_CHARACTERS):
     width, frames = _FILM_WIDTH, chosen_frames(len(view.frames), min(len(view.frames), raster.WIDEST // _FILM_WIDTH))
     while True:
         picture = _reel(view, kind, name, ramp, levels, width, frames)
-        if len(picture) <= most_characters or width < 200:
+        if len(picture) <= most_characters or (width == _LEAST_FILM_WIDTH and len(frames) < 8):
             break
-        if width > 300:
-            width = max(299, int(width * min(0.9, (most_characters / len(picture)) ** 0.5)))
+        if width > _LEAST_FILM_WIDTH:
+            width = max(_LEAST_FILM_WIDTH, int(width * min(0.9, (most_characters / len(picture)) ** 0.5)))
         else:
             frames = [frames[k] for k in chosen_frames(len(frames), (len(frames) + 1) // 2)]
-            width = _FILM_WIDTH - 100
-            if len(frames) < 8:
-                width = 199
     caption = (
         f"The same points coloured by the {title[0].lower() + title[1:]}, one scale for the whole film: "
         f"{len(frames)} instants from {_time(view.frames.times[frames[0]])} to {_time(view.frames.times[frames[-1]])}."
