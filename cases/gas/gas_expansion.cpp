@@ -11,8 +11,6 @@
 namespace plumbline {
 namespace {
 
-constexpr double mass_share = 0.99;  // inside `radius_99`
-
 constexpr const char* sketch =
     R"svg(<svg viewBox="0 0 360 150" role="img" aria-label="A quarter of a uniform gas cylinder; the rarefaction runs inwards, the front outwards">
 <g stroke="currentColor" stroke-width="1.5" fill="none"><path d="M110 10v125h220"/><path d="M110 59a76 76 0 0 1 76 76"/><path d="M110 71a64 64 0 0 1 64 64M110 5a130 130 0 0 1 135 130" stroke-dasharray="4 3"/><path d="M166 79l40 -40m-9 1l9 -1l-1 9"/></g>
