@@ -222,7 +222,7 @@ class MembraneExpansion final : public Case {
   std::vector<double> default_levels() const override { return {4, 6, 8, 12, 16}; }
   std::vector<StudyPlan> studies() const override;
   std::vector<CaseGate> gates() const override;
-  GateCount gate_count() const override { return {57, 78}; }
+  GateCount gate_count() const override { return {55, 76}; }
 };
 
 Statement MembraneExpansion::statement() const {
@@ -287,6 +287,9 @@ Statement MembraneExpansion::statement() const {
       "the bag folds and unfolds misses 2.6 % of the length at 16 cells, so radii are that much too large; the mean "
       "stress is right all the same, as the virial demands.",
       "On 4 and 8 cells a bag of six or eleven cells cannot become round.",
+      "Under `york1997` on 4 cells the bag folds as roundings will. Twelve runs whose viscosities differ by 3e-15 of "
+      "themselves end with radii of 1.148 to 1.204 m at 0 and 1.155 to 1.284 m at 90 degrees, and with "
+      "pressures of 28.9 to 32.9 Pa: so the last two, of which York's are some, are measured and not judged there.",
       "The mean radius is short by 3·10⁻⁵ at 16 and at 32 cells, from waves of the shape along the grid, which is 7 % "
       "of "
       "the strain: `hoop_from_radius` can be judged no closer."};
@@ -403,17 +406,21 @@ std::vector<CaseGate> MembraneExpansion::gates() const {
       gate = expected_failure(gate, cause, {was * (1 - share), was * (1 + share)}, stamp);
     };
     Gate& r0 = york("radius_0", row.radius_0, 0.03, "table 5; outline and start differ, and his bag breathes by 2 %");
-    if (row.cells == 4) fails(r0, "a bag five cells long folds as its outline does, which is not his", 1.2, 0.03);
-    Gate& r90 = york("radius_90", row.radius_90, 0.03,
-                     "table 5; outline and start differ, and his bag breathes by 2 %");
-    if (row.cells == 4) fails(r90, "a bag five cells long folds as its outline does, which is not his", 1.21, 0.03);
-    Gate& p = york("pressure", row.pressure, 0.05, "table 5, a mean over interior grid points; here over points");
-    const char* mean =
-        "his mean over interior grid points is not one over the gas: it counts cells alike, and what little "
-        "gas stands beside the membrane not at all; here energy over volume, the volumes too large";
-    if (row.cells == 4) fails(p, mean, 29.6, 0.04);
-    if (row.cells == 8) fails(p, mean, 28.5, 0.04);
-    if (row.cells == 16) fails(p, mean, 28.6, 0.02);
+    if (row.cells == 4) {
+      r0 = expected_failure(
+          r0, "a bag five cells long folds as its outline does, which is not his; and as roundings will, within 5 %",
+          {1.12, 1.26}, "2026-11-22 64431e8");
+    }
+    // On 4 cells these two are no property of the scheme: see the known limits.
+    if (row.cells > 4) {
+      york("radius_90", row.radius_90, 0.03, "table 5; outline and start differ, and his bag breathes by 2 %");
+      Gate& p = york("pressure", row.pressure, 0.05, "table 5, a mean over interior grid points; here over points");
+      const char* mean =
+          "his mean over interior grid points is not one over the gas: it counts cells alike, and what little "
+          "gas stands beside the membrane not at all; here energy over volume, the volumes too large";
+      if (row.cells == 8) fails(p, mean, 28.5, 0.04);
+      if (row.cells == 16) fails(p, mean, 28.6, 0.02);
+    }
     Gate& hoop = york("hoop_stress", row.hoop, 0.05,
                       "table 6; no mean can differ from the virial's by more than the energy does");
     if (row.cells == 8) fails(hoop, "he lost 3.4 % of the energy, this run 0.5 % with 6 % in motion", 403, 0.03);
