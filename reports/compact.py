@@ -2,7 +2,7 @@
 
 A figure of matplotlib repeats styles, markers and ticks at length; a report of a thousand figures would weigh tens of
 megabytes. Here each line becomes one short path with relative coordinates, all marks of a line one path, and the grid
-one path. Looks stay the same to a tenth of a point, a seventh of a pixel on a wide screen.
+one path. Lines stay where they were to a third of a point, half a pixel on a wide screen.
 
 Structure of a drawing, on which report.js relies: for each pair of axes a group `x` (frame, ticks, labels) and a group
 `d` (data, clipped to the axes); lines that can be pointed at have `data-s`, the number of their label, and what vanishes with them too, of class `b`; marks are a path of class `m` in which

@@ -1,7 +1,7 @@
 """What a page of tables can be written without, so that a report of many cases stays a file one can send.
 
 Tables stand in the templates as anyone would write them; here, when the page is whole, a column of numbers says so once
-for the table instead of once in every cell, and tags and quotes go that HTML does not ask for.
+for the table instead of once in every cell, and tags and quotes go that HTML does not ask for; quotes in figures, too.
 """
 
 import re

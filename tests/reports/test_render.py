@@ -73,6 +73,18 @@ def test_figures_follow_the_colours_of_the_page(source):
     assert not re.search(r"(?:fill|stroke):\s*(?:black|#000)", "".join(rules))
 
 
+def test_an_area_that_belongs_to_a_line_is_no_mark():
+    import svg
+
+    def paint(axes):
+        axes.plot([0, 1], [0, 1], label="line")
+        svg.belongs(axes.fill_between(numpy.linspace(0, 1, 200), 0, 1, color=svg.series_colour(0), alpha=0.2, linewidth=0), "line")
+
+    paths = re.findall(r'<path class="([^"]*)"[^>]* d="([^"]*)"', svg.draw(paint, "p", "l"))
+    ((classes, data),) = [(classes.split(), data) for classes, data in paths if "b" in classes.split()]
+    assert "m" not in classes and len(data) < 60, "of four hundred corners four are needed"
+
+
 def test_a_page_too_large_to_send_is_written_and_said(tmp_path, monkeypatch, capsys):
     synthetic_results.spring_files_only(tmp_path)
     output = tmp_path / "page.html"
