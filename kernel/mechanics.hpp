@@ -11,7 +11,7 @@ namespace plumbline {
 
 struct EngineOptions {
   bool keep_loss = false;               // points carry what the maps took, for return_transfer_loss()
-  bool evaluates_stress_first = false;  // see TimeIntegrator
+  bool evaluates_stress_first = false;  // see IntegratorTraits
   int threads = 1;                      // >= 1; no result depends on it
 };
 

@@ -7,6 +7,7 @@
 
 #include "kernel/grid.hpp"
 #include "kernel/points/body.hpp"
+#include "kernel/traits.hpp"
 
 namespace plumbline {
 
@@ -48,13 +49,17 @@ struct Scene {
 };
 
 // Names that Scene::shape and Scene::transfer may take, and those of DensityMethod in its order, each with one line.
+// `needs`: what a transfer wants of an integrator; `offers`: what an integrator may want of shapes and transfers.
 struct Choice {
   std::string name, title, source;
+  Traits offers = {}, needs = {};
 };
 const std::vector<Choice>& shapes();
 const std::vector<Choice>& transfers();
 const std::vector<Choice>& densities();
 const std::vector<Choice>& contacts();
+// Whether a shape is known and offers a trait.
+bool shape_offers(const std::string& shape, Trait trait);
 DensityMethod density_method(const std::string& name);  // throws std::out_of_range
 
 }  // namespace plumbline

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "kernel/integrator_traits.hpp"
 #include "kernel/splitting.hpp"
 
 namespace plumbline {
@@ -16,20 +17,12 @@ Simulation::Simulation(Scene scene, const std::string& integrator, StepControl c
   integrator_ = entry->make();
   copy_integrator_ = entry->copy;
   set_parameters(*integrator_, control_.parameters);
-  if (const std::string why = integrator_->refusal(scene_.shape, scene_.transfer); !why.empty()) {
-    throw std::invalid_argument("integrator " + integrator + " cannot work with shape " + scene_.shape +
-                                " and transfer " + scene_.transfer + ": " + why);
-  }
+  if (auto missing = lacks(*entry, scene_); !missing.empty()) throw CannotWork(std::move(missing));
   if (const std::string why = splitting_refusal(scene_.shape, scene_.transfer); scene_.split > 0 && !why.empty()) {
     throw std::invalid_argument("points cannot be split with shape " + scene_.shape + " and transfer " +
                                 scene_.transfer + ": " + why);
   }
-  if (scene_.loss_to_gas && !integrator_->returns_transfer_loss()) {
-    throw std::invalid_argument("integrator " + integrator +
-                                " cannot hand losses to the gas: it gives no transfer loss back as heat");
-  }
-  engine_ = make_engine(
-      scene_, ledger_, {integrator_->returns_transfer_loss(), integrator_->evaluates_stress_first(), control_.threads});
+  engine_ = make_engine(scene_, ledger_, engine_options(*entry, control_.threads));
   engine_->initialise();
   ledger_.open(engine_->totals());
 }

@@ -6,6 +6,7 @@
 
 #include "kernel/geometry.hpp"
 #include "kernel/parallel.hpp"
+#include "kernel/transfers/transfers.hpp"
 #include "kernel/shapes/cubic.hpp"
 #include "kernel/shapes/quadratic.hpp"
 
@@ -162,7 +163,7 @@ class Splitter {
 }  // namespace
 
 std::string splitting_refusal(const std::string& shape, const std::string& transfer) {
-  if (transfer != "apic" || shape == "quadratic" || shape == "cubic") return {};
+  if (!transfer_choice(transfer, 1).affine || shape_offers(shape, Trait::constant_inertia)) return {};
   return "halves take over the point's affine velocity, whose inertia under " + shape +
          " shapes depends on where they stand";
 }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,34 @@ struct IntegratorParameter {
   std::string description;
 };
 
+// What a user may rely on. Each claim is optional, and `plumbline verify --integrator` judges it; none is needed to be
+// judged. They speak of one linear oscillator without damping, behind no maps, unless they say otherwise.
+struct OrderClaim {
+  double order = 0;  // in dt
+  // oscillator; or "fixed mesh": a standing wave under FLIP, the mesh held; or "h and dt": mesh and step refined together
+  std::string of = "oscillator";
+  std::string field = "displacement";  // or velocity; of a fixed mesh strain or velocity
+};
+enum class EnergyBehaviour {
+  conserved,  // to rounding
+  bounded,    // neither grows nor decays in the mean
+  decaying    // never rises from one period to the next
+};
+// A gate of `plumbline verify --integrator` that is known to be missed: how it fails, and the band of the wrong value.
+struct KnownFailure {
+  std::string gate;  // its id: "stability/oscillator/growth"
+  std::string cause;
+  double low = 0, high = 0;
+};
+struct Claims {
+  std::vector<OrderClaim> orders = {};
+  std::optional<EnergyBehaviour> energy = {};
+  std::optional<double> limit = {};  // of omega dt; infinite: none
+  bool reversible = false;           // a step of -dt takes back a step of dt
+  std::vector<KnownFailure> known_failures = {};
+};
+
+// The stages that step() calls tell what it needs of shapes and transfers, and what it offers: kernel/integrator_traits.hpp.
 class TimeIntegrator {
  public:
   virtual ~TimeIntegrator() = default;
@@ -33,14 +62,8 @@ class TimeIntegrator {
   // they are.
   virtual std::vector<State*> memory() { return {}; }
 
-  // Why this integrator cannot work with the named shape and transfer; empty if it can.
-  virtual std::string refusal(const std::string& /*shape*/, const std::string& /*transfer*/) const { return {}; }
-
-  // Whether step() calls return_transfer_loss(): the bodies then carry a column for it.
-  virtual bool returns_transfer_loss() const { return false; }
-
-  // Whether every step() evaluates the stress before anything uses it: stresses then need not follow sorted points.
-  virtual bool evaluates_stress_first() const { return false; }
+  // What it promises, with its parameters as they are.
+  virtual Claims claims() const { return {}; }
 };
 
 struct IntegratorEntry {

@@ -8,7 +8,7 @@
 
 #include "cases/harness/errors.hpp"
 #include "kernel/materials/ideal_gas.hpp"
-#include "kernel/time_integrator.hpp"
+#include "kernel/integrator_traits.hpp"
 
 namespace plumbline {
 namespace {
@@ -52,7 +52,7 @@ std::string BenchFlow::name() const {
 
 bool BenchFlow::is_possible() const {
   const IntegratorEntry* entry = find_integrator(integrator);
-  return entry && entry->make()->refusal(shape, transfer).empty();
+  return entry && lacks(*entry, shape, transfer).empty();
 }
 
 Scene flow_scene(const BenchFlow& flow) {

@@ -96,6 +96,7 @@ void Output::gates(const std::vector<JudgedGate>& gates) const {
     const std::string note = g.judgement.note.empty() ? g.measured.note : g.judgement.note;
     line("{} {:11} {:36} {}{}, expected {}{}", coloured(g.judgement.verdict), g.case_name, g.gate.id, measured,
          interval, range_text(g.gate.expected), note.empty() ? "" : " (" + note + ")");
+    if (!g.explanation.empty()) line("{:12} usual causes: {}", "", g.explanation);
   }
 }
 

@@ -1,10 +1,16 @@
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <map>
 #include <sstream>
+#include <thread>
 
 #include "cases/commands/command.hpp"
 #include "cases/harness/text_file.hpp"
+#include "cases/judging/judge.hpp"
 
 namespace plumbline {
 namespace {
@@ -12,6 +18,7 @@ namespace {
 struct VerifyOptions {
   std::vector<std::string> patterns;
   std::string tier = "quick", junit;
+  bool core = false, until_red = false;
 };
 
 void write_junit(const std::string& path, const std::vector<JudgedGate>& gates, bool allow_inconclusive) {
@@ -21,8 +28,7 @@ void write_junit(const std::string& path, const std::vector<JudgedGate>& gates, 
     boost::property_tree::ptree test;
     test.put("<xmlattr>.classname", g.case_name);
     test.put("<xmlattr>.name", g.gate.id);
-    const std::vector<Verdict> one{g.judgement.verdict};
-    if (exit_status(one, allow_inconclusive) != 0) {
+    if (is_red(g, allow_inconclusive)) {
       ++failures;
       test.put("failure.<xmlattr>.message", fmt::format("{}: measured {}; {}", name(g.judgement.verdict),
                                                         g.measured.value.value_or(0), g.gate.reason));
@@ -39,51 +45,123 @@ void write_junit(const std::string& path, const std::vector<JudgedGate>& gates, 
   write_text_file(path, text.str());
 }
 
+JudgingProgress judging_progress(const std::string& integrator) {
+  if (!::isatty(STDERR_FILENO)) return {};
+  return [integrator](std::size_t done, std::size_t of, const std::string& gate) {
+    fmt::print(stderr, "\r\033[K{}: {} of {} gates, last {}", integrator, done, of, gate);
+    std::fflush(stderr);
+  };
+}
+
+// The values that assignments give to an integrator's parameters. Others' keys are refused, unless `lenient`.
+std::map<std::string, double> parameters_of(const Subject& subject, const std::vector<std::string>& assignments,
+                                            bool lenient) {
+  std::vector<Key> keys;
+  const auto integrator = subject.entry().make();
+  for (const IntegratorParameter& parameter : integrator->parameters()) {
+    keys.push_back({.name = parameter.name,
+                    .value = *parameter.value,
+                    .low = parameter.low,
+                    .high = parameter.high,
+                    .description = parameter.description});
+  }
+  Settings settings(std::move(keys));
+  for (const std::string& assignment : assignments) {
+    const std::string key = assignment.substr(0, assignment.find('='));
+    if (!lenient || settings.has(key)) settings.set_text(assignment, "integrator " + subject.name());
+  }
+  std::map<std::string, double> chosen;
+  for (const Key& key : settings.keys()) chosen[key.name] = settings.number(key.name);
+  return chosen;
+}
+
+int threads_for_judging(const CommonOptions& common) {
+  return common.threads > 1 ? common.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+void judge_integrators(const CommonOptions& common, const VerifyOptions& options, Verification& verification) {
+  const bool with_cases = !options.patterns.empty();
+  const JudgingOptions how{options.core || with_cases ? Effort::core : Effort::whole, threads_for_judging(common),
+                           options.until_red};
+  for (const std::string& name : common.integrators) {
+    const Subject plain({name, {}});
+    const Subject subject({name, parameters_of(plain, common.settings, with_cases)});
+    JudgedIntegrator judged = judge_integrator(subject, how, judging_progress(name));
+    end_progress();
+    verification.declared += judged.declared;
+    std::move(judged.gates.begin(), judged.gates.end(), std::back_inserter(verification.gates));
+    std::move(judged.not_applicable.begin(), judged.not_applicable.end(),
+              std::back_inserter(verification.not_applicable));
+  }
+}
+
+// A case that is asked for by its own name must work with what was chosen; one that a pattern matches is listed.
+void verify_cases(const CommonOptions& common, const VerifyOptions& options, RunStore& store,
+                  Verification& verification) {
+  const auto& asked = options.patterns;
+  for (const Case* entry : matching_cases(asked)) {
+    const bool by_name = std::find(asked.begin(), asked.end(), entry->name()) != asked.end();
+    const Selection selection{common.schemes, common.integrators, common.settings, by_name};
+    verify_case(*entry, options.tier == "full" ? Tier::full : Tier::quick, selection, common.threads, store,
+                terminal_progress(entry->name()), verification);
+    end_progress();
+  }
+}
+
 int execute(const Invocation& invocation, const VerifyOptions& options) {
   const CommonOptions& common = invocation.options;
   const std::vector<std::string> tiers{"quick", "full"};
   if (options.tier != tiers[0] && options.tier != tiers[1]) throw unknown_name("--tier", options.tier, tiers);
-  const Selection selection{common.schemes, common.integrators, common.settings};
-  const auto entries = matching_cases(options.patterns);
   const ResultsFolder folder(common.results);
   const Provenance provenance = invocation.provenance();
   RunStore store(folder, provenance, common.reuse);
   const Output out(common);
   Verification verification;
-  for (const Case* entry : entries) {
-    verify_case(*entry, options.tier == "full" ? Tier::full : Tier::quick, selection, common.threads, store,
-                terminal_progress(entry->name()), verification);
-    end_progress();
-  }
+  judge_integrators(common, options, verification);
+  const bool integrators_alone = options.patterns.empty() && common.schemes.empty() && !common.integrators.empty();
+  if (!integrators_alone) verify_cases(common, options, store, verification);
   const Json document{{"gates", to_json(verification.gates)},
                       {"counts", counts_document(verification.gates)},
                       {"executed", verification.gates.size()},
                       {"declared", verification.declared},
+                      {"not_applicable", to_json(verification.not_applicable)},
                       {"tier", options.tier}};
-  folder.write_verdicts(document, verification.entries, options.tier, provenance);
+  if (!integrators_alone) folder.write_verdicts(document, verification.entries, options.tier, provenance);
   out.gates(verification.gates);
+  for (const NotApplicable& one : verification.not_applicable) {
+    out.line("not applicable: {} with {}: {}", one.what, one.integrator, CannotWork(one.lacks).what());
+  }
   std::string counts;
   for (const auto& [verdict, count] : document["counts"].items()) {
     if (count.get<int>() > 0) counts += fmt::format(" {} {}", verdict, count.get<int>());
   }
-  out.line("{} gates executed, {} declared:{}", verification.gates.size(), verification.declared, counts);
+  out.line("{} gates executed, {} not applicable, {} declared:{}", verification.gates.size(),
+           verification.not_applicable.size(), verification.declared, counts);
   print_reused(out, store);
   write_json(common, document);
   if (!options.junit.empty()) write_junit(options.junit, verification.gates, common.allow_inconclusive);
-  if (complete(verification)) return exit_of(false, verification.gates, common.allow_inconclusive);
-  out.line("INVALID: the number of gates executed is not the number declared");
-  return exit_red;
+  if (!options.until_red && !complete(verification)) {
+    out.line("INVALID: the number of gates executed and not applicable is not the number declared");
+    return exit_red;
+  }
+  const bool red = std::any_of(verification.gates.begin(), verification.gates.end(),
+                               [&](const JudgedGate& gate) { return is_red(gate, common.allow_inconclusive); });
+  return red || verification.gates.empty() ? exit_red : 0;
 }
 
 }  // namespace
 
 Command add_verify(CLI::App& app, Invocation& invocation) {
-  CLI::App* sub = app.add_subcommand("verify", "all gates of the matching cases");
-  sub->footer("Example: plumbline verify 'sod*' --tier quick --junit verify.xml");
+  CLI::App* sub = app.add_subcommand("verify", "all gates of the matching cases, or of an integrator");
+  sub->footer(
+      "Examples: plumbline verify 'sod*' --tier quick --junit verify.xml\n"
+      "          plumbline verify --integrator mine --plugin libmine.so");
   auto options = std::make_shared<VerifyOptions>();
   sub->add_option("pattern", options->patterns, "case names or patterns; all cases if none");
   sub->add_option("--tier", options->tier, "quick or full");
   sub->add_option("--junit", options->junit, "write JUnit XML to a file");
+  sub->add_flag("--core", options->core, "of --integrator without cases: the core gates alone, in seconds");
+  sub->add_flag("--until-red", options->until_red, "of --integrator: begin no gate after one that is red");
   add_run_options(*sub, invocation.options);
   add_reuse(*sub, invocation.options);
   return {sub, [&invocation, options] { return execute(invocation, *options); }};

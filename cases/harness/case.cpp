@@ -6,7 +6,9 @@
 
 #include "cases/harness/errors.hpp"
 #include "cases/laboratory/safe_step.hpp"
+#include "kernel/integrator_traits.hpp"
 #include "kernel/splitting.hpp"
+#include "kernel/transfers/transfers.hpp"
 
 namespace plumbline {
 namespace {
@@ -73,13 +75,15 @@ void settle_membranes(Settings& s, const std::string& owner) {
                       "segments are the connectivity of points; accumulated strain needs none");
   }
   const IntegratorEntry* integrator = find_integrator(s.text("integrator"));
-  if (s.text("membrane.loss") == "gas" && integrator && !integrator->make()->returns_transfer_loss()) {
-    throw cannot_work("membrane.loss", s, "booked with integrator=" + integrator->name,
-                      "integrator=" + integrator->name, "it gives no loss back as heat");
+  if (s.text("membrane.loss") == "gas" && integrator &&
+      traits_of(*integrator).offers.count(Trait::returned_loss) == 0) {
+    throw MissingTraits("membrane.loss", "gas", "booked with integrator=" + integrator->name,
+                        "integrator=" + integrator->name,
+                        {{Trait::returned_loss, "membrane.loss=gas", "integrator " + integrator->name}});
   }
   const std::string& shape = s.text("shape");
-  if (s.number("membrane.relaxation") > 0 && s.text("transfer") == "apic" &&
-      (shape == "linear" || shape == "gimp" || shape == "contiguous-gimp")) {
+  if (s.number("membrane.relaxation") > 0 && transfer_choice(s.text("transfer"), 1).affine &&
+      !shape_offers(shape, Trait::constant_inertia)) {
     throw cannot_work("membrane.relaxation", s, "0 with shape=" + shape + ", transfer=apic",
                       "shape=" + shape + ", transfer=apic", "moving points would change their affine inertia");
   }
@@ -112,14 +116,7 @@ Settings Case::settings(const std::string& scheme, const std::vector<Override>& 
   if (!settings.is_set("cfl") && !settings.is_set("dt")) {
     throw UsageError("cfl", "none", "(0, inf)", {"cfl", "dt"}, "neither cfl nor dt is set: set one of them");
   }
-  if (const IntegratorEntry* entry = find_integrator(settings.text("integrator"))) {
-    const std::string &shape = settings.text("shape"), &transfer = settings.text("transfer");
-    if (const std::string why = entry->make()->refusal(shape, transfer); !why.empty()) {
-      const std::string choice = "integrator=" + entry->name, with = "shape=" + shape + ", transfer=" + transfer;
-      throw UsageError("integrator", entry->name, "another integrator, shape or transfer", {},
-                       choice + " cannot work with " + with + ": " + why);
-    }
-  }
+  if (const IntegratorEntry* entry = find_integrator(settings.text("integrator"))) refuse_lacks(*entry, settings);
   if (settings.has("split") && settings.number("split") > 0) {
     const std::string &shape = settings.text("shape"), &transfer = settings.text("transfer");
     if (const std::string why = splitting_refusal(shape, transfer); !why.empty()) {

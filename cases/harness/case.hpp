@@ -111,6 +111,7 @@ class Case {
   virtual std::vector<CaseGate> gates() const = 0;
   virtual GateCount gate_count() const = 0;                // own gates per tier, generic ones of its studies included
   virtual bool any_integrator() const { return false; }    // generic gates for every registered integrator
+  virtual bool takes_integrators() const { return true; }  // whether what it judges depends on the integrator
   virtual std::vector<double> default_levels() const = 0;  // of `converge` without --cells
   // Run with a study in cells of the default scheme, at its levels, for the problem that the settings describe.
   virtual std::vector<Comparator> comparators(const Settings& /*settings*/,

@@ -99,12 +99,23 @@ Json to_json(const JudgedGate& g) {
   gate["band"] = g.gate.expected_failure ? range(g.gate.expected_failure->band) : Json(nullptr);
   gate["note"] = g.judgement.note.empty() ? g.measured.note : g.judgement.note;
   gate["run_ids"] = g.run_ids;
+  if (!g.explanation.empty()) gate["explanation"] = g.explanation;
   return gate;
 }
 
 Json to_json(const std::vector<JudgedGate>& gates) {
   Json list = Json::array();
   for (const JudgedGate& gate : gates) list.push_back(to_json(gate));
+  return list;
+}
+
+Json to_json(const std::vector<NotApplicable>& all) {
+  Json list = Json::array();
+  for (const NotApplicable& one : all) {
+    Json missing = Json::array();
+    for (const Lack& lack : one.lacks) missing.push_back({{"trait", name(lack.trait)}, {"why", lack.text()}});
+    list.push_back({{"what", one.what}, {"integrator", one.integrator}, {"missing", missing}});
+  }
   return list;
 }
 

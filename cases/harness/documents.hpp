@@ -17,6 +17,7 @@ Json to_json(const Settings& settings);
 Json to_json(const Provenance& provenance);
 Json to_json(const JudgedGate& gate);
 Json to_json(const std::vector<JudgedGate>& gates);
+Json to_json(const std::vector<NotApplicable>& all);
 Json to_json(const Ledger& ledger, int dim, bool axisymmetric = false);
 Json to_json(const std::vector<Measure>& measures);
 Json to_json(const OrderFit& fit);

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "kernel/traits.hpp"
+
 namespace plumbline {
 
 inline constexpr int exit_red = 1, exit_usage = 2, exit_stopped = 3, exit_files = 4;
@@ -21,6 +23,16 @@ struct UsageError : std::runtime_error {
         nearest(std::move(nearest_)) {}
   std::string key, value, allowed;
   std::vector<std::string> nearest;
+};
+
+// Parts that cannot work together: what is missing of which.
+struct MissingTraits : UsageError {
+  MissingTraits(const std::string& key_, const std::string& value_, const std::string& allowed_,
+                const std::string& with, std::vector<Lack> missing)
+      : UsageError(key_, value_, allowed_, {},
+                   key_ + "=" + value_ + " cannot work with " + with + ": " + CannotWork(missing).what()),
+        lacks(std::move(missing)) {}
+  std::vector<Lack> lacks;
 };
 
 // Unreadable, not writable, damaged or newer files. Exit status 4.

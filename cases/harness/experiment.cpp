@@ -174,6 +174,9 @@ RunResult run_experiment(const Case& entry, const std::string& scheme, const Set
     result.measures = problem->measures(simulation);
     result.profile = problem->profile(simulation);
     result.finished = true;
+  } catch (const CannotWork& parts) {
+    throw MissingTraits("integrator", settings.text("integrator"), "another integrator, or other choices",
+                        "case=" + entry.name(), parts.lacks);
   } catch (const InadmissibleState& state) {
     result.stop = Stop{state.reason, state.body, state.field, state.step, state.time, state.point, state.value};
   }

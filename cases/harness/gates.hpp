@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cases/harness/study.hpp"
+#include "kernel/traits.hpp"
 
 namespace plumbline {
 
@@ -16,6 +17,14 @@ struct JudgedGate {
   Measured measured;
   Judgement judgement;
   std::vector<std::string> run_ids;  // files of the runs it read
+  std::string explanation = {};      // of a red gate, where its declaration has one: what usually causes it
+};
+
+// What could not be judged with an integrator, and what is missing for it.
+struct NotApplicable {
+  std::string what;  // a gate of an integrator, or a case
+  std::string integrator;
+  std::vector<Lack> lacks;
 };
 
 // A gate's declaration, its quantity to be named by the functions below.

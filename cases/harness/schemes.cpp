@@ -2,9 +2,10 @@
 
 #include <limits>
 
+#include "cases/harness/errors.hpp"
+#include "kernel/integrator_traits.hpp"
 #include "kernel/normals/normals.hpp"
 #include "kernel/scene.hpp"
-#include "kernel/time_integrator.hpp"
 
 namespace plumbline {
 namespace {
@@ -231,6 +232,14 @@ void apply_choices(const Settings& settings, Scene& scene) {
   scene.chain_relaxation = settings.number("membrane.relaxation");
   scene.strain_smoothing = settings.number("membrane.smoothing");
   scene.normals = settings.text("normals");
+}
+
+void refuse_lacks(const IntegratorEntry& integrator, const Settings& settings) {
+  const std::string &shape = settings.text("shape"), &transfer = settings.text("transfer");
+  const std::vector<Lack> missing = lacks(integrator, shape, transfer);
+  if (missing.empty()) return;
+  throw MissingTraits("integrator", integrator.name, "another integrator, shape or transfer",
+                      "shape=" + shape + ", transfer=" + transfer, missing);
 }
 
 std::vector<Override> scheme_choices(const std::string& scheme, Kind kind) {

@@ -7,6 +7,7 @@
 
 #include "cases/harness/settings.hpp"
 #include "kernel/scene.hpp"
+#include "kernel/time_integrator.hpp"
 
 namespace plumbline {
 
@@ -27,6 +28,9 @@ void apply_choices(const Settings& settings, Scene& scene);
 
 // The values chosen for the parameters of the settings' integrator, by name.
 std::map<std::string, double> integrator_parameters(const Settings& settings);
+
+// Throws MissingTraits where an integrator cannot work with the settings' shape and transfer.
+void refuse_lacks(const IntegratorEntry& integrator, const Settings& settings);
 
 // What a scheme sets among them; empty for `default`.
 std::vector<Override> scheme_choices(const std::string& scheme, Kind kind);

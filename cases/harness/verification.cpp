@@ -4,8 +4,9 @@
 #include <mutex>
 #include <numeric>
 
+#include "cases/harness/errors.hpp"
 #include "cases/harness/pool.hpp"
-#include "kernel/time_integrator.hpp"
+#include "kernel/integrator_traits.hpp"
 
 namespace plumbline {
 namespace {
@@ -65,6 +66,20 @@ std::string result_scheme(const Case& entry, const std::string& scheme, const Se
   return scheme == "default" ? integrator_scheme(entry, settings.text("integrator")) : scheme;
 }
 
+namespace {
+
+// What is missing for an integrator in the scene of a plan's first level.
+std::vector<Lack> lacks_of(const Case& entry, const IntegratorEntry& integrator, const StudyPlan& plan) {
+  try {
+    const PlannedRun first = planned_runs(entry, plan, Tier::quick).front();
+    return lacks(integrator, entry.problem(first.settings)->scene());
+  } catch (const MissingTraits& parts) {
+    return parts.lacks;
+  }
+}
+
+}  // namespace
+
 StudyPlan integrator_plan(const Case& entry, const std::string& integrator) {
   StudyPlan plan{.id = "integrator/" + integrator,
                  .title = "default scheme with integrator " + integrator,
@@ -72,12 +87,15 @@ StudyPlan integrator_plan(const Case& entry, const std::string& integrator) {
                  .overrides = {{"integrator", integrator}},
                  .values = {entry.default_levels().front()}};
   const IntegratorEntry* found = find_integrator(integrator);
-  const Settings settings = entry.settings("default", {});
-  if (!found || found->make()->refusal(settings.text("shape"), settings.text("transfer")).empty()) return plan;
-  plan.title += " and transfer flip";
-  plan.overrides.emplace_back("transfer", "flip");
-  if (settings.has("split")) plan.overrides.emplace_back("split", 0.0);
-  return plan;
+  if (!found) return plan;  // settings() will name the nearest
+  std::vector<Lack> missing = lacks_of(entry, *found, plan);
+  if (missing.empty()) return plan;
+  StudyPlan unfiltered = plan;
+  unfiltered.title += " and transfer flip";
+  unfiltered.overrides.emplace_back("transfer", "flip");
+  if (entry.settings("default", {}).has("split")) unfiltered.overrides.emplace_back("split", 0.0);
+  if (lacks_of(entry, *found, unfiltered).empty()) return unfiltered;
+  throw MissingTraits("integrator", integrator, "another integrator", "case=" + entry.name(), std::move(missing));
 }
 
 namespace {
@@ -86,6 +104,7 @@ namespace {
 struct Plans {
   std::vector<StudyPlan> all;
   std::size_t own = 0;
+  std::vector<NotApplicable> not_applicable = {};
 };
 
 Plans selected_plans(const Case& entry, Tier tier, const Selection& selection) {
@@ -99,11 +118,18 @@ Plans selected_plans(const Case& entry, Tier tier, const Selection& selection) {
     if (in_tier(plan.tier, tier) && wanted(plan)) plans.all.push_back(std::move(plan));
   }
   plans.own = plans.all.size();
-  if (selection.integrators.empty() && selection.schemes.empty() && entry.any_integrator()) {
-    for (const IntegratorEntry& integrator : integrators())
-      plans.all.push_back(integrator_plan(entry, integrator.name));
+  std::vector<std::string> chosen = selection.integrators;
+  if (chosen.empty() && selection.schemes.empty() && entry.any_integrator()) {
+    for (const IntegratorEntry& integrator : integrators()) chosen.push_back(integrator.name);
   }
-  for (const std::string& integrator : selection.integrators) plans.all.push_back(integrator_plan(entry, integrator));
+  for (const std::string& integrator : chosen) {
+    try {
+      plans.all.push_back(integrator_plan(entry, integrator));
+    } catch (const MissingTraits& parts) {
+      if (selection.by_name) throw;
+      plans.not_applicable.push_back({entry.name(), integrator, parts.lacks});
+    }
+  }
   return plans;
 }
 
@@ -127,7 +153,7 @@ std::vector<CaseGate> gates_on(const StudyResult& study, const std::vector<CaseG
 }  // namespace
 
 bool complete(const Verification& verification) {
-  return static_cast<int>(verification.gates.size()) == verification.declared;
+  return static_cast<int>(verification.gates.size() + verification.not_applicable.size()) == verification.declared;
 }
 
 std::vector<StudyPlan> selected_studies(const Case& entry, Tier tier, const Selection& selection) {
@@ -160,6 +186,9 @@ void verify_case(const Case& entry, Tier tier, const Selection& selection, int t
   const GateCount count = entry.gate_count();
   const int of_case = tier == Tier::full ? count.full : count.quick;
   verification.declared += selection.everything() ? of_case + of_integrators : expected_here;
+  verification.declared += static_cast<int>(plans.not_applicable.size());
+  verification.not_applicable.insert(verification.not_applicable.end(), plans.not_applicable.begin(),
+                                     plans.not_applicable.end());
   verification.entries.push_back(&entry);
 }
 

@@ -20,17 +20,19 @@ StudyResult run_study(const Case& entry, const StudyPlan& plan, const std::vecto
 
 struct Verification {
   std::vector<JudgedGate> gates;
-  int declared = 0;  // gates that the cases say they have in this tier
+  std::vector<NotApplicable> not_applicable;
+  int declared = 0;  // gates that cases and integrators say they have in this tier
   std::vector<const Case*> entries;
 };
 
-// Whether as many gates were executed as the cases declare: nothing was left out in silence.
+// Whether what was executed and what is not applicable is all that is declared: nothing was left out in silence.
 bool complete(const Verification& verification);
 
 // What to verify of a case: everything, or the studies of some schemes and the generic gates of some integrators. Keys
 // that are set leave the generic gates alone to be judged: the declared numbers hold for the declared choices.
 struct Selection {
   std::vector<std::string> schemes, integrators, settings;
+  bool by_name = false;  // integrators that cannot work with the case are an error, and not merely listed
   bool everything() const { return schemes.empty() && integrators.empty() && settings.empty(); }
 };
 
@@ -42,7 +44,8 @@ std::vector<StudyPlan> selected_studies(const Case& entry, Tier tier, const Sele
 void verify_case(const Case& entry, Tier tier, const Selection& selection, int threads, RunStore& store,
                  const Progress& progress, Verification& verification);
 
-// The plan a generic study of an integrator follows: the case's default scheme with it, at the coarsest default level.
+// The plan a generic study of an integrator follows: the case's default scheme with it, at the coarsest default level; under
+// the transfer flip where the integrator needs rates of change. Throws MissingTraits where it can work with neither.
 StudyPlan integrator_plan(const Case& entry, const std::string& integrator);
 
 // "default", or "default+I" for the default scheme with another integrator; likewise for overrides of --set.

@@ -138,6 +138,12 @@ int reach_of_step(const Experiment& experiment, double dt) {
   return predictor.reach();
 }
 
+Growth worst_growth(const Experiment& experiment, double dt) {
+  Predictor predictor(experiment);
+  const WorstWave worst = worst_wave(predictor.at(dt), predictor.directions());
+  return {dt, worst.radius, worst.theta};
+}
+
 std::vector<double> radii_over_waves(const Experiment& experiment, double dt, const std::vector<double>& thetas) {
   Predictor predictor(experiment);
   const Amplification a = predictor.at(dt);

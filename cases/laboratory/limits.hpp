@@ -64,6 +64,9 @@ Prediction predict(const GrowthOfStep& growth, const Scan& scan, double width = 
 inline constexpr int far_reach = 16;  // beyond what explicit steps reach
 int reach_of_step(const Experiment& experiment, double dt);
 
+// The spectral radius at one step (units of the scene's time) and the wave that has it.
+Growth worst_growth(const Experiment& experiment, double dt);
+
 // Spectral radii at one step (units of the scene's time) of waves along the first direction of the lattice.
 std::vector<double> radii_over_waves(const Experiment& experiment, double dt, const std::vector<double>& thetas);
 

@@ -8,7 +8,7 @@
 #include "cases/harness/errors.hpp"
 #include "cases/harness/pool.hpp"
 #include "cases/laboratory/bar_patch.hpp"
-#include "kernel/time_integrator.hpp"
+#include "kernel/integrator_traits.hpp"
 
 namespace plumbline {
 namespace {
@@ -84,12 +84,7 @@ Settings stability_settings(const StabilityProblem& problem, const std::string& 
   for (const std::string& assignment : typed) settings.set_text(assignment, owner);
   if (!problem.has_grid()) return settings;
   const IntegratorEntry* entry = find_integrator(settings.text("integrator"));
-  const std::string &shape = settings.text("shape"), &transfer = settings.text("transfer");
-  if (const std::string why = entry->make()->refusal(shape, transfer); !why.empty()) {
-    throw UsageError(
-        "integrator", entry->name, "another integrator, shape or transfer", {},
-        "integrator=" + entry->name + " cannot work with shape=" + shape + ", transfer=" + transfer + ": " + why);
-  }
+  refuse_lacks(*entry, settings);
   return settings;
 }
 
@@ -216,7 +211,7 @@ std::vector<Method> methods(const std::vector<std::string>& shapes, const std::v
   for (const IntegratorEntry& entry : integrators()) {
     for (const std::string& shape : shapes) {
       for (const std::string& transfer : transfers) {
-        if (entry.make()->refusal(shape, transfer).empty()) all.push_back({entry.name, shape, transfer});
+        if (lacks(entry, shape, transfer).empty()) all.push_back({entry.name, shape, transfer});
       }
     }
   }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "cases/harness/experiment.hpp"
+#include "kernel/integrator_traits.hpp"
 
 namespace plumbline {
 namespace {
@@ -29,13 +30,9 @@ StepMap::StepMap(Scene scene, const Units& units, const IntegratorChoice& integr
   const IntegratorEntry* entry = find_integrator(integrator.name);
   if (!entry) throw std::invalid_argument("no integrator " + integrator.name);
   integrator_ = entry->make();
-  if (const std::string why = integrator_->refusal(scene_->shape, scene_->transfer); !why.empty()) {
-    throw std::invalid_argument("integrator " + integrator.name + " cannot work with shape " + scene_->shape +
-                                " and transfer " + scene_->transfer + ": " + why);
-  }
+  if (auto missing = lacks(*entry, *scene_); !missing.empty()) throw CannotWork(std::move(missing));
   set_parameters(*integrator_, integrator.parameters);
-  engine_ = make_engine(*scene_, *ledger_,
-                        {integrator_->returns_transfer_loss(), integrator_->evaluates_stress_first(), 1});
+  engine_ = make_engine(*scene_, *ledger_, engine_options(*entry));
   engine_->initialise();
   ledger_->open(engine_->totals());
   add_slots();

@@ -4,13 +4,15 @@
 #include <cmath>
 #include <stdexcept>
 #include <unsupported/Eigen/MatrixFunctions>
+#include <utility>
 
 namespace plumbline {
 
-OneMass::OneMass(double displacement, double velocity, double damping)
-    : u_(displacement),
+OneMass::OneMass(double displacement, double velocity, Spring spring)
+    : spring_(std::move(spring)),
+      u_(displacement),
       v_(velocity),
-      damping_(damping),
+      x_(displacement),
       force_(force(displacement, velocity)),
       damper_velocity_(velocity) {}
 
@@ -30,9 +32,12 @@ void OneMass::advance_momentum(double dt) {
   current_ = NodalVelocity::end;
 }
 
-void OneMass::move_points(double /*dt*/, NodalVelocity /*carrying*/) { v_ = end_; }
+void OneMass::move_points(double dt, NodalVelocity carrying) {
+  x_ += dt * nodal(carrying);
+  v_ = end_;
+}
 
-void OneMass::drift_points(double /*dt*/) {}
+void OneMass::drift_points(double dt) { x_ += dt * v_; }
 
 void OneMass::kick_points(double /*dt*/) { v_ = end_; }
 
@@ -69,25 +74,26 @@ void OneMass::predict_stress(double ahead, NodalVelocity velocity) {
 // A damper may not push.
 bool OneMass::reverse_cooling() {
   const double middle = nodal(NodalVelocity::midpoint);
-  if (damping_ == 0 || damper_velocity_ * middle >= 0) return false;
-  force_ += 2 * damping_ * (damper_velocity_ - middle);
+  if (spring_.damping == 0 || damper_velocity_ * middle >= 0) return false;
+  force_ += 2 * spring_.damping * (damper_velocity_ - middle);
   damper_velocity_ = middle;
   return true;
 }
 
 void OneMass::set_state(const State& state) {
-  u_ = state.values.at(0);
+  x_ = state.values.at(0);
   v_ = state.values.at(1);
+  u_ = state.values.at(2);
 }
 
 State OneMass::rate() {
   map_mass_and_momentum();
   evaluate_stress(NodalVelocity::start);
-  return {{v_, force_}};
+  return {{v_, force_ + spring_.gravity, v_}};
 }
 
 State OneMass::velocities_of(State state) const {
-  state.values.at(0) = 0;
+  state.values.at(0) = state.values.at(2) = 0;
   return state;
 }
 

@@ -29,6 +29,7 @@ class TrialCase : public Case {
   virtual std::vector<Trial> trials() const = 0;
 
   Kind kind() const final { return Kind::solid; }
+  bool takes_integrators() const final { return false; }
   std::vector<Key> keys() const final;
   std::vector<Override> points_and_end(const std::string& scheme) const final;
   void derive(Settings& settings, const std::string& scheme) const final;

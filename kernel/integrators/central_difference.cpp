@@ -6,6 +6,10 @@ namespace {
 // Velocities stand half a step behind positions and stresses: the first step kicks them by half of itself, the others by
 // the mean of the last step and this one. Positions are of second order; velocities are those of half a step ago.
 class CentralDifference final : public TimeIntegrator {
+  Claims claims() const override {
+    return {.orders = {{2}, {2, "fixed mesh", "strain"}}, .energy = EnergyBehaviour::bounded, .limit = 2};
+  }
+
   void step(Stages& mpm, double dt) override {
     mpm.locate_points();
     mpm.map_mass_and_momentum();

@@ -6,6 +6,8 @@ namespace {
 // Closes the energy ledger to rounding: points get back exactly the work their forces did on the grid and what the two
 // maps lost. Equations: kernel/README.md, "The energy-conserving step".
 class EnergyConserving final : public TimeIntegrator {
+  Claims claims() const override { return {.orders = {{1}}}; }
+
   void step(Stages& mpm, double dt) override {
     mpm.locate_points();
     mpm.map_mass_and_momentum();                // [EC-APIC 1]
@@ -18,21 +20,6 @@ class EnergyConserving final : public TimeIntegrator {
     }
     mpm.move_and_heat_points(dt);  // [EC-APIC 5, 6]
   }
-
-  std::string refusal(const std::string& shape, const std::string& transfer) const override {
-    if (shape == "linear")
-      return "the gradient of linear shapes jumps between cells and their affine inertia vanishes at nodes";
-    if (shape == "gimp" || shape == "contiguous-gimp")
-      return "the affine inertia of boxes changes as points move, and with it energy that is nobody's loss";
-    if (transfer == "xpic" || transfer == "fmpm")
-      return transfer + " gives points velocities that the grid does not have, and may so give energy";
-    if (transfer == "flip")
-      return "flip keeps the energy that its maps filter out, so there is no loss to return exactly";
-    return {};
-  }
-
-  bool returns_transfer_loss() const override { return true; }
-  bool evaluates_stress_first() const override { return true; }
 };
 
 PLUMBLINE_INTEGRATOR(EnergyConserving, "energy",

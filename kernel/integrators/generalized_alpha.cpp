@@ -1,4 +1,6 @@
-#include "kernel/integrators/method_of_lines.hpp"
+#include <cmath>
+
+#include "kernel/time_integrator.hpp"
 
 namespace plumbline {
 namespace {
@@ -7,11 +9,17 @@ namespace {
 // spectral radius falls to rho_b, where at omega dt = (1 + rho_b) sqrt(2 - rho_b) three roots meet; beyond, one grows and
 // leaves the unit circle at omega dt = sqrt(12 (1 + rho_b)(2 - rho_b)/(10 - 5 rho_b + rho_b^2)).
 // Equations: kernel/README.md, "Integrators of the laboratory".
-class GeneralizedAlpha final : public MethodOfLines {
+class GeneralizedAlpha final : public TimeIntegrator {
   std::vector<IntegratorParameter> parameters() override {
     return {{"rho_b", &rho_b_, 0, 1, "of generalized-alpha: what is left of the fastest oscillation after a step"}};
   }
   std::vector<State*> memory() override { return {&acceleration_}; }
+  Claims claims() const override {
+    const double r = rho_b_;
+    return {.orders = {{2}, {2, "fixed mesh", "strain"}},
+            .energy = EnergyBehaviour::decaying,
+            .limit = std::sqrt(12 * (1 + r) * (2 - r) / (10 - 5 * r + r * r))};
+  }
 
   void step(Stages& mpm, double dt) override {
     const double r = rho_b_, alpha_m = (2 * r - 1) / (1 + r), gamma = 1.5 - alpha_m;  // [Generalized-Alpha 1]

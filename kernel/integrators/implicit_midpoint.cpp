@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "kernel/inadmissible.hpp"
-#include "kernel/integrators/method_of_lines.hpp"
+#include "kernel/time_integrator.hpp"
 
 namespace plumbline {
 namespace {
@@ -86,9 +86,16 @@ namespace {
 // y' = y + dt f((y + y')/2). Newton's method for the velocities of the midpoint, each correction by GMRES; all else follows
 // from them. Of an oscillator neither damped nor ever unstable. Throws InadmissibleState where no midpoint is found: forces
 // that jump may have none. Equations: kernel/README.md, "Integrators of the laboratory".
-class ImplicitMidpoint final : public MethodOfLines {
+class ImplicitMidpoint final : public TimeIntegrator {
   static constexpr int most_corrections = 20;
   static constexpr double rounding = 1e-12;  // of forces that cancel, to the size of the state
+
+  Claims claims() const override {
+    return {.orders = {{2}, {2, "fixed mesh", "strain"}},
+            .energy = EnergyBehaviour::conserved,
+            .limit = std::numeric_limits<double>::infinity(),
+            .reversible = true};
+  }
 
   void step(Stages& mpm, double dt) override {
     const State y = mpm.state();

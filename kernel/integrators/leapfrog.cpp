@@ -7,6 +7,10 @@ namespace {
 // their own velocities; maps, forces and heat all use the place reached, and a stress predicted to the half step, so that
 // an elastic oscillation is neither damped nor amplified below omega dt = 2. Equations: kernel/README.md, "Leapfrog".
 class Leapfrog final : public TimeIntegrator {
+  Claims claims() const override {
+    return {.orders = {{2}}, .energy = EnergyBehaviour::bounded, .limit = 2, .reversible = true};
+  }
+
   void step(Stages& mpm, double dt) override {
     mpm.drift_points(dt / 2);  // [Leapfrog 1]
     mpm.locate_points();
@@ -15,21 +19,6 @@ class Leapfrog final : public TimeIntegrator {
     mpm.advance_momentum(dt);
     mpm.kick_heat_and_drift_points(dt, dt / 2);  // [EC-APIC 5, 6] [Leapfrog 3]
   }
-
-  std::string refusal(const std::string& shape, const std::string& transfer) const override {
-    if (shape == "linear")
-      return "the gradient of linear shapes jumps between cells and their affine inertia vanishes at nodes";
-    if (shape == "gimp" || shape == "contiguous-gimp")
-      return "the affine inertia of boxes changes as points move, and with it energy that is nobody's loss";
-    if (transfer == "xpic" || transfer == "fmpm")
-      return transfer + " gives points velocities that the grid does not have, and may so give energy";
-    if (transfer == "flip")
-      return "flip keeps the energy that its maps filter out, so there is no loss to return exactly";
-    return {};
-  }
-
-  bool returns_transfer_loss() const override { return true; }
-  bool evaluates_stress_first() const override { return true; }
 };
 
 PLUMBLINE_INTEGRATOR(Leapfrog, "leapfrog",

@@ -1,10 +1,16 @@
-#include "kernel/integrators/method_of_lines.hpp"
+#include <cmath>
+
+#include "kernel/time_integrator.hpp"
 
 namespace plumbline {
 namespace {
 
 // Of an oscillator: damped and stable up to omega dt = sqrt(8).
-class RungeKutta4 final : public MethodOfLines {
+class RungeKutta4 final : public TimeIntegrator {
+  Claims claims() const override {
+    return {.orders = {{4}, {4, "fixed mesh", "strain"}}, .energy = EnergyBehaviour::decaying, .limit = std::sqrt(8.0)};
+  }
+
   void step(Stages& mpm, double dt) override {
     const State y = mpm.state(), k1 = mpm.rate();
     mpm.set_state(y + dt / 2 * k1);

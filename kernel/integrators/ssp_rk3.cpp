@@ -1,11 +1,17 @@
-#include "kernel/integrators/method_of_lines.hpp"
+#include <cmath>
+
+#include "kernel/time_integrator.hpp"
 
 namespace plumbline {
 namespace {
 
 // Convex combinations of Euler steps: what an Euler step keeps bounded stays so. Of an oscillator: damped and stable up to
 // omega dt = sqrt(3).
-class SspRungeKutta3 final : public MethodOfLines {
+class SspRungeKutta3 final : public TimeIntegrator {
+  Claims claims() const override {
+    return {.orders = {{3}, {3, "fixed mesh", "strain"}}, .energy = EnergyBehaviour::decaying, .limit = std::sqrt(3.0)};
+  }
+
   void step(Stages& mpm, double dt) override {
     const State y = mpm.state();
     mpm.set_state(y + dt * mpm.rate());                                      // [SSP-RK3 1]

@@ -4,6 +4,13 @@ namespace plumbline {
 namespace {
 
 class UpdateStressAveraged final : public TimeIntegrator {
+  Claims claims() const override {
+    return {.orders = {{2}, {2, "fixed mesh", "strain"}},
+            .energy = EnergyBehaviour::bounded,
+            .limit = 2,
+            .reversible = true};
+  }
+
   void step(Stages& mpm, double dt) override {
     mpm.locate_points();
     mpm.map_mass_and_momentum();

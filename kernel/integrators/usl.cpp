@@ -4,6 +4,10 @@ namespace plumbline {
 namespace {
 
 class UpdateStressLast final : public TimeIntegrator {
+  Claims claims() const override {
+    return {.orders = {{1}, {1, "fixed mesh", "strain"}}, .energy = EnergyBehaviour::bounded, .limit = 2};
+  }
+
   void step(Stages& mpm, double dt) override {
     mpm.locate_points();
     mpm.map_mass_and_momentum();  // [York 3.15, 3.16]

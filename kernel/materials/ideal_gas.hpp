@@ -24,6 +24,7 @@ struct IdealGas final : Material {
   // Without physical viscosity the stress is a pressure.
   StressMeasure measure() const override { return viscosity == 0 ? StressMeasure::pressure : StressMeasure::symmetric; }
   bool viscous() const { return viscosity > 0 || viscosity_linear > 0 || viscosity_quadratic > 0; }
+  Traits needs() const override { return viscous() ? Traits{Trait::forward_steps} : Traits{}; }
   double advance(Columns& points, PointRange range, const MaterialContext& context, double dt) const override;
   std::vector<const ColumnId*> internal_variables(const MaterialContext& context) const override;
   std::vector<double> rates(const Columns& points, const MaterialContext& context) const override;

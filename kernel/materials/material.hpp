@@ -6,6 +6,7 @@
 
 #include "kernel/geometry.hpp"
 #include "kernel/points/columns.hpp"
+#include "kernel/traits.hpp"
 
 namespace plumbline {
 
@@ -58,6 +59,7 @@ class Material {
   virtual bool chain() const { return false; }        // points are a chain, see Body::chain
   virtual bool has_density() const { return false; }  // a density column that a density method may set
   virtual bool takes_heat() const { return false; }   // transfer losses can become internal energy
+  virtual Traits needs() const { return {}; }         // of an integrator
 
   virtual StressMeasure measure() const { return StressMeasure::symmetric; }
   bool isotropic() const { return measure() == StressMeasure::pressure; }

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "kernel/integrator_traits.hpp"
 #include "kernel/materials/ideal_gas.hpp"
 #include "kernel/materials/uniaxial_membrane.hpp"
 #include "kernel/simulation.hpp"
@@ -242,7 +243,7 @@ inline std::vector<Combination> working_combinations() {
   for (const IntegratorEntry& entry : integrators()) {
     for (const Choice& shape : shapes()) {
       for (const Choice& transfer : transfers()) {
-        if (!entry.make()->refusal(shape.name, transfer.name).empty()) continue;
+        if (!lacks(entry, shape.name, transfer.name).empty()) continue;
         // Forces of linear shapes jump where points change cells: there a step may have no midpoint, and the run stops.
         if (entry.name == "implicit-midpoint" && shape.name == "linear") continue;
         all.push_back({entry.name, shape.name, transfer.name});

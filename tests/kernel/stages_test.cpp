@@ -9,14 +9,7 @@
 namespace plumbline {
 namespace {
 
-class MethodOfLines : public TimeIntegrator {
- public:
-  std::string refusal(const std::string&, const std::string& transfer) const override {
-    return transfer == "flip" ? "" : "rates of change want the transfer flip";
-  }
-};
-
-class Heun final : public MethodOfLines {
+class Heun final : public TimeIntegrator {
   void step(Stages& mpm, double dt) override {
     const State y = mpm.state(), k1 = mpm.rate();
     mpm.set_state(y + dt * k1);
@@ -26,7 +19,7 @@ class Heun final : public MethodOfLines {
 };
 PLUMBLINE_INTEGRATOR(Heun, "test_heun", "Runge-Kutta of order two", "Heun 1900");
 
-class RungeKutta4 final : public MethodOfLines {
+class RungeKutta4 final : public TimeIntegrator {
   void step(Stages& mpm, double dt) override {
     const State y = mpm.state(), k1 = mpm.rate();
     mpm.set_state(y + dt / 2 * k1);

@@ -67,7 +67,6 @@ class Remembering final : public TimeIntegrator {
   std::vector<IntegratorParameter> parameters() override { return {{"test_share", &share, 0, 1, "of nothing"}}; }
   std::vector<State*> memory() override { return {&kept}; }
   void step(Stages&, double dt) override { kept.values.push_back(share * dt); }
-  std::string refusal(const std::string&, const std::string&) const override { return "nothing moves"; }
   double share = 0.25;
   State kept;
 };
@@ -124,9 +123,10 @@ TEST(TimeIntegrator, ANameIsTakenOnce) {
   EXPECT_THROW(RegisterIntegrator{again}, std::logic_error);
 }
 
-TEST(TimeIntegrator, RefusesNothingUnlessItSaysSo) {
-  EXPECT_EQ(find_integrator("musl")->make()->refusal("linear", "flip"), "");
-  EXPECT_FALSE(find_integrator("musl")->make()->returns_transfer_loss());
+TEST(TimeIntegrator, ClaimsNothingUnlessItSaysSo) {
+  const Claims claims = SecondMap().claims();
+  EXPECT_TRUE(claims.orders.empty() && claims.known_failures.empty());
+  EXPECT_FALSE(claims.energy || claims.limit || claims.reversible);
 }
 
 }  // namespace

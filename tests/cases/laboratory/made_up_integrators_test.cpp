@@ -5,13 +5,13 @@
 #include <gtest/gtest.h>
 
 #include "cases/laboratory/problem.hpp"
-#include "kernel/integrators/method_of_lines.hpp"
+#include "kernel/time_integrator.hpp"
 #include "reference/bar_stability.hpp"
 
 namespace plumbline {
 namespace {
 
-class ForwardEuler final : public MethodOfLines {
+class ForwardEuler final : public TimeIntegrator {
   void step(Stages& mpm, double dt) override { mpm.set_state(mpm.state() + dt * mpm.rate()); }
 };
 PLUMBLINE_INTEGRATOR(ForwardEuler, "test-forward-euler", "unstable at every step", "this test");
@@ -29,7 +29,7 @@ class Stiff final : public TimeIntegrator {
 };
 PLUMBLINE_INTEGRATOR(Stiff, "test-stiff", "limit 2/1.37 of omega dt", "this test");
 
-class ThreeStages final : public MethodOfLines {
+class ThreeStages final : public TimeIntegrator {
   void step(Stages& mpm, double dt) override {
     const State y = mpm.state();
     mpm.set_state(y + 0.4 * dt * mpm.rate());

@@ -31,7 +31,9 @@ TEST(OneMass, StagesDoWhatTheySay) {
   EXPECT_NEAR(mass.displacement(), 1.07, 1e-15);
   mass.strain_points(0.1, NodalVelocity::current);  // the newest: of the end
   EXPECT_NEAR(mass.displacement(), 1.25, 1e-15);
+  EXPECT_EQ(mass.place(), 0.5);
   mass.drift_points(7);
+  EXPECT_EQ(mass.place(), 14.5);
   EXPECT_NEAR(mass.displacement(), 1.25, 1e-15);
   mass.kick_points(0.4);
   EXPECT_NEAR(mass.velocity(), 1.8, 1e-15);
@@ -42,20 +44,33 @@ TEST(OneMass, StagesDoWhatTheySay) {
   mass.advance_momentum(1);
   mass.move_points(1, NodalVelocity::end);
   EXPECT_NEAR(mass.velocity(), 1.5, 1e-15);
+  EXPECT_NEAR(mass.place(), 16, 1e-14);
   mass.predict_stress(0.1, NodalVelocity::start);
   EXPECT_NEAR(mass.carried()[2], -(3.05 + 0.1 * 2), 1e-15);
-  EXPECT_NEAR(mass.displacement(), 3.05, 1e-15);  // foretold alone
+  EXPECT_NEAR(mass.displacement(), 3.05, 1e-15);  // predicted alone
 }
 
 TEST(OneMass, StatesAndRates) {
   OneMass mass(0.5, 2, 0.1);
-  EXPECT_EQ(mass.state().values, (std::vector<double>{0.5, 2}));
+  EXPECT_EQ(mass.state().values, (std::vector<double>{0.5, 2, 0.5}));
   EXPECT_NEAR(mass.rate().values[0], 2, 0);
   EXPECT_NEAR(mass.rate().values[1], -0.5 - 0.2 * 2, 1e-15);
-  mass.set_state({{3, 4}});
+  EXPECT_NEAR(mass.rate().values[2], 2, 0);
+  mass.set_state({{7, 4, 3}});
+  EXPECT_EQ(mass.place(), 7);
   EXPECT_EQ(mass.displacement(), 3);
   EXPECT_EQ(mass.velocity(), 4);
-  EXPECT_EQ(mass.velocities_of({{5, 6}}).values, (std::vector<double>{0, 6}));
+  EXPECT_EQ(mass.velocities_of({{5, 6, 7}}).values, (std::vector<double>{0, 6, 0}));
+}
+
+TEST(OneMass, AnySpringAndGravity) {
+  OneMass mass(0.5, 2, Spring{[](double u) { return -u * u; }, 0, 0.125});
+  mass.map_mass_and_momentum();
+  mass.map_forces();
+  mass.advance_momentum(1);
+  mass.kick_points(1);
+  EXPECT_EQ(mass.velocity(), 2 - 0.25 + 0.125);
+  EXPECT_EQ(OneMass(0.5, 2, Spring{[](double u) { return -u * u; }, 0, 0.125}).rate().values[1], -0.125);
 }
 
 // A damper that pulls along with the midpoint velocity is given that velocity instead.

@@ -364,8 +364,8 @@ TEST(CouplingAlone, StepsThatReturnNoLossRefuse) {
   Scene scene = scenes::gas_and_skin(Skin::segments, Space::plane, "quadratic", "apic", true);
   scene.loss_to_gas = true;
   for (const IntegratorEntry& entry : integrators()) {
-    if (!entry.make()->refusal(scene.shape, scene.transfer).empty()) continue;
-    if (entry.make()->returns_transfer_loss()) {
+    if (!lacks(entry, scene.shape, scene.transfer).empty()) continue;
+    if (traits_of(entry).offers.count(Trait::returned_loss) > 0) {
       EXPECT_NO_THROW(Simulation(scene, entry.name, {0.3, {}, 1})) << entry.name;
       continue;
     }

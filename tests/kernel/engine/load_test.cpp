@@ -48,7 +48,7 @@ TEST(Load, TheSameEverywhereIsGravity) {
     for (const char* transfer : {"pic", "flip", "apic", "xpic", "fmpm"}) {
       for (const std::string integrator : steps_of_the_kernel) {
         for (const bool walled : {false, true}) {
-          if (!find_integrator(integrator)->make()->refusal("quadratic", transfer).empty()) continue;
+          if (!lacks(*find_integrator(integrator), "quadratic", transfer).empty()) continue;
           SCOPED_TRACE(testing::Message()
                        << space << ", " << transfer << ", " << integrator << (walled ? ", walls" : ""));
           const scenes::Place pull{3, -9, space == Space::solid ? 5.0 : 0.0};

@@ -20,14 +20,13 @@ TEST(EnergyConserving, OrderWhereViscosityWouldCool) {
 }
 
 TEST(EnergyConserving, RefusesWhatCannotWork) {
-  const auto integrator = find_integrator("energy")->make();
-  for (const char* transfer : {"pic", "flip", "apic"}) EXPECT_NE(integrator->refusal("linear", transfer), "");
-  for (const char* shape : {"linear", "quadratic", "cubic"}) EXPECT_NE(integrator->refusal(shape, "flip"), "");
+  const IntegratorEntry& entry = *find_integrator("energy");
+  for (const char* transfer : {"pic", "flip", "apic"}) EXPECT_FALSE(lacks(entry, "linear", transfer).empty());
+  for (const char* shape : {"linear", "quadratic", "cubic"}) EXPECT_FALSE(lacks(entry, shape, "flip").empty());
   for (const char* shape : {"quadratic", "cubic"}) {
-    EXPECT_EQ(integrator->refusal(shape, "apic"), "");
-    EXPECT_EQ(integrator->refusal(shape, "pic"), "");
+    EXPECT_TRUE(lacks(entry, shape, "apic").empty());
+    EXPECT_TRUE(lacks(entry, shape, "pic").empty());
   }
-  EXPECT_TRUE(integrator->returns_transfer_loss());
 }
 
 // Total energy itself, not only the residual, stays: 200 steps of a violent gas between walls, to 1e-13 of the

@@ -1,0 +1,53 @@
+// Whether the scheme approaches the right solution.
+#include <vector>
+
+#include "cases/judging/integrator_gates.hpp"
+#include "cases/judging/measured_limit.hpp"
+#include "cases/judging/oscillators.hpp"
+#include "cases/judging/pairs.hpp"
+
+namespace plumbline {
+namespace {
+
+constexpr const char* usual_causes =
+    "a force, strain or motion of the step is not dt times its rate: a factor, a missing or doubled stage, or a value "
+    "of "
+    "another instant";
+
+Gate limit_gate(const std::string& name, const std::string& quantity, const std::string& why) {
+  Gate gate = gate_row("consistency", name, quantity, {{}, most_left_over}, Origin::theory,
+                       why + "; 1e-5: a hundredth of one per mille in a force, strain or motion");
+  gate.order = true;  // the extrapolation's interval is judged
+  return gate;
+}
+
+}  // namespace
+
+std::vector<IntegratorGate> consistency_gates() {
+  std::vector<IntegratorGate> all;
+  for (const OscillatorScene& scene : oscillator_scenes()) {
+    all.push_back({"consistency",
+                   limit_gate(scene.name, "error for dt -> 0 on " + scene.what,
+                              "a consistent scheme converges to the exact motion"),
+                   usual_causes,
+                   [&scene](const Subject& subject) {
+                     return measured_limit([&](int steps) { return oscillator_errors(subject, scene, steps); }, 16, 7,
+                                           11);
+                   },
+                   Effort::core});
+  }
+  for (const SmallScene& scene : small_scenes()) {
+    all.push_back(
+        {"consistency",
+         limit_gate("difference-" + scene.name, "difference from a consistent integrator for dt -> 0: " + scene.what,
+                    "with the same maps and steps all consistent schemes have one limit"),
+         usual_causes,
+         [&scene](const Subject& subject) {
+           return measured_limit({8, 5, 8}, [&](int steps) { return difference_at(subject, scene, steps); });
+         },
+         scene.name == "bar" ? Effort::core : Effort::whole});
+  }
+  return all;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,164 @@
+// What holds in every step of every scheme, on all cases that can be stepped with the integrator, and two identities of
+// momentum that need nothing that a step has recorded.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cases/harness/verification.hpp"
+#include "cases/judging/integrator_gates.hpp"
+#include "cases/judging/pairs.hpp"
+#include "kernel/simulation.hpp"
+
+namespace plumbline {
+namespace {
+
+constexpr long most_steps = 100;  // identities hold in every step; so many steps of each case at each level
+constexpr std::size_t levels = 2;
+
+// A case that integrators can step, and its geometry.
+struct Stepped {
+  const Case* entry;
+  int dim;
+  bool axisymmetric;
+};
+const std::vector<Stepped>& stepped_cases() {
+  static const std::vector<Stepped> all = [] {
+    std::vector<Stepped> found;
+    for (const Case* entry : cases()) {
+      if (!entry->takes_integrators()) continue;
+      const Settings settings = entry->settings("default", {{"cells", entry->default_levels().front()}});
+      const GridSpec grid = entry->problem(settings)->scene().grid;
+      found.push_back({entry, grid.dim, grid.axisymmetric});
+    }
+    return found;
+  }();
+  return all;
+}
+
+RunResult first_steps(const Case& entry, const Subject& subject, const Settings& settings) {
+  RunResult result(entry.name(), subject.name(), settings);
+  const auto problem = entry.problem(settings);
+  Scene scene = problem->scene();
+  result.dim = scene.grid.dim;
+  result.axisymmetric = scene.grid.axisymmetric;
+  StepControl control = step_control(settings);
+  control.parameters = subject.choice().parameters;
+  try {
+    Simulation run(std::move(scene), subject.name(), control);
+    const double end = problem->end_time();
+    while (run.steps() < most_steps && end - run.time() > 1e-12 * end) {
+      throw_if_interrupted();
+      run.step(end - run.time());
+    }
+    result.steps = run.steps();
+    result.ledger = run.ledger();
+    result.finished = true;
+  } catch (const InadmissibleState& state) {
+    result.stop = Stop{state.reason, state.body, state.field, state.step, state.time, state.point, state.value};
+  }
+  return result;
+}
+
+// The first steps at the coarsest levels, as a study that generic gates can read.
+const StudyResult& study_of(const Stepped& stepped, const Subject& subject) {
+  return subject.once<StudyResult>("identities/" + stepped.entry->name(), [&] {
+    StudyResult study;
+    study.entry = stepped.entry;
+    study.plan = integrator_plan(*stepped.entry, subject.name());
+    const std::vector<double> all = stepped.entry->default_levels();
+    study.plan.values.assign(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(levels, all.size())));
+    for (const PlannedRun& planned : planned_runs(*stepped.entry, study.plan, Tier::quick)) {
+      study.levels.push_back({planned.value, 0, first_steps(*stepped.entry, subject, planned.settings), {}});
+    }
+    return study;
+  });
+}
+
+double momentum_along(const Scene& scene, int d, const ColumnId& of) {
+  double sum = 0;
+  for (const Body& body : scene.bodies) {
+    for (int p = 0; p < body.points.points(); ++p) sum += body.points(column::mass)[p] * body.points(of, d)[p];
+  }
+  return sum;
+}
+
+// Over a step sum m x changes by dt times sum m v: of the start, the end or between. Free flight of a plate that turns: by
+// how much it is off, over what sum m v itself changes in a step and rounding.
+Measured centre_of_mass(const Subject& subject) {
+  const SmallScene& small = small_scene("plate-turning");
+  Scene scene = workable(small, subject.name());
+  constexpr int steps = 20;
+  const double dt = small.end / steps;
+  StepControl control;
+  control.dt = dt;
+  control.parameters = subject.choice().parameters;
+  Simulation run(std::move(scene), subject.name(), control);
+  double worst = 0;
+  for (int k = 0; k < steps; ++k) {
+    double before[2], momentum[2], scale = 0;
+    for (int d = 0; d < 2; ++d) {
+      before[d] = momentum_along(run.scene(), d, column::position);
+      momentum[d] = momentum_along(run.scene(), d, column::velocity);
+      scale = std::max(scale, std::abs(before[d]));
+    }
+    run.step(dt);
+    for (int d = 0; d < 2; ++d) {
+      const double moved = momentum_along(run.scene(), d, column::position) - before[d];
+      const double change = std::abs(momentum_along(run.scene(), d, column::velocity) - momentum[d]);
+      const double rounding = 100 * std::numeric_limits<double>::epsilon() * scale;
+      worst = larger(worst, std::abs(moved - dt * momentum[d]) / (dt * change + rounding));
+    }
+  }
+  return plain(worst);
+}
+
+// Nothing is held and no wall is near: momentum changes by mass, gravity and time, over which the difference is taken.
+Measured impulse(const Subject& subject) {
+  const SmallScene& small = small_scene("plate-turning");
+  Scene scene = workable(small, subject.name());
+  scene.gravity = {0.02, -0.03, 0};
+  const std::array<double, 3> gravity = scene.gravity;
+  StepControl control;
+  control.dt = small.end / 20;
+  control.parameters = subject.choice().parameters;
+  Simulation run(std::move(scene), subject.name(), control);
+  double mass = 0, start[2];
+  for (const double m : run.scene().bodies[0].points.values(column::mass)) mass += m;
+  for (int d = 0; d < 2; ++d) start[d] = momentum_along(run.scene(), d, column::velocity);
+  for (int k = 0; k < 20; ++k) run.step(small.end);
+  double worst = 0;
+  for (int d = 0; d < 2; ++d) {
+    const double given = mass * gravity[static_cast<std::size_t>(d)] * small.end;
+    const double off = momentum_along(run.scene(), d, column::velocity) - start[d] - given;
+    worst = larger(worst, std::abs(off / given));
+  }
+  return plain(worst);
+}
+
+}  // namespace
+
+std::vector<IntegratorGate> identity_gates() {
+  constexpr const char* beside =
+      "positions or velocities are changed by another amount, or for another time, than the stages tell";
+  std::vector<IntegratorGate> all{
+      {"identities",
+       gate_row("identities", "centre-of-mass",
+                "sum m x over a step of free flight less dt sum m v, over what sum m v changes", {{}, 1.0},
+                Origin::identity, "the centre of mass moves with the mean velocity of the mass"),
+       beside, centre_of_mass},
+      {"identities",
+       gate_row("identities", "impulse", "change of momentum less that of gravity, over the latter", {{}, 1e-12},
+                Origin::identity, "momentum changes by the impulse of the load alone; 1e-12 for roundings of sums"),
+       beside, impulse}};
+  for (const Stepped& stepped : stepped_cases()) {
+    const std::string id = "identities/" + stepped.entry->name();
+    for (CaseGate& gate : generic_gates(id, stepped.dim, stepped.axisymmetric)) {
+      all.push_back(
+          {"identities", std::move(gate.gate), beside,
+           [&stepped, measure = std::move(gate.measure)](const Subject& s) { return measure(study_of(stepped, s)); }});
+    }
+  }
+  return all;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,37 @@
+// Small scenes on which integrators are compared: smooth states, points that stay in their cells, so that what a step does
+// depends on its size smoothly. Lengths in cells, speeds of compression waves, densities and cell sizes are about one.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "kernel/scene.hpp"
+
+namespace plumbline {
+
+// How velocities are mapped.
+struct Maps {
+  std::string shape, transfer;
+};
+
+struct SmallScene {
+  std::string name, what;
+  double end = 2;               // h/c
+  std::function<Scene()> make;  // maps are chosen by whoever runs it
+  std::vector<Maps> maps = {};  // in the order of preference
+  bool variable_steps = false;  // steps alternate between 1 and 0.7 of a size
+};
+
+// Solids, gases and membranes, on a line, in the plane, on rings and in space, with walls, gravity, loads and two bodies.
+const std::vector<SmallScene>& small_scenes();
+const SmallScene& small_scene(const std::string& name);  // std::out_of_range
+
+// The first of the maps with which the integrator can work in this scene; throws CannotWork for the first if there is none.
+Scene workable(const SmallScene& scene, const std::string& integrator);
+
+// What a plate of solid on the two walls of a corner looks like when the axes are exchanged, or mirrored at x = mirror.
+Scene with_axes_exchanged(Scene scene);
+Scene mirrored(Scene scene);
+
+}  // namespace plumbline

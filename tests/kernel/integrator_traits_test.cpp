@@ -1,0 +1,90 @@
+// What integrators need and offer is found by stepping them; none says so itself.
+#include "kernel/integrator_traits.hpp"
+
+#include <gmock/gmock.h>
+
+#include "tests/kernel/scenes.hpp"
+
+namespace plumbline {
+namespace {
+
+using testing::HasSubstr;
+
+const Traits of_losses{Trait::returnable_loss, Trait::smooth_gradients, Trait::constant_inertia};
+
+TEST(IntegratorTraits, OfTheKernelsOwn) {
+  struct Expected {
+    const char* name;
+    Traits needs;
+    bool returns_loss, stress_first;
+  };
+  const Traits none, rates{Trait::unfiltered_velocities};
+  const Expected all[] = {{"musl", none, false, false},
+                          {"usf", none, false, false},
+                          {"usl", none, false, false},
+                          {"usavg", none, false, false},
+                          {"midpoint", none, false, false},
+                          {"central-difference", none, false, false},
+                          {"energy", of_losses, true, true},
+                          {"leapfrog", of_losses, true, true},
+                          {"rk4", rates, false, true},
+                          {"ssp-rk3", rates, false, true},
+                          {"generalized-alpha", rates, false, true},
+                          {"implicit-midpoint", rates, false, true}};
+  for (const Expected& expected : all) {
+    const IntegratorTraits& found = traits_of(*find_integrator(expected.name));
+    EXPECT_EQ(found.needs, expected.needs) << expected.name;
+    EXPECT_EQ(found.offers.count(Trait::returned_loss) > 0, expected.returns_loss) << expected.name;
+    EXPECT_TRUE(found.offers.count(Trait::forward_steps)) << expected.name;
+    EXPECT_EQ(found.evaluates_stress_first, expected.stress_first) << expected.name;
+    EXPECT_EQ(found.failure, "") << expected.name;
+  }
+}
+
+class Backwards final : public TimeIntegrator {
+  void step(Stages& mpm, double dt) override {
+    for (const double share : {1.5, -0.5}) {
+      mpm.locate_points();
+      mpm.map_mass_and_momentum();
+      mpm.map_forces();
+      mpm.advance_momentum(share * dt);
+      mpm.move_points(share * dt);
+      mpm.update_stress(share * dt);
+    }
+  }
+};
+PLUMBLINE_INTEGRATOR(Backwards, "test_backwards", "forth and back", "this test");
+
+class Failing final : public TimeIntegrator {
+  void step(Stages&, double) override { throw std::runtime_error("out of order"); }
+};
+PLUMBLINE_INTEGRATOR(Failing, "test_failing", "cannot be stepped", "this test");
+
+TEST(IntegratorTraits, StepsBackwardsAreNotForDissipation) {
+  const IntegratorEntry& entry = *find_integrator("test_backwards");
+  EXPECT_TRUE(lacks(entry, "linear", "flip").empty());
+  const std::vector<Lack> under_apic = lacks(entry, "quadratic", "apic");
+  ASSERT_EQ(under_apic.size(), 1U);
+  EXPECT_EQ(under_apic[0].trait, Trait::forward_steps);
+  EXPECT_THAT(under_apic[0].text(), HasSubstr("transfer apic needs forward-steps: integrator test_backwards"));
+  Scene scene = scenes::rough_gas(1, "linear", "flip");  // a viscous gas
+  EXPECT_EQ(lacks(entry, scene).size(), 1U);
+  EXPECT_THROW(Simulation(scene, "test_backwards", {0.1, {}}), CannotWork);
+}
+
+TEST(IntegratorTraits, WhatAStepThrowsIsKept) {
+  EXPECT_EQ(traits_of(*find_integrator("test_failing")).failure, "out of order");
+}
+
+TEST(IntegratorTraits, ALackNamesBothParts) {
+  const std::vector<Lack> found = lacks(*find_integrator("leapfrog"), "linear", "apic");
+  ASSERT_EQ(found.size(), 2U);
+  for (const Lack& lack : found) {
+    EXPECT_EQ(lack.needed_by, "integrator leapfrog");
+    EXPECT_EQ(lack.not_offered_by, "shape linear");
+  }
+  EXPECT_THAT(CannotWork(found).what(), HasSubstr("has gradients that jump between cells"));
+}
+
+}  // namespace
+}  // namespace plumbline
