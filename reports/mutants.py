@@ -4,7 +4,7 @@ import itertools
 
 import text
 
-DRIFT = "frozen"
+DRIFT = "regression"
 AREAS = {
     "kernel": "Kernel: shapes, maps, integrators, normals",
     "materials": "Materials",
@@ -16,7 +16,7 @@ AREAS = {
 }
 STATUSES = {  # how each is shown: name, colour, meaning
     "killed": ("killed", "pass", "a gate or named test that compares with theory, a reference or an identity went red"),
-    "killed_by_drift_only": ("drift only", "inconclusive", "nothing but a comparison with stored numbers went red"),
+    "killed_by_drift_only": ("drift only", "inconclusive", "nothing but a comparison with a run of this program went red"),
     "survived": ("survived", "fail", "nothing went red"),
     "equivalent": ("equivalent", "none", "the program does the same with it, so nothing can go red; the reason is given"),
 }

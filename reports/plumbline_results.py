@@ -452,7 +452,7 @@ def _check_map(entry, place):
 
 def _json_file(path):
     try:
-        return json.loads(pathlib.Path(path).read_text(encoding="utf-8"), parse_constant=_refuse_constant)
+        return _parsed(pathlib.Path(path).read_text(encoding="utf-8"))
     except ValueError as error:
         raise DamagedFile(f"not valid JSON: {_first_line(error)}") from error
 
@@ -517,12 +517,21 @@ def _json(file, part, shape, required=False):
             raise DamagedFile(f"the part /{part} is missing")
         return shape()
     try:
-        value = json.loads(_text(file[part][()]), parse_constant=_refuse_constant)
+        value = _parsed(_text(file[part][()]))
     except ValueError as error:
         raise DamagedFile(f"the part /{part} is not valid JSON: {_first_line(error)}") from error
     if not isinstance(value, shape):
         raise DamagedFile(f"the part /{part} should be a JSON {'object' if shape is dict else 'list'}")
     return value
+
+
+def _parsed(words):
+    return json.loads(words, parse_constant=_refuse_constant, object_hook=_renamed)
+
+
+def _renamed(entry):
+    """Until 0.8: what files of the previous version call the origin `regression`."""
+    return {**entry, "origin": "regression"} if entry.get("origin") == "frozen" else entry
 
 
 def _refuse_constant(name):

@@ -17,7 +17,7 @@ ORIGINS = {
     "reference_bound": "accuracy of the reference",
     "identity": "identity",
     "target": "target of the project",
-    "frozen": "frozen: own earlier measurement",
+    "regression": "regression: a run of Plumbline itself",
 }
 MEANINGS = {
     "PASS": "the measured value meets the gate",

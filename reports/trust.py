@@ -198,7 +198,7 @@ def _flag(gate, margin, origin):
         return ""
     if margin < NEAR:
         return "near the bound"
-    return "wide" if margin > WIDE and origin != "frozen" and not _is_lower_bound(gate) else ""
+    return "wide" if margin > WIDE and origin != "regression" and not _is_lower_bound(gate) else ""
 
 
 def _is_lower_bound(gate):

@@ -10,8 +10,8 @@ namespace plumbline {
 
 // Equal but for rounding: sums over 1e7 points round to 3e-13, errors are some 1e-3 of what is summed.
 inline constexpr double equal_share = 1e-9;
-// Errors and constants are deterministic; below this share they count as the same. Frozen gates allow 2 % for drift, a
-// fifth of what shifting the grid below a cell may do: half of that is seen here before a gate could turn red.
+// Errors and constants are deterministic; below this share they count as the same. Regression gates allow 2 % for drift,
+// a fifth of what shifting the grid below a cell may do: half of that is seen here before a gate could turn red.
 inline constexpr double error_share = 0.01;
 // Errors nearer to each other than this share of the reference's size differ by rounding: the bound of the generic
 // gates.

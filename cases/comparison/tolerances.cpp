@@ -55,6 +55,7 @@ LedgerLine line(const Json& json) {
   l.id = json.at("id").get<std::string>();
   l.tier = json.at("tier").get<std::string>();
   l.origin = json.at("origin").get<std::string>();
+  if (const auto known = origin_from(l.origin)) l.origin = name(*known);  // the name of this version
   l.reason = json.at("reason").get<std::string>();
   l.since = json.at("since").get<std::string>();
   l.bounds = bounds(json);
@@ -135,13 +136,13 @@ LedgerLine declared_line(const std::string& case_name, const CaseGate& declared,
   l.tier = declared.tier == Tier::quick ? "quick" : "full";
   l.origin = name(gate.origin);
   l.bounds = {gate.expected, {}, {}, gate.order};
-  l.since = gate.frozen_on.empty() ? date : gate.frozen_on;
+  l.since = gate.measured_on.empty() ? date : gate.measured_on;
   std::string reason = gate.reason;
   if (gate.expected_failure) {
     l.bounds.band = gate.expected_failure->band;
     l.bounds.stops = gate.expected_failure->stops;
     reason += "\n" + gate.expected_failure->cause;
-    if (!gate.expected_failure->frozen_on.empty()) l.since = gate.expected_failure->frozen_on;
+    if (!gate.expected_failure->measured_on.empty()) l.since = gate.expected_failure->measured_on;
   }
   l.reason = short_hash(reason);
   return l;

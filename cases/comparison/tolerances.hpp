@@ -23,13 +23,13 @@ struct LedgerLine {
   std::string tier, origin;
   std::string reason;  // hash of the gate's reason and of the cause of its expected failure
   Bounds bounds;
-  std::string since;  // of the bounds: date, and commit where they are frozen
+  std::string since;  // of the bounds: date, and commit where they are a measurement of this program
   std::optional<Widening> widened;
   using Key = std::tuple<std::string, std::string, std::string>;
   Key key() const { return {case_name, study, id}; }
 };
 
-// The lines that gates declare, sorted; `date` is the `since` of those that are not frozen.
+// The lines that gates declare, sorted; `date` is the `since` of those that carry no date of their own.
 std::vector<LedgerLine> declared_lines(const std::vector<const Case*>& entries, const std::string& date);
 LedgerLine declared_line(const std::string& case_name, const CaseGate& gate, const std::string& date);
 

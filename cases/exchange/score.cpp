@@ -196,7 +196,7 @@ void judge_generic(const std::vector<Balance>& balances, const StudyResult& stud
 
 // Why a declared gate says nothing of another program; empty if it does.
 std::string why_not(const CaseGate& gate, const StudyResult& study) {
-  if (gate.gate.origin == Origin::frozen) return "an earlier measurement of Plumbline's own scheme";
+  if (gate.gate.origin == Origin::regression) return "compares with a run of Plumbline's own scheme";
   if (gate.gate.expected_failure) {
     return "Plumbline's own scheme is expected to miss it: " + gate.gate.expected_failure->cause;
   }

@@ -61,15 +61,15 @@ Gate declare(std::string id, Range expected, Origin origin, std::string reason) 
   return gate;
 }
 
-Gate expected_failure(Gate gate, std::string cause, Range band, std::string frozen_on) {
-  gate.expected_failure = ExpectedFailure{std::move(cause), band, {}, std::move(frozen_on)};
+Gate expected_failure(Gate gate, std::string cause, Range band, std::string measured_on) {
+  gate.expected_failure = ExpectedFailure{std::move(cause), band, {}, std::move(measured_on)};
   return gate;
 }
 
-Gate frozen(std::string id, double value, double share, const std::string& stamp, std::string reason) {
+Gate regression(std::string id, double value, double share, const std::string& stamp, std::string reason) {
   const double room = share * std::abs(value);
-  Gate gate = declare(std::move(id), {value - room, value + room}, Origin::frozen, std::move(reason));
-  gate.frozen_on = stamp;
+  Gate gate = declare(std::move(id), {value - room, value + room}, Origin::regression, std::move(reason));
+  gate.measured_on = stamp;
   return gate;
 }
 

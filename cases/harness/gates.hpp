@@ -30,9 +30,10 @@ struct NotApplicable {
 // A gate's declaration, its quantity to be named by the functions below.
 Gate declare(std::string id, Range expected, Origin origin, std::string reason);
 // The same as one that is expected to fail: why, the band of the wrong value, and date and commit if the band is our own.
-Gate expected_failure(Gate gate, std::string cause, Range band, std::string frozen_on = {});
-// A value as it was, within a share of it: a bug that makes an error smaller is a bug, too. stamp: date and commit.
-Gate frozen(std::string id, double value, double share, const std::string& stamp, std::string reason);
+Gate expected_failure(Gate gate, std::string cause, Range band, std::string measured_on = {});
+// An earlier measurement of this program, within a share of it: a bug that makes an error smaller is a bug, too. stamp:
+// date and commit.
+Gate regression(std::string id, double value, double share, const std::string& stamp, std::string reason);
 
 // The error of a measure at one level; its value; its ratio between two levels; its fitted order. A run that stopped or
 // lacks the measure says so.

@@ -24,16 +24,17 @@ enum class Origin {
   reference_bound,  // the reference's own error
   identity,         // holds exactly but for rounding
   target,           // set by the project's plan; a missed one is shown as missed
-  frozen            // an earlier measurement of this program: two-sided, guards against drift
+  regression        // the yardstick is a run of this program: an earlier measurement (two-sided, with date and commit,
+                    // guards against drift) or a reference run made beside it (the reason says the factor)
 };
 inline constexpr std::array all_origins{Origin::theory,   Origin::literature, Origin::reference_bound,
-                                        Origin::identity, Origin::target,     Origin::frozen};
+                                        Origin::identity, Origin::target,     Origin::regression};
 
 // Spelled as in results: "PASS", "reference_bound".
 std::string_view name(Verdict verdict);
 std::string_view name(Origin origin);
 std::optional<Verdict> verdict_from(std::string_view name);
-std::optional<Origin> origin_from(std::string_view name);
+std::optional<Origin> origin_from(std::string_view name);  // takes "frozen" for regression until 0.8
 
 // Closed interval; an end that is absent does not bind.
 struct Range {
@@ -53,7 +54,7 @@ struct ExpectedFailure {
   std::string cause;
   Range band;
   std::optional<StopBand> stops;
-  std::string frozen_on;  // date and commit of the measurement behind the band; empty if it is not our own
+  std::string measured_on;  // date and commit of the measurement behind the band; empty if it is not our own
 };
 
 struct Gate {
@@ -63,8 +64,8 @@ struct Gate {
   Origin origin = Origin::target;
   std::string reason;  // why this number
   std::optional<ExpectedFailure> expected_failure;
-  bool order = false;     // judge the 95 % interval, not the value
-  std::string frozen_on;  // Origin::frozen: date and commit, "2026-11-21 a1b2c3d"
+  bool order = false;       // judge the 95 % interval, not the value
+  std::string measured_on;  // Origin::regression, stored measurement: "2026-11-21 a1b2c3d"; empty: reference run
 };
 
 struct Measured {
@@ -93,7 +94,8 @@ Measured measured_order(const OrderFit& fit);
 
 // Throws std::invalid_argument naming the gate if its declaration is not complete: no id, quantity or
 // reason; neither end, a NaN or infinite end, low above high; an order gate without exactly one end; a
-// frozen gate that is one-sided or lacks date and commit; an expected failure without cause, without band
+// regression gate that names a stored measurement and is one-sided or lacks date or commit, or that names none and is
+// two-sided; an expected failure without cause, without band
 // and stop, with an impossible band, or with a band that lies wholly inside the expected range (it could
 // not fail).
 void validate(const Gate& gate);

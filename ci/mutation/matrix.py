@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from .judges import RED, red_gates
 
 MARKS = {"ran": "r", "unreached": "u", "not run": "n"}  # of a row's cells, a sign a column; "-": does not concern it
-DRIFT = "frozen"  # the origin of gates that compare with an earlier measurement of the same program
+DRIFT = "regression"  # the origin of gates that compare with a run of the same program
 
 
 @dataclass

@@ -145,7 +145,7 @@ class Judge:
         verdict = {True: "FAIL", False: "PASS"}
         gates = {
             "law": {"verdict": verdict[bool(mutant) and mutant.id in self.red], "origin": "theory", "numbers": []},
-            "drift": {"verdict": verdict[bool(mutant) and mutant.id in self.drift], "origin": "frozen", "numbers": []},
+            "drift": {"verdict": verdict[bool(mutant) and mutant.id in self.drift], "origin": "regression", "numbers": []},
         }
         stopped = "time" if mutant and mutant.id in self.stops else ""
         return judges.Outcome({} if stopped else gates, stopped, self.seconds, [] if mutant else self.reached)

@@ -216,7 +216,7 @@ def test_gates_that_say_nothing_of_another_program_are_listed_with_the_reason(pl
     left_out = {gate["id"]: gate["reason"] for gate in document["not_judged"]}
     assert not judged.keys() & left_out.keys()
     assert judged["default/density-100"] == "FAIL" and judged["default/order"] == "INCONCLUSIVE"
-    assert "earlier measurement" in left_out["default/density-400"]
+    assert "a run of Plumbline's own scheme" in left_out["default/density-400"]
     assert "expected to miss" in left_out["default/stick-density-100"]
     assert "ledger" in left_out["default/drift"]
     assert "1600 cells" in left_out["default/density-1600"]

@@ -41,7 +41,7 @@ def document():
             cells="rrun--",
         ),
         mutant("endless", "walls", "killed", stopped=[{"by": "two-disks", "why": "time"}], origin="generated"),
-        mutant("drifting", "materials", "killed_by_drift_only", killed_by=[red("sod", "stored", "frozen")]),
+        mutant("drifting", "materials", "killed_by_drift_only", killed_by=[red("sod", "stored", "regression")]),
         mutant("living", "contact", "survived"),
         mutant("unmet", "references", "survived", cells="uuuu--"),
         mutant("no-bug", "kernel", "equivalent", equivalent="both forms are the same sum"),

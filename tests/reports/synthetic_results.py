@@ -899,7 +899,7 @@ def all_gates():
             "XFAIL",
             0.0064,
             band={"low": 0.005, "high": 0.0085},
-            origin="frozen",
+            origin="regression",
             cause=cause,
         ),
         gate(

@@ -10,6 +10,7 @@ import numpy
 import pytest
 
 import plumbline_results
+import synthetic_mutants
 import synthetic_results
 from conftest import REPORTS
 from plumbline_results import DamagedFile, NewerFormat
@@ -43,6 +44,24 @@ def test_study_and_verdicts(results):
     verdicts = plumbline_results.load(folder / names["verdicts"])
     assert verdicts.gates == synthetic_results.all_gates() and verdicts.verdicts["executed"] == 10
     assert set(verdicts.catalog) == {"sod", "spring-mass"}
+
+
+def test_the_origin_name_of_the_previous_version_is_read(tmp_path):
+    """Until 0.8, in every file: gates of verdicts and of the catalog, killers of seeded bugs."""
+    before = {"id": "a", "origin": "frozen", "settings": {"positions": "frozen"}}
+    path = tmp_path / "verdicts.h5"
+    with h5py.File(path, "w") as file:
+        file.attrs.update(plumbline_format=2, kind="verdicts")
+        file["verdicts"] = json.dumps({"gates": [before]})
+        file["gates"] = json.dumps([before])
+        file["catalog"] = json.dumps({"sod": {"gates": [before]}})
+    now = {**before, "origin": "regression"}
+    read = plumbline_results.load(path)
+    assert read.gates == [now] and read.verdicts["gates"] == [now] and read.catalog["sod"]["gates"] == [now]
+    matrix = synthetic_mutants.document()
+    path = tmp_path / "mutants.json"
+    path.write_text(json.dumps(matrix).replace('"origin": "regression"', '"origin": "frozen"'), encoding="utf-8")
+    assert "frozen" in path.read_text(encoding="utf-8") and plumbline_results.load_mutants(path) == matrix
 
 
 def test_comparator_of_a_study(results):

@@ -185,7 +185,7 @@ def test_what_a_reader_needs_is_there(parsed):
         "plumbline verify sod --tier quick",
         "Eigen 3.4.0",
         "known: 0.005 … 0.0085",
-        "frozen: own earlier measurement",
+        "regression: a run of Plumbline itself",
         "York’s own choices",
         "ratio of specific heats",
         "ω = √(k/m)",

@@ -62,7 +62,7 @@ def test_holes_are_shown():
 
 def test_flags_of_margins():
     gates = [gate("a", 0.95), gate("b", 0.04), gate("c", 0.5), gate("d", 0.99, origin="identity"), gate("e", 3, high=None, low=1),
-             gate("f", 0.04, verdict="XFAIL"), gate("g", None), gate("h", 0.95, origin="frozen")]  # fmt: skip
+             gate("f", 0.04, verdict="XFAIL"), gate("g", None), gate("h", 0.95, origin="regression")]  # fmt: skip
     rows = trust.tolerances(one_case(*gates))
     assert {row["id"]: row["flag"] for row in rows if row["flag"]} == {"a": "wide", "b": "near the bound"}
     assert [row["id"] for row in rows][:2] == ["b", "a"]

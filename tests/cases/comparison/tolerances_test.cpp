@@ -60,6 +60,22 @@ TEST(Ledger, ReadsBackEveryBit) {
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3 + 2) << "one line a gate";
 }
 
+// The name of an origin until 0.8: it is no other origin, so that nothing is to be recorded.
+TEST(Ledger, ReadsTheOriginNamesOfThePreviousVersion) {
+  const TemporaryFolder folder;
+  CaseGate declared;
+  declared.study = "cells";
+  declared.gate = regression("a", 2, 0.1, "2026-11-21 abcdef0", "as it was");
+  const LedgerLine now = declared_line("toy", declared, "2026-11-22");
+  EXPECT_EQ(now.origin, "regression");
+  LedgerLine before = now;
+  before.origin = "frozen";
+  write_ledger(folder / "t.json", {before});
+  const std::vector<LedgerLine> read = read_ledger(folder / "t.json");
+  EXPECT_EQ(read.at(0).origin, "regression");
+  EXPECT_EQ(kinds(discrepancies(read, {now})), "");
+}
+
 TEST(Ledger, DefectsAreNamed) {
   const TemporaryFolder folder;
   EXPECT_THROW(read_ledger(folder / "none.json"), FileError);

@@ -79,12 +79,12 @@ Gate at_least(double low) { return toy_gate("s/gate", {low, {}}); }
 
 // --- numbers of one level ---------------------------------------------------------------------------------------------
 
-TEST(Gates, AFrozenValueMayDriftByItsShareAndNoFurther) {
-  const Gate gate = frozen("drift", -4, 0.1, "2026-11-21 a1b2c3d", "as it was");
+TEST(Gates, AnEarlierMeasurementMayDriftByItsShareAndNoFurther) {
+  const Gate gate = regression("drift", -4, 0.1, "2026-11-21 a1b2c3d", "as it was");
   EXPECT_NEAR(*gate.expected.low, -4.4, 1e-15);
   EXPECT_NEAR(*gate.expected.high, -3.6, 1e-15);
-  EXPECT_EQ(gate.origin, Origin::frozen);
-  EXPECT_EQ(gate.frozen_on, "2026-11-21 a1b2c3d");
+  EXPECT_EQ(gate.origin, Origin::regression);
+  EXPECT_EQ(gate.measured_on, "2026-11-21 a1b2c3d");
 }
 
 TEST(ErrorGate, ReadsTheErrorOfItsLevel) {

@@ -69,13 +69,14 @@ TEST(Verdict, NamesAreThoseOfTheResults) {
   EXPECT_EQ(name(Verdict::xpass), "XPASS");
   EXPECT_EQ(name(Verdict::none), "NONE");
   EXPECT_FALSE(verdict_from("pass"));
-  const std::vector<std::string> origins{"theory", "literature", "reference_bound", "identity", "target", "frozen"};
+  const std::vector<std::string> origins{"theory", "literature", "reference_bound", "identity", "target", "regression"};
   for (std::size_t k = 0; k < origins.size(); ++k) {
     EXPECT_EQ(name(all_origins[k]), origins[k]);
     EXPECT_EQ(origin_from(origins[k]), all_origins[k]);
   }
   EXPECT_EQ(name(Origin::reference_bound), "reference_bound");
   EXPECT_FALSE(origin_from("guess"));
+  EXPECT_EQ(origin_from("frozen"), Origin::regression);  // until 0.8: files of the previous version
 }
 
 TEST(Verdict, ARangeBindsAtItsEndsAndHoldsNoNan) {
@@ -284,18 +285,33 @@ TEST(Verdict, DeclarationsAreChecked) {
   }
 }
 
-TEST(Verdict, AFrozenGateIsTwoSidedWithDateAndCommit) {
-  Gate frozen = gate(between);
-  frozen.origin = Origin::frozen;
+TEST(Verdict, ARegressionGateOnAStoredMeasurementIsTwoSidedWithDateAndCommit) {
+  Gate stored = gate(between);
+  stored.origin = Origin::regression;
   for (const char* stamp :
        {"", "2026-11-21", "2026-11-21 ", "2026-11-21 a1b2c3", "a1b2c3d", "21 November a1b2c3d", "2026-11-21 main"}) {
-    frozen.frozen_on = stamp;
-    EXPECT_THROW(validate(frozen), std::invalid_argument) << stamp;
+    stored.measured_on = stamp;
+    EXPECT_THROW(validate(stored), std::invalid_argument) << stamp;
   }
-  frozen.frozen_on = "2026-11-21 a1b2c3d";
-  EXPECT_NO_THROW(validate(frozen));
-  frozen.expected = at_most;
-  EXPECT_THROW(validate(frozen), std::invalid_argument);
+  stored.measured_on = "2026-11-21 a1b2c3d";
+  EXPECT_NO_THROW(validate(stored));
+  for (const Range& one_sided : {at_most, at_least}) {
+    stored.expected = one_sided;
+    EXPECT_THROW(validate(stored), std::invalid_argument);
+  }
+}
+
+TEST(Verdict, ARegressionGateOnAReferenceRunIsOneSided) {
+  for (const Range& one_sided : {at_most, at_least}) {
+    Gate beside = gate(one_sided);
+    beside.origin = Origin::regression;
+    EXPECT_NO_THROW(validate(beside));
+    beside.measured_on = "some day";
+    EXPECT_THROW(validate(beside), std::invalid_argument);
+    beside.measured_on.clear();
+    beside.reason.clear();  // where the factor is said
+    EXPECT_THROW(validate(beside), std::invalid_argument);
+  }
 }
 
 TEST(Verdict, ExpectedFailuresAreChecked) {
@@ -310,9 +326,9 @@ TEST(Verdict, ExpectedFailuresAreChecked) {
   EXPECT_THROW(validate(failing(gate(at_most), {}, StopBand{9, 0, "density"})), std::invalid_argument);
   EXPECT_THROW(validate(failing(gate(at_most), {}, StopBand{-1, 9, "density"})), std::invalid_argument);
   Gate declared = failing(gate(at_most), {0.02, 0.03});
-  declared.expected_failure->frozen_on = "some day";
+  declared.expected_failure->measured_on = "some day";
   EXPECT_THROW(validate(declared), std::invalid_argument);
-  declared.expected_failure->frozen_on = "2026-11-21 a1b2c3d";
+  declared.expected_failure->measured_on = "2026-11-21 a1b2c3d";
   EXPECT_NO_THROW(validate(declared));
   declared.expected_failure->cause.clear();
   EXPECT_THROW(validate(declared), std::invalid_argument);
