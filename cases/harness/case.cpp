@@ -5,7 +5,7 @@
 #include <map>
 
 #include "cases/harness/errors.hpp"
-#include "cases/laboratory/safe_step.hpp"
+#include "cases/laboratory/scene_limit.hpp"
 #include "kernel/integrator_traits.hpp"
 #include "kernel/splitting.hpp"
 #include "kernel/transfers/transfers.hpp"
@@ -94,8 +94,7 @@ void settle_step(const Case& entry, Settings& settings) {
   if (!std::holds_alternative<std::string>(settings["cfl"])) return;
   settings.set("cfl", 0.5, entry.name());
   if (settings.is_set("dt")) return;
-  const int dim = entry.problem(settings)->scene().grid.dim;
-  settings.set("cfl", safe_courant_number(settings, entry.kind(), dim), entry.name());
+  settings.set("cfl", safe_courant_number(entry.problem(settings)->scene(), settings), entry.name());
 }
 
 }  // namespace

@@ -95,11 +95,31 @@ double limit_of(const GrowthOfStep& growth, const Between& ends, const WaveNumbe
 
 }  // namespace
 
+namespace {
+
+// Of the whole scan the largest step comes first: patches are then as large as any step reaches.
+std::vector<Growth> scanned(const GrowthOfStep& growth, const Scan& scan) {
+  const std::vector<double> steps = scan.values();
+  std::vector<Growth> found;
+  if (scan.first_limit_only) {
+    for (const double dt : steps) {
+      found.push_back(growth(dt, {}));
+      if (!(found.back().per_step <= stable_radius)) break;
+    }
+    return found;
+  }
+  std::for_each(steps.rbegin(), steps.rend(), [&](double dt) { found.push_back(growth(dt, {})); });
+  std::reverse(found.begin(), found.end());
+  return found;
+}
+
+}  // namespace
+
 Prediction predict(const GrowthOfStep& growth, const Scan& scan, double width) {
   Prediction prediction;
-  const std::vector<double> steps = scan.values();
-  prediction.growth.resize(steps.size());
-  for (std::size_t k = steps.size(); k-- > 0;) prediction.growth[k] = growth(steps[k], {});
+  prediction.growth = scanned(growth, scan);
+  std::vector<double> steps = scan.values();
+  steps.resize(prediction.growth.size());
   const auto stable = [&](std::size_t k) { return prediction.growth[k].per_step <= stable_radius; };
   const auto limit_between = [&](std::size_t k, bool low_stable) {
     const WaveNumber growing = prediction.growth[low_stable ? k + 1 : k].theta;
@@ -117,17 +137,17 @@ Prediction predict(const GrowthOfStep& growth, const Scan& scan, double width) {
 
 Prediction predict(const Experiment& experiment, const Scan& scan, double width) {
   Predictor predictor(experiment);
-  std::optional<Amplification> largest;  // the scan's largest step comes first
+  std::optional<Amplification> first;
   const auto growth = [&](double dt, const std::vector<WaveNumber>& hints) -> Growth {
     const Amplification a = predictor.at(dt);
-    if (!largest) largest = a;
+    if (!first) first = a;
     const WorstWave worst = worst_wave(a, predictor.directions(), hints);
     return {dt, worst.radius, worst.theta};
   };
   Prediction prediction = predict(growth, scan, width);
-  prediction.differences = largest->differences();
-  prediction.tail = largest->tail();
-  prediction.unknowns = largest->unknowns();
+  prediction.differences = first->differences();
+  prediction.tail = first->tail();
+  prediction.unknowns = first->unknowns();
   prediction.reach = predictor.reach();
   return prediction;
 }

@@ -1,4 +1,4 @@
-// The limit of the time step: as the step's own spectral radius foretells it, and as runs show it.
+// The limit of the time step: as the step's own spectral radius predicts it, and as runs show it.
 #pragma once
 
 #include <functional>
@@ -17,6 +17,8 @@ inline constexpr double stable_radius = 1 + 1e-6;
 struct Scan {
   double low = 0.05, high = 4;  // > 0
   int steps = 32;               // >= 2, evenly spaced in the logarithm
+  // From the smallest step on, up to the first that grows: intervals of stable steps beyond are not looked for.
+  bool first_limit_only = false;
   std::vector<double> values() const;
 };
 
@@ -34,7 +36,7 @@ struct Growth {
 struct Prediction {
   std::vector<StableInterval> stable;
   std::vector<Growth> growth;  // over the scan
-  Differences differences;     // of the scan's largest step
+  Differences differences;     // of the step that was tried first, the largest of a whole scan
   double tail = 0;
   int reach = 0, unknowns = 0;
   bool always_stable() const { return stable.size() == 1 && stable[0].low == 0 && stable[0].high > 1e300; }

@@ -100,8 +100,8 @@ Patch StabilityProblem::patch(const Settings&, const Extent&) const {
   throw std::logic_error("the stability problem " + name() + " has neither a patch nor a step of its own");
 }
 
-Prediction StabilityProblem::predicted(const Settings& settings, double width) const {
-  return predict(experiment_of(*this, settings), scan(settings), width);
+Prediction StabilityProblem::predicted(const Settings& settings, const Scan& scan, double width) const {
+  return predict(experiment_of(*this, settings), scan, width);
 }
 
 Observation StabilityProblem::observed(const Settings& settings, int reach) const {

@@ -1,6 +1,7 @@
 // A problem of the stability laboratory: one self-registering file with statement, keys, and the patch that is stepped.
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 
 #include "cases/harness/case.hpp"
 #include "cases/laboratory/limits.hpp"
+#include "cases/laboratory/scene_contents.hpp"
 
 namespace plumbline {
 
@@ -47,6 +49,16 @@ struct MeasuredOrder {
   std::optional<double> theory = {};
 };
 
+// Where points stand in their shares of a cell when one limit is to speak for all places: regular, between, and next to
+// a face, which bears least.
+inline constexpr std::array<double, 3> sampled_places{0.5, 0.25, 0.01};
+
+// A place where a problem occurs in a scene that is to be run.
+struct Occurrence {
+  std::vector<Override> choices;  // beside those that the problem and the run have in common
+  double factor = 1;              // its limit times this is one of the run's Courant number
+};
+
 class StabilityProblem {
  public:
   virtual ~StabilityProblem() = default;
@@ -65,12 +77,21 @@ class StabilityProblem {
   virtual Watch watch(const Settings&) const { return {}; }  // of runs
   virtual std::optional<ClosedForm> closed_form(const Settings&) const { return std::nullopt; }
   virtual std::string unit() const { return "h/c"; }
-  // What the step says, limits to a relative `width`; and what runs show. Of the patch, unless a problem knows better.
-  virtual Prediction predicted(const Settings& settings, double width) const;
+  // What the step says over the scan, limits to a relative `width`; and what runs show. Of the patch, unless a problem
+  // knows better.
+  virtual Prediction predicted(const Settings& settings, const Scan& scan, double width) const;
+  Prediction predicted(const Settings& settings, double width) const {
+    return predicted(settings, scan(settings), width);
+  }
   virtual Observation observed(const Settings& settings, int reach) const;
   // Of each quantity whose error against an exact solution was measured over a sequence of steps.
   virtual std::map<std::string, MeasuredOrder> orders(const Settings&) const { return {}; }
   virtual std::vector<MapPlan> maps(Tier) const { return {}; }
+  // The rows that it has in the list of an integrator's known limits (known_limits.hpp), each by what it sets beside
+  // choices(); the first is the representative one. None: the problem is not in the list.
+  virtual std::vector<std::vector<Override>> listed() const { return {}; }
+  // Where it occurs in a scene (scene_limit.hpp), at the places of points that are sampled.
+  virtual std::vector<Occurrence> occurrences(const SceneContents&) const { return {}; }
   // Whether it is so quick to examine that all problems together are with every integrator; else with the schemes alone.
   virtual bool compares_integrators() const { return false; }
   std::string name() const { return statement().name; }

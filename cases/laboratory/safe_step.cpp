@@ -4,8 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "cases/harness/errors.hpp"
-
 namespace plumbline {
 namespace {
 
@@ -59,44 +57,6 @@ SafeStep safe_step_of_bar(const Method& method, int order, const std::map<std::s
     }
   }
   return safe;
-}
-
-namespace {
-
-// The least limit of a registered problem over the places of its points, with the choices that it has in common with a run.
-double least_limit(const std::string& name, const Settings& run) {
-  const StabilityProblem& problem = find_stability_problem(name);
-  std::vector<Override> common;
-  const Settings known = stability_settings(problem, "default", {});
-  for (const Key& key : known.keys()) {
-    if (run.has(key.name) && run.is_set(key.name) && key.name != "offset") common.emplace_back(key.name, run[key.name]);
-  }
-  double least = HUGE_VAL;
-  for (const double place : places(false)) {
-    std::vector<Override> overrides = common;
-    overrides.emplace_back("offset", place);
-    const Settings settings = stability_settings(problem, "default", overrides);
-    least = std::min(least, predict(experiment_of(problem, settings), problem.scan(settings), width).limit());
-  }
-  return least;
-}
-
-}  // namespace
-
-double safe_courant_number(const Settings& settings, Kind kind, int dim) {
-  const bool gas = kind == Kind::gas || kind == Kind::coupled;
-  const Method method{settings.text("integrator"), settings.text("shape"), settings.text("transfer")};
-  const double limit = gas ? least_limit("gas", settings)
-                           : safe_step_of_bar(method, settings.integer("transfer_order"),
-                                              integrator_parameters(settings), settings.integer("ppc"), false)
-                                 .worst();
-  if (!(limit > 0)) {
-    throw UsageError("cfl", "auto", "a number", {},
-                     "cfl=auto: the laboratory finds no stable step for integrator=" + method.integrator +
-                         ", shape=" + method.shape + ", transfer=" + method.transfer + "; `plumbline stability " +
-                         (gas ? "gas" : "bar") + "` shows the growth");
-  }
-  return auto_share * limit / std::sqrt(dim);
 }
 
 }  // namespace plumbline

@@ -22,10 +22,4 @@ struct SafeStep {
 SafeStep safe_step_of_bar(const Method& method, int order, const std::map<std::string, double>& parameters, int ppc,
                           bool finely);
 
-// What `cfl=auto` means for a run with these settings: `auto_share` of the least limit that the laboratory finds over the
-// places of the points, of `bar` (its free ends, too) for solids and membranes, of `gas` for gases and coupled scenes,
-// divided by sqrt(dim), which a point near a corner needs. Throws UsageError where no step is stable.
-inline constexpr double auto_share = 0.9;
-double safe_courant_number(const Settings& settings, Kind kind, int dim);
-
 }  // namespace plumbline

@@ -135,6 +135,15 @@ class AxisymmetricGas final : public StabilityProblem {
     watch.grown_slowly = 1e3;
     return watch;
   }
+  std::vector<std::vector<Override>> listed() const override { return {{{"geometry", "axis"}}}; }
+  std::vector<Occurrence> occurrences(const SceneContents& scene) const override {
+    std::vector<Occurrence> all;
+    if (!scene.axisymmetric) return all;
+    for (const SceneContents::Part& gas : scene.of(SceneContents::Matter::gas)) {
+      all.push_back({{{"ppc", 1.0 * gas.per_cell * gas.per_cell}}});
+    }
+    return all;
+  }
   std::vector<MapPlan> maps(Tier tier) const override {
     std::vector<MapPlan> all;
     if (tier == Tier::quick) return all;

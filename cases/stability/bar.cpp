@@ -63,6 +63,16 @@ class Bar final : public StabilityProblem {
     return ClosedForm{reference::frozen_courant_limit(*update, s.number("N")).value,
                       "reference bar-stability, York 1997 chapter 8"};
   }
+  std::vector<std::vector<Override>> listed() const override { return {{{"N", 0.5}}, {{"N", sampled_places.back()}}}; }
+  // In the plane and in space `plane` says what waves in several directions do.
+  std::vector<Occurrence> occurrences(const SceneContents& scene) const override {
+    std::vector<Occurrence> all;
+    if (scene.dim > 1) return all;
+    for (const SceneContents::Part& solid : scene.of(SceneContents::Matter::solid)) {
+      for (const double place : sampled_places) all.push_back({{{"N", place}, {"ppc", 1.0 * solid.per_cell}}});
+    }
+    return all;
+  }
   std::vector<MapPlan> maps(Tier tier) const override {
     const bool full = tier == Tier::full;
     const std::vector<std::string> shapes = full ? std::vector<std::string>{"linear", "gimp", "quadratic", "cubic"}

@@ -77,6 +77,18 @@ class BarEdge final : public StabilityProblem {
     return watch;
   }
   Scan scan(const Settings&) const override { return {.low = 1e-3, .high = 4, .steps = 36}; }
+  std::vector<std::vector<Override>> listed() const override { return {{{"depth", 0.25}}, {{"depth", shallow}}}; }
+  // An edge of any matter: a gas pushes no harder on the light node than a bar of its speed of sound does. A wave along
+  // each direction adds at most the same stiffness once more.
+  std::vector<Occurrence> occurrences(const SceneContents& scene) const override {
+    std::vector<Occurrence> all;
+    for (const SceneContents::Part& part : scene.parts) {
+      for (const double depth : part.free_edge ? std::vector<double>{0.6 / part.per_cell, shallow} : std::vector<double>{}) {
+        all.push_back({{{"depth", depth}, {"ppc", 1.0 * part.per_cell}, {"length", 6.0}}, 1 / std::sqrt(scene.dim)});
+      }
+    }
+    return all;
+  }
   std::vector<MapPlan> maps(Tier tier) const override {
     std::vector<MapPlan> all;
     const bool full = tier == Tier::full;
@@ -93,6 +105,9 @@ class BarEdge final : public StabilityProblem {
     }
     return all;
   }
+
+ private:
+  static constexpr double shallow = 0.01;  // depth of a point that has hardly entered its cell
 };
 
 PLUMBLINE_STABILITY_PROBLEM(BarEdge);

@@ -1,4 +1,5 @@
 // Two elastic bars end to end, each with a velocity field of its own.
+#include <algorithm>
 #include <cmath>
 
 #include "cases/laboratory/problem.hpp"
@@ -61,7 +62,7 @@ class ContactProblem final : public StabilityProblem {
     return patch;
   }
   Scan scan(const Settings&) const override { return {.low = 0.05, .high = 4, .steps = 20}; }
-  Prediction predicted(const Settings& settings, double width) const override {
+  Prediction predicted(const Settings& settings, const Scan& scan, double width) const override {
     Experiment experiment = experiment_of(*this, settings);
     experiment.patch = [&](const Extent&) {
       ContactPatch choice = choices_of(settings);
@@ -70,12 +71,25 @@ class ContactProblem final : public StabilityProblem {
       apply_choices(settings, patch.scene);
       return patch;
     };
-    return predict(experiment, scan(settings), width);
+    return predict(experiment, scan, width);
   }
   Watch watch(const Settings& settings) const override {
     Watch watch;
     if (asks_velocities(settings)) watch.perturbation = ContactPatch::pressure;
     return watch;
+  }
+  std::vector<std::vector<Override>> listed() const override { return {{{"side", "touching"}}, {{"side", "apart"}}}; }
+  std::vector<Occurrence> occurrences(const SceneContents& scene) const override {
+    std::vector<Occurrence> all;
+    if (!scene.contact) return all;
+    int per_cell = scene.parts.front().per_cell;
+    for (const SceneContents::Part& part : scene.parts) per_cell = std::min(per_cell, part.per_cell);
+    for (const char* side : {"touching", "apart"}) {
+      for (const double place : sampled_places) {
+        all.push_back({{{"side", side}, {"interface", place}, {"ppc", 1.0 * per_cell}}, 1 / std::sqrt(scene.dim)});
+      }
+    }
+    return all;
   }
   std::vector<MapPlan> maps(Tier tier) const override {
     const bool full = tier == Tier::full;

@@ -93,9 +93,29 @@ class Coupled final : public StabilityProblem {
     watch.grown_slowly = 1e3 * stresses;
     return watch;
   }
-  Prediction predicted(const Settings& s, double width) const override {
-    if (s.integer("dim") == 1) return StabilityProblem::predicted(s, width);
-    return predict_beside(s.number("slow"), experiment_of(*this, s), scan(s), width);
+  Prediction predicted(const Settings& s, const Scan& scan, double width) const override {
+    if (s.integer("dim") == 1) return StabilityProblem::predicted(s, scan, width);
+    return predict_beside(s.number("slow"), experiment_of(*this, s), scan, width);
+  }
+  std::vector<std::vector<Override>> listed() const override {
+    return {{{"density_ratio", 1.0}, {"stiffness_ratio", 1.0}}};
+  }
+  // Along the membrane. Here c is the gas's, in a run that of whichever is faster.
+  std::vector<Occurrence> occurrences(const SceneContents& scene) const override {
+    std::vector<Occurrence> all;
+    for (const SceneContents::Coupling& found : scene.couplings) {
+      const double faster = std::sqrt(std::max(1.0, found.stiffness_ratio / found.density_ratio));
+      for (const double place : sampled_places) {
+        all.push_back({{{"ppc", 1.0 * found.gas.per_cell},
+                        {"membrane.ppc", 1.0 * found.chain.per_cell},
+                        {"membrane.strain", found.chain.segments ? "segments" : "accumulated"},
+                        {"density_ratio", found.density_ratio},
+                        {"stiffness_ratio", found.stiffness_ratio},
+                        {"place", place}},
+                       faster / std::sqrt(scene.dim)});
+      }
+    }
+    return all;
   }
   std::vector<MapPlan> maps(Tier tier) const override {
     const bool full = tier == Tier::full;

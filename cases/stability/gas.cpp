@@ -1,4 +1,5 @@
 // A gas without ends.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -107,6 +108,22 @@ class Gas final : public StabilityProblem {
     if (!update || place == 0) return std::nullopt;
     return ClosedForm{reference::frozen_courant_limit(*update, place).value * std::sqrt(gas_gamma / (gas_gamma - 1)),
                       "reference bar-stability over the speed of a gas whose points' pushes follow their energy alone"};
+  }
+  std::vector<std::vector<Override>> listed() const override { return {{{"offset", 0.0}}}; }
+  // On a line; each further direction adds at most the same stiffness once more, and the same viscosity. A run's step is
+  // bounded by its viscosity, too.
+  std::vector<Occurrence> occurrences(const SceneContents& scene) const override {
+    std::vector<Occurrence> all;
+    for (const SceneContents::Part& gas : scene.of(SceneContents::Matter::gas)) {
+      const double diffusion = gas.diffusivity / (gas.speed * scene.h);
+      const double bound = std::max(1.0, 2 * scene.dim * diffusion);
+      const double factor = diffusion > 0 ? bound / scene.dim : 1 / std::sqrt(scene.dim);
+      for (const double place : sampled_places) {
+        const double offset = std::fmod(place + 0.5, 1.0) / gas.per_cell;  // regular where none
+        all.push_back({{{"dim", 1.0}, {"offset", offset}, {"ppc", 1.0 * gas.per_cell}, {"viscosity", 0.75 * diffusion}}, factor});
+      }
+    }
+    return all;
   }
   std::vector<MapPlan> maps(Tier tier) const override {
     const bool full = tier == Tier::full;

@@ -114,7 +114,7 @@ class MembraneProblem final : public StabilityProblem {
   }
   Scan scan(const Settings&) const override { return {.low = 0.1, .high = 3, .steps = 9}; }
   // Growth of less than `weak` a step is not counted: long waves across the string have it at every step, or from half the limit on.
-  Prediction predicted(const Settings& settings, double width) const override {
+  Prediction predicted(const Settings& settings, const Scan& scan, double width) const override {
     const Experiment experiment = experiment_of(*this, settings);
     constexpr int reach = 4;
     const Patch patch = experiment.patch({1, reach});
@@ -124,7 +124,7 @@ class MembraneProblem final : public StabilityProblem {
           const WorstWave worst = worst_wave(a, 1, hints);
           return {dt, worst.radius <= 1 + weak_growth ? std::min(1.0, worst.radius) : worst.radius, worst.theta};
         },
-        scan(settings), std::max(width, 1e-5));
+        scan, std::max(width, 1e-5));
     prediction.reach = reach;
     return prediction;
   }
@@ -138,6 +138,22 @@ class MembraneProblem final : public StabilityProblem {
     const auto points = reference::regular_points(ppc, (s.number("place") - 0.5) / ppc);
     return ClosedForm{reference::periodic_courant_limit(*scheme, points).value,
                       "that of a bar, reference/mpm_amplification.hpp"};
+  }
+  std::vector<std::vector<Override>> listed() const override { return {{{"slope", 0.0}, {"offset", 0.25}}}; }
+  std::vector<Occurrence> occurrences(const SceneContents& scene) const override {
+    std::vector<Occurrence> all;
+    for (const SceneContents::Part& chain : scene.of(SceneContents::Matter::chain)) {
+      for (const double slope : scene.dim == 1 ? std::vector<double>{0} : std::vector<double>{0, 1}) {
+        for (const double place : sampled_places) {
+          all.push_back({{{"model", chain.segments ? "segments" : "accumulated"},
+                          {"ppc", 1.0 * chain.per_cell},
+                          {"slope", slope},
+                          {"offset", place},
+                          {"place", place}}});
+        }
+      }
+    }
+    return all;
   }
   std::vector<MapPlan> maps(Tier tier) const override {
     const bool full = tier == Tier::full;

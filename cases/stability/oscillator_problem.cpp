@@ -62,6 +62,7 @@ class OscillatorProblem final : public StabilityProblem {
   std::vector<Override> choices(const std::string&) const override { return {{"integrator", "musl"}}; }
   Scan scan(const Settings&) const override { return {0.1, 8, 64}; }
   std::string unit() const override { return "1/omega"; }
+  std::vector<std::vector<Override>> listed() const override { return {{}}; }
 
   std::optional<ClosedForm> closed_form(const Settings& settings) const override {
     if (settings.number("damping") != 0) return std::nullopt;
@@ -75,14 +76,14 @@ class OscillatorProblem final : public StabilityProblem {
     return ClosedForm{limit, "reference oscillator-limits"};
   }
 
-  Prediction predicted(const Settings& settings, double width) const override {
+  Prediction predicted(const Settings& settings, const Scan& scan, double width) const override {
     const IntegratorChoice integrator = integrator_of(settings);
     const double damping = settings.number("damping");
     Prediction prediction = predict(
         [&](double dt, const std::vector<WaveNumber>&) -> Growth {
           return {dt, spectral_radius(step_matrix(integrator, damping, dt)), {}};
         },
-        scan(settings), width);
+        scan, width);
     prediction.unknowns = static_cast<int>(step_matrix(integrator, damping, 1).rows());
     return prediction;
   }

@@ -1,5 +1,6 @@
 // An elastic plate without ends.
 #include <algorithm>
+#include <cmath>
 
 #include "cases/laboratory/bar_patch.hpp"
 #include "cases/laboratory/problem.hpp"
@@ -66,10 +67,25 @@ class Plane final : public StabilityProblem {
         "two by two matrices of the waves on one node a cell"};
   }
   // A matrix of four points has many waves to look at, and a patch with a reach of eight cells many points.
-  Prediction predicted(const Settings& settings, double width) const override {
+  Prediction predicted(const Settings& settings, const Scan& scan, double width) const override {
     Experiment experiment = experiment_of(*this, settings);
     experiment.least_reach = settings.text("shape") == "linear" ? 3 : 5;
-    return predict(experiment, scan(settings), std::max(width, 1e-6));
+    return predict(experiment, scan, std::max(width, 1e-6));
+  }
+  std::vector<std::vector<Override>> listed() const override {
+    return {{{"place_x", 0.5}, {"place_y", 0.5}},
+            {{"place_x", sampled_places.back()}, {"place_y", sampled_places.back()}}};
+  }
+  // In space a wave has a third direction: at most half as much stiffness again.
+  std::vector<Occurrence> occurrences(const SceneContents& scene) const override {
+    std::vector<Occurrence> all;
+    if (scene.dim < 2) return all;
+    for (const SceneContents::Part& solid : scene.of(SceneContents::Matter::solid)) {
+      for (const double place : sampled_places) {
+        all.push_back({{{"place_x", place}, {"place_y", place}, {"ppc", 1.0 * solid.per_cell}}, std::sqrt(2.0 / scene.dim)});
+      }
+    }
+    return all;
   }
   std::vector<MapPlan> maps(Tier tier) const override {
     std::vector<MapPlan> all;

@@ -4,7 +4,7 @@
 
 #include "cases/harness/experiment.hpp"
 #include "cases/harness/gates.hpp"
-#include "cases/laboratory/safe_step.hpp"
+#include "cases/laboratory/scene_limit.hpp"
 #include "cases/stability/trial_case.hpp"
 
 namespace plumbline {
