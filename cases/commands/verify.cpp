@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <sstream>
 #include <thread>
@@ -11,6 +13,7 @@
 #include "cases/commands/command.hpp"
 #include "cases/harness/text_file.hpp"
 #include "cases/judging/judge.hpp"
+#include "cases/judging/scorecard.hpp"
 
 namespace plumbline {
 namespace {
@@ -18,6 +21,7 @@ namespace {
 struct VerifyOptions {
   std::vector<std::string> patterns;
   std::string tier = "quick", junit;
+  std::string against;
   bool core = false, until_red = false;
 };
 
@@ -79,20 +83,56 @@ int threads_for_judging(const CommonOptions& common) {
   return common.threads > 1 ? common.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
-void judge_integrators(const CommonOptions& common, const VerifyOptions& options, Verification& verification) {
+Json read_scorecard(const std::string& file) {
+  std::ifstream stream(file);
+  const Json document = Json::parse(stream, nullptr, false);
+  if (document.is_discarded() || !document.is_object()) throw FileError(file, file + ": not a scorecard");
+  const Json* card = document.contains("scorecards") && !document["scorecards"].empty() ? &document["scorecards"][0]
+                                                                                        : &document;
+  for (const char* key : {"integrator", "families", "limits", "cost"}) {
+    if (!card->contains(key)) throw FileError(file, fmt::format("{}: no scorecard: it has no {}", file, key));
+  }
+  return *card;
+}
+
+// The half of a scorecard that an integrator is set beside: another integrator's, or that of an earlier scorecard's file.
+// Its costs are timed in turns with `subject`.
+Json opponent(const std::string& against, const Subject& subject, Json& half, const JudgingOptions& how) {
+  const std::string name = against.empty() ? usual_opponent(subject.name()) : against;
+  if (!find_integrator(name) && std::filesystem::exists(name)) return read_scorecard(name);
+  const Subject other({name, {}});
+  const JudgingOptions core{Effort::core, how.threads};
+  Json other_half = scorecard_half(other, judge_integrator(other, core), core);
+  if (how.effort == Effort::whole) add_costs(subject, half, other, other_half);
+  return other_half;
+}
+
+// The gates of each integrator, and its scorecard; the latter to the results folder, too.
+Json judge_integrators(const CommonOptions& common, const VerifyOptions& options, const ResultsFolder& folder,
+                       Verification& verification) {
   const bool with_cases = !options.patterns.empty();
   const JudgingOptions how{options.core || with_cases ? Effort::core : Effort::whole, threads_for_judging(common),
                            options.until_red};
+  Json scorecards = Json::array();
   for (const std::string& name : common.integrators) {
     const Subject plain({name, {}});
     const Subject subject({name, parameters_of(plain, common.settings, with_cases)});
     JudgedIntegrator judged = judge_integrator(subject, how, judging_progress(name));
     end_progress();
+    if (!options.until_red) {
+      Json half = scorecard_half(subject, judged, how);
+      const Json against = opponent(options.against, subject, half, how);
+      scorecards.push_back(scorecard(std::move(half), against, judged));
+      scorecards.back()["gates"] = to_json(judged.gates);
+      scorecards.back()["not_applicable"] = to_json(judged.not_applicable);
+      write_text_file(folder.path() + "/scorecard-" + name + ".json", scorecards.back().dump(1) + "\n");
+    }
     verification.declared += judged.declared;
     std::move(judged.gates.begin(), judged.gates.end(), std::back_inserter(verification.gates));
     std::move(judged.not_applicable.begin(), judged.not_applicable.end(),
               std::back_inserter(verification.not_applicable));
   }
+  return scorecards;
 }
 
 // A case that is asked for by its own name must work with what was chosen; one that a pattern matches is listed.
@@ -117,7 +157,7 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
   RunStore store(folder, provenance, common.reuse);
   const Output out(common);
   Verification verification;
-  judge_integrators(common, options, verification);
+  const Json scorecards = judge_integrators(common, options, folder, verification);
   const bool integrators_alone = options.patterns.empty() && common.schemes.empty() && !common.integrators.empty();
   if (!integrators_alone) verify_cases(common, options, store, verification);
   const Json document{{"gates", to_json(verification.gates)},
@@ -125,6 +165,7 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
                       {"executed", verification.gates.size()},
                       {"declared", verification.declared},
                       {"not_applicable", to_json(verification.not_applicable)},
+                      {"scorecards", scorecards},
                       {"tier", options.tier}};
   if (!integrators_alone) folder.write_verdicts(document, verification.entries, options.tier, provenance);
   out.gates(verification.gates);
@@ -137,6 +178,9 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
   }
   out.line("{} gates executed, {} not applicable, {} declared:{}", verification.gates.size(),
            verification.not_applicable.size(), verification.declared, counts);
+  for (const Json& card : scorecards) {
+    for (const std::string& line : scorecard_lines(card)) out.line("{}", line);
+  }
   print_reused(out, store);
   write_json(common, document);
   if (!options.junit.empty()) write_junit(options.junit, verification.gates, common.allow_inconclusive);
@@ -160,6 +204,8 @@ Command add_verify(CLI::App& app, Invocation& invocation) {
   sub->add_option("pattern", options->patterns, "case names or patterns; all cases if none");
   sub->add_option("--tier", options->tier, "quick or full");
   sub->add_option("--junit", options->junit, "write JUnit XML to a file");
+  sub->add_option("--against", options->against,
+                  "of --integrator: an integrator, or the file of an earlier scorecard, to be set beside");
   sub->add_flag("--core", options->core, "of --integrator without cases: the core gates alone, in seconds");
   sub->add_flag("--until-red", options->until_red, "of --integrator: begin no gate after one that is red");
   add_run_options(*sub, invocation.options);

@@ -69,6 +69,8 @@ void find_limit(KnownLimit& row) {
     row.growth = prediction.growth.front();
   } catch (const std::runtime_error& error) {  // a step that cannot be taken, or has no derivative
     row.note = error.what();
+  } catch (const CannotWork& parts) {
+    row.note = parts.what();
   }
 }
 
