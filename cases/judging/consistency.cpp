@@ -31,8 +31,8 @@ std::vector<IntegratorGate> consistency_gates() {
                               "a consistent scheme converges to the exact motion"),
                    usual_causes,
                    [&scene](const Subject& subject) {
-                     return measured_limit([&](int steps) { return oscillator_errors(subject, scene, steps); }, 16, 7,
-                                           11);
+                     return measured_limit({16, 7, 11},
+                                           [&](int steps) { return oscillator_errors(subject, scene, steps); });
                    },
                    Effort::core});
   }

@@ -12,8 +12,6 @@
 namespace plumbline {
 namespace {
 
-using Json = nlohmann::json;
-
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 std::string limit_text(double limit) {

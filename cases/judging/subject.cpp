@@ -1,6 +1,6 @@
 #include "cases/judging/subject.hpp"
 
-#include "cases/harness/nearest.hpp"
+#include "cases/harness/errors.hpp"
 
 namespace plumbline {
 namespace {

@@ -119,7 +119,7 @@ TEST(Judge, AStepThatDoesNothing) {
 TEST(Judge, WeakGrowthIsRedByStabilityAlone) {
   const JudgedIntegrator judged = core("test-heun-2");
   EXPECT_THAT(red_families(judged), Contains("stability"));
-  EXPECT_THAT(red_families(judged), Not(Contains("consistency")));
+  EXPECT_THAT(red_families(judged), testing::Not(Contains("consistency")));
   const auto growth = std::find_if(judged.gates.begin(), judged.gates.end(),
                                    [](const JudgedGate& g) { return g.gate.id == "stability/oscillator/growth"; });
   ASSERT_NE(growth, judged.gates.end());
@@ -212,7 +212,7 @@ TEST(Scorecard, SaysInOneSentenceWhatWasFound) {
   const Subject subject({"usavg", {}});
   const JudgingOptions how{Effort::core, 1};
   const JudgedIntegrator judged = judge_integrator(subject, how);
-  const nlohmann::json card = scorecard(scorecard_half(subject, judged, how), nullptr, judged);
+  const Json card = scorecard(scorecard_half(subject, judged, how), nullptr, judged);
   EXPECT_EQ(card.at("verdict"), "PASS");
   EXPECT_THAT(
       card.at("sentence").get<std::string>(),
