@@ -94,6 +94,7 @@ class Noh final : public Case {
 
   Kind kind() const override { return Kind::gas; }
 
+  Traits needs() const override { return {Trait::returned_loss}; }  // a cold gas has no energy to lose
   std::vector<Key> keys() const override {
     std::vector<std::string> names;
     for (const NohGeometry& geometry : geometries()) names.push_back(geometry.name);

@@ -93,6 +93,7 @@ class NohRadial final : public Case {
 
   Kind kind() const override { return Kind::gas; }
 
+  Traits needs() const override { return {Trait::returned_loss}; }  // a cold gas has no energy to lose
   std::vector<Key> keys() const override {
     return {geometry_key(text_.dimension),
             {.name = "gamma",

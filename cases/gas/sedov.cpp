@@ -138,6 +138,7 @@ class SedovCase final : public Case {
 
   Kind kind() const override { return Kind::gas; }
 
+  Traits needs() const override { return {Trait::returned_loss}; }  // a cold gas has no energy to lose
   std::vector<Key> keys() const override {
     return {geometry_key(text_.dimension),
             {.name = "gamma", .value = 1.4, .low = 1.1, .high = 3, .description = "ratio of specific heats"},

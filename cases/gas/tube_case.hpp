@@ -15,6 +15,7 @@ struct TubeDescription {
   std::string near_vacuum = {};  // what the thinnest gas of it does, if any is near vacuum
   ShockTube tube;
   double order = 0.8;  // target for the fitted order of density.L1
+  bool cold = false;   // a gas with next to no energy: what maps take from points must be returned
   std::string order_reason = "shock and contact allow 1; 0.8 is asked of every tube of the table";
   std::vector<std::string> known_limits = {};
 };
@@ -26,6 +27,7 @@ class TubeCase final : public Case {
 
   Statement statement() const override;
   Kind kind() const override { return Kind::gas; }
+  Traits needs() const override { return about_.cold ? Traits{Trait::returned_loss} : Traits{}; }
   std::vector<Key> keys() const override { return shock_tube_keys(about_.tube); }
   std::vector<Override> points_and_end(const std::string& scheme) const override;
   void derive(Settings& settings, const std::string& scheme) const override;

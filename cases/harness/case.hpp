@@ -113,6 +113,8 @@ class Case {
   virtual bool any_integrator() const { return false; }    // generic gates for every registered integrator
   virtual bool takes_integrators() const { return true; }  // whether what it judges depends on the integrator
   virtual std::vector<double> default_levels() const = 0;  // of `converge` without --cells
+  // What an integrator must offer for a run to arrive at its end, beside what the scene needs of it.
+  virtual Traits needs() const { return {}; }
   // Run with a study in cells of the default scheme, at its levels, for the problem that the settings describe.
   virtual std::vector<Comparator> comparators(const Settings& /*settings*/,
                                               const std::vector<double>& /*cells*/) const {

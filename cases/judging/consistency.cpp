@@ -26,15 +26,15 @@ Gate limit_gate(const std::string& name, const std::string& quantity, const std:
 std::vector<IntegratorGate> consistency_gates() {
   std::vector<IntegratorGate> all;
   for (const OscillatorScene& scene : oscillator_scenes()) {
-    all.push_back({"consistency",
-                   limit_gate(scene.name, "error for dt -> 0 on " + scene.what,
-                              "a consistent scheme converges to the exact motion"),
-                   usual_causes,
-                   [&scene](const Subject& subject) {
-                     return measured_limit({16, 7, 11},
-                                           [&](int steps) { return oscillator_errors(subject, scene, steps); });
-                   },
-                   Effort::core});
+    all.push_back(
+        {"consistency",
+         limit_gate(scene.name, "error for dt -> 0 on " + scene.what,
+                    "a consistent scheme converges to the exact motion"),
+         usual_causes,
+         [&scene](const Subject& subject) {
+           return measured_limit({16, 7, 11}, [&](int steps) { return oscillator_errors(subject, scene, steps); });
+         },
+         Effort::core});
   }
   for (const SmallScene& scene : small_scenes()) {
     all.push_back(
@@ -45,7 +45,7 @@ std::vector<IntegratorGate> consistency_gates() {
          [&scene](const Subject& subject) {
            return measured_limit({8, 5, 8}, [&](int steps) { return difference_at(subject, scene, steps); });
          },
-         scene.name == "bar" ? Effort::core : Effort::whole});
+         scene.name == "bar" || scene.name == "bar-filtered" ? Effort::core : Effort::whole});
   }
   return all;
 }

@@ -1,5 +1,6 @@
 #include "cases/judging/growth.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -41,6 +42,14 @@ Maps maps_on_bar(const Subject& subject) {
   throw CannotWork(std::move(first));
 }
 
+Experiment bar_of(const Subject& subject) {
+  const Maps maps = maps_on_bar(subject);
+  Experiment experiment;
+  experiment.patch = [maps](const Extent& extent) { return bar_patch({maps.shape, maps.transfer, 2}, 1, 0.5, extent); };
+  experiment.integrator = subject.choice();
+  return experiment;
+}
+
 }  // namespace
 
 SmallSteps small_steps_on_oscillator(const Subject& subject) {
@@ -48,11 +57,14 @@ SmallSteps small_steps_on_oscillator(const Subject& subject) {
 }
 
 SmallSteps small_steps_on_bar(const Subject& subject) {
-  const Maps maps = maps_on_bar(subject);
-  Experiment experiment;
-  experiment.patch = [maps](const Extent& extent) { return bar_patch({maps.shape, maps.transfer, 2}, 1, 0.5, extent); };
-  experiment.integrator = subject.choice();
+  const Experiment experiment = bar_of(subject);
   return small_steps([&](double dt) { return worst_growth(experiment, dt).per_step; });
+}
+
+double limit_on_bar(const Subject& subject) {
+  Scan scan{0.1, limit_of_york, 8};
+  scan.first_limit_only = true;
+  return std::min(predict(bar_of(subject), scan, 1e-3).limit(), limit_of_york);
 }
 
 double limit_on_oscillator(const Subject& subject) {

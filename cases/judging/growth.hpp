@@ -21,6 +21,9 @@ SmallSteps small_steps_on_oscillator(const Subject& subject);
 // An infinite bar, positions held; under FLIP where the integrator can work with it. Throws CannotWork.
 SmallSteps small_steps_on_bar(const Subject& subject);
 
+// The same bar's largest stable step, h/c, at most York's; 0: none is. Throws CannotWork.
+double limit_on_bar(const Subject& subject);
+
 // The first step beyond which not all smaller ones are stable, 1/omega; 0: none is; infinite: no limit was found.
 double limit_on_oscillator(const Subject& subject);
 

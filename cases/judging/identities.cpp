@@ -62,6 +62,10 @@ RunResult first_steps(const Case& entry, const Subject& subject, const Settings&
 // The first steps at the coarsest levels, as a study that generic gates can read.
 const StudyResult& study_of(const Stepped& stepped, const Subject& subject) {
   return subject.once<StudyResult>("identities/" + stepped.entry->name(), [&] {
+    for (const Trait trait : stepped.entry->needs()) {
+      if (subject.traits().offers.count(trait) > 0) continue;
+      throw CannotWork({{trait, "case " + stepped.entry->name(), "integrator " + subject.name()}});
+    }
     StudyResult study;
     study.entry = stepped.entry;
     study.plan = integrator_plan(*stepped.entry, subject.name());
@@ -85,7 +89,7 @@ double momentum_along(const Scene& scene, int d, const ColumnId& of) {
 // Over a step sum m x changes by dt times sum m v: of the start, the end or between. Free flight of a plate that turns: by
 // how much it is off, over what sum m v itself changes in a step and rounding.
 Measured centre_of_mass(const Subject& subject) {
-  const SmallScene& small = small_scene("plate-turning");
+  const SmallScene small = with_some_maps(small_scene("plate-turning"), subject.name());
   Scene scene = workable(small, subject.name());
   constexpr int steps = 20;
   const double dt = small.end / steps;
@@ -114,7 +118,7 @@ Measured centre_of_mass(const Subject& subject) {
 
 // Nothing is held and no wall is near: momentum changes by mass, gravity and time, over which the difference is taken.
 Measured impulse(const Subject& subject) {
-  const SmallScene& small = small_scene("plate-turning");
+  const SmallScene small = with_some_maps(small_scene("plate-turning"), subject.name());
   Scene scene = workable(small, subject.name());
   scene.gravity = {0.02, -0.03, 0};
   const std::array<double, 3> gravity = scene.gravity;

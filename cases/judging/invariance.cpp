@@ -47,15 +47,14 @@ constexpr double dt = 0.1;  // h/c
 constexpr int steps = 16;
 
 Measured repeated(const Subject& subject) {
-  const Scene scene = workable(small_scene("plate"), subject.name());
+  const Scene scene = workable(with_some_maps(small_scene("plate"), subject.name()), subject.name());
   return plain(largest_difference(stepped(subject, scene, dt, steps), stepped(subject, scene, dt, steps)));
 }
 
 // Enough points that two threads share them.
 Measured over_threads(const Subject& subject) {
   constexpr int copies = 15;
-  SmallScene wide = small_scene("gas-plane");
-  Scene scene = workable(wide, subject.name());
+  Scene scene = workable(with_some_maps(small_scene("gas-plane"), subject.name()), subject.name());
   Body& body = scene.bodies[0];
   const int n = body.points.points();
   std::vector<int> of;
@@ -73,7 +72,7 @@ Measured over_threads(const Subject& subject) {
 }
 
 Measured restarted(const Subject& subject) {
-  const Scene scene = workable(small_scene("plate"), subject.name());
+  const Scene scene = workable(with_some_maps(small_scene("plate"), subject.name()), subject.name());
   Simulation whole(scene, subject.name(), control_of(subject, dt));
   for (int k = 0; k < steps / 2; ++k) whole.step(dt);
   const Checkpoint half_way = whole.save();
@@ -87,7 +86,7 @@ Measured restarted(const Subject& subject) {
 // The same step over and over from the same state, what memory() names put back with it.
 Measured remembered(const Subject& subject) {
   constexpr int times = 64;
-  const Scene scene = workable(small_scene("bar"), subject.name());
+  const Scene scene = workable(with_some_maps(small_scene("bar"), subject.name()), subject.name());
   StepMap map(scene, {}, subject.choice(), Positions::moving, dt);
   const std::vector<double> start = map.state();
   map.step();
@@ -103,7 +102,7 @@ Measured remembered(const Subject& subject) {
 
 // Over the largest distance that a point moves.
 Measured in_a_mirror(const Subject& subject) {
-  const SmallScene& small = small_scene("plate");
+  const SmallScene small = with_some_maps(small_scene("plate"), subject.name());
   const Scene scene = workable(small, subject.name());
   std::vector<double> there = state_at_end(small, scene, subject.choice(), steps);
   const std::vector<double> mirror = state_at_end(small, mirrored(scene), subject.choice(), steps);
@@ -118,7 +117,7 @@ Measured in_a_mirror(const Subject& subject) {
 }
 
 Measured along_other_axes(const Subject& subject) {
-  const SmallScene& small = small_scene("plate");
+  const SmallScene small = with_some_maps(small_scene("plate"), subject.name());
   const Scene scene = workable(small, subject.name()), turned = with_axes_exchanged(scene);
   const std::size_t n = scene.bodies[0].id.size();
   return measured_limit({8, 3, 8}, [&](int count) {
@@ -156,7 +155,7 @@ double change_by_motion(const SmallScene& small, const Scene& at_rest, const Int
 }
 
 Measured in_motion(const Subject& subject) {
-  const SmallScene& small = small_scene("free-bar");
+  const SmallScene small = with_some_maps(small_scene("free-bar"), subject.name());
   const Scene scene = workable(small, subject.name());
   const double mine = change_by_motion(small, scene, subject.choice());
   const double theirs = change_by_motion(small, scene, yardstick(subject, scene));

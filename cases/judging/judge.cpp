@@ -16,6 +16,13 @@ namespace {
 
 constexpr const char* integrator_case = "integrator";  // where results name a case
 
+// What a gate that is not applicable is about: the case of an identity, else the gate.
+std::string thing_of(const std::string& id) {
+  const std::string family = "identities/";
+  const std::size_t end = id.find('/', family.size());
+  return id.rfind(family, 0) == 0 ? id.substr(family.size(), end - family.size()) : id;
+}
+
 struct Outcome {
   std::optional<JudgedGate> judged;
   std::optional<NotApplicable> not_applicable;
@@ -86,7 +93,15 @@ JudgedIntegrator judge_integrator(const Subject& subject, const JudgingOptions& 
   found.declared = static_cast<int>(rows.size());
   for (Outcome& outcome : outcomes) {
     if (outcome.judged) found.gates.push_back(std::move(*outcome.judged));
-    if (outcome.not_applicable) found.not_applicable.push_back(std::move(*outcome.not_applicable));
+    if (!outcome.not_applicable) continue;
+    auto& all = found.not_applicable;
+    const std::string what = thing_of(outcome.not_applicable->what);
+    if (!all.empty() && all.back().what == what) {
+      --found.declared;  // gates of a case that cannot be judged count as one
+      continue;
+    }
+    all.push_back(std::move(*outcome.not_applicable));
+    all.back().what = what;
   }
   return found;
 }

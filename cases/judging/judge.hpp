@@ -14,7 +14,7 @@ struct JudgedIntegrator {
   std::string integrator;
   std::vector<JudgedGate> gates;  // in the order of the rows
   std::vector<NotApplicable> not_applicable;
-  int declared = 0;  // gates executed and not applicable; more where judging ended at the first red one
+  int declared = 0;  // gates and what is not applicable; more where judging ended at the first red one
 };
 
 struct JudgingOptions {

@@ -19,7 +19,7 @@ struct SmallScene {
   std::string name, what;
   double end = 2;               // h/c
   std::function<Scene()> make;  // maps are chosen by whoever runs it
-  std::vector<Maps> maps = {};  // in the order of preference
+  Maps maps = {};
   bool variable_steps = false;  // steps alternate between 1 and 0.7 of a size
 };
 
@@ -27,8 +27,11 @@ struct SmallScene {
 const std::vector<SmallScene>& small_scenes();
 const SmallScene& small_scene(const std::string& name);  // std::out_of_range
 
-// The first of the maps with which the integrator can work in this scene; throws CannotWork for the first if there is none.
+// The scene under its maps. Throws CannotWork where the integrator cannot work so.
 Scene workable(const SmallScene& scene, const std::string& integrator);
+
+// The scene without a filter, or with one where the integrator needs that: for what holds under either.
+SmallScene with_some_maps(SmallScene scene, const std::string& integrator);
 
 // What a plate of solid on the two walls of a corner looks like when the axes are exchanged, or mirrored at x = mirror.
 Scene with_axes_exchanged(Scene scene);

@@ -6,7 +6,15 @@ namespace {
 // Closes the energy ledger to rounding: points get back exactly the work their forces did on the grid and what the two
 // maps lost. Equations: kernel/README.md, "The energy-conserving step".
 class EnergyConserving final : public TimeIntegrator {
-  Claims claims() const override { return {.orders = {{1}}}; }
+  Claims claims() const override {
+    const std::string cause =
+        "strains follow the midpoint velocity, forces the stress of the start: an elastic oscillation grows by "
+        "sqrt(1 + (omega dt)^2/2) a step";
+    return {.orders = {{1}},
+            .known_failures = {{"stability/oscillator/growth", cause, 9.7e-4, 9.8e-4},
+                               {"stability/bar/growth", cause, 3.8e-3, 4.0e-3},
+                               {"energy/oscillator/growth", cause, 1e9, 1e11}}};
+  }
 
   void step(Stages& mpm, double dt) override {
     mpm.locate_points();
