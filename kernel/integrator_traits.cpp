@@ -168,6 +168,10 @@ std::vector<Lack> lacks(const IntegratorEntry& entry, const Scene& scene) {
   const auto needs = [&](Trait trait, const std::string& part) {
     if (offers.count(trait) == 0) all.push_back({trait, part, "integrator " + entry.name});
   };
+  const Choice* transfer = find(transfers(), scene.transfer);
+  if (!scene.pistons.empty() && transfer && transfer->offers.count(Trait::returnable_loss) == 0) {
+    all.push_back({Trait::returnable_loss, "a piston", "transfer " + scene.transfer});
+  }
   if (scene.loss_to_gas) needs(Trait::returned_loss, "giving losses to the gas");
   if (scene.contact != "none") needs(Trait::forward_steps, "contact");
   if (scene.heat_exchange > 0) needs(Trait::forward_steps, "exchange of heat");

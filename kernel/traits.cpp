@@ -13,7 +13,7 @@ struct TraitText {
 const TraitText& text_of(Trait trait) {
   static const std::array<TraitText, 6> all{
       {{"unfiltered-velocities", "filters velocities once a step, so that points have no rate of change"},
-       {"returnable-loss", "does not tell what each point loses in the maps, so that it cannot be returned"},
+       {"returnable-loss", "gives points other velocities than the grid has, so that what they lose is not known"},
        {"smooth-gradients", "has gradients that jump between cells"},
        {"constant-inertia",
         "has an affine inertia that depends on where points stand, and changes energy as they move"},

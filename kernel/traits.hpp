@@ -11,7 +11,7 @@ namespace plumbline {
 
 enum class Trait {
   unfiltered_velocities,  // of a transfer: points keep their velocities and add the grid's change of velocity
-  returnable_loss,        // of a transfer: points take velocities that the grid has, and what they lose is known
+  returnable_loss,        // of a transfer: points take velocities that the grid has, so that what they lose is known
   smooth_gradients,       // of a shape: gradients are continuous across the sides of cells
   constant_inertia,       // of a shape: the inertia D_p of the affine transfer is the same wherever a point stands
   returned_loss,          // of an integrator: what the maps took from points is given back as heat

@@ -17,7 +17,7 @@ Measured measured_limit(const Halvings& halvings, const std::function<std::vecto
     const double off = certain * limit.uncertainty;
     measured.value = limit.size;
     measured.interval = {std::max(0.0, limit.size - off), limit.size + off};
-    if (limit.size + off <= most_left_over || limit.size - off > most_left_over) return measured;
+    if (limit.size + off <= halvings.bound || limit.size - off > halvings.bound) return measured;
     if (k + 1 < halvings.most) continue;
     measured.note = "the extrapolation is not certain enough";
     if (!limit.stalls()) continue;

@@ -13,10 +13,11 @@ namespace plumbline {
 inline constexpr double most_left_over = 1e-5;
 
 // Step counts steps, 2 steps, 4 steps, ...: at least `least` of them, at most `most`, until it can be told on which side of
-// most_left_over the limit lies. The interval is three times the extrapolation's own uncertainty to both sides; a sequence
+// the bound the limit lies. The interval is three times the extrapolation's own uncertainty to both sides; a sequence
 // that does not fall at all is its own limit.
 struct Halvings {
   int steps, least, most;
+  double bound = most_left_over;
 };
 Measured measured_limit(const Halvings& halvings, const std::function<std::vector<double>(int steps)>& values_at);
 
