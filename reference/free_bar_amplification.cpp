@@ -182,6 +182,15 @@ Real burden(const MapScheme& scheme, const Bar& bar, double spacing, double& wro
   return all - seen;
 }
 
+// `wrong`: how much the eigenvalues may be off by the matrix.
+Bounded limit_of(const Real& matrix, double wrong) {
+  const std::vector<double> values = symmetric_pairs(matrix).values;
+  const double largest = *std::max_element(values.begin(), values.end());  // [Stability 5]
+  if (!(largest > 0)) return rounding::infinity;
+  wrong += 10 * static_cast<double>(matrix.rows) * rounding::unit * frobenius(matrix);
+  return Bounded(1) / sqrt(Bounded(largest, wrong));
+}
+
 }  // namespace
 
 std::vector<double> edge_points(int per_cell, int cells, double depth) {
@@ -214,11 +223,23 @@ Bounded free_bar_courant_limit(const MapScheme& scheme, const std::vector<double
   check_bar(scheme, points, spacing);
   double wrong = 0;
   const Real matrix = burden(scheme, bar_of(scheme, points, spacing), spacing, wrong);
-  const std::vector<double> values = symmetric_pairs(matrix).values;
-  const double largest = *std::max_element(values.begin(), values.end());  // [Stability 5]
-  if (!(largest > 0)) return rounding::infinity;
-  wrong += 10 * static_cast<double>(points.size()) * rounding::unit * frobenius(matrix);
-  return Bounded(1) / sqrt(Bounded(largest, wrong));
+  return limit_of(matrix, wrong);
+}
+
+// Strains are even in the distance from the wall: those of a point and of its image count as one.
+Bounded leaning_bar_courant_limit(const MapScheme& scheme, const std::vector<double>& points, double spacing) {
+  check_bar(scheme, points, spacing);
+  for (double x : points) check_positive("points", x);
+  std::vector<double> both = points;
+  for (double x : points) both.push_back(-x);
+  double wrong = 0;
+  const Real matrix = burden(scheme, bar_of(scheme, both, spacing), spacing, wrong);
+  const int count = static_cast<int>(points.size());
+  Real even(count, count);
+  for (int p = 0; p < count; ++p) {
+    for (int q = 0; q < count; ++q) even(p, q) = matrix(p, q) + matrix(p, count + q);
+  }
+  return limit_of(even, wrong);
 }
 
 }  // namespace plumbline::reference

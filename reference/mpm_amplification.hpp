@@ -88,4 +88,8 @@ SquareMatrix free_bar_amplification(const MapScheme& scheme, const std::vector<d
 /// rounding of the two symmetric eigenproblems and of the matrices. Throws as above.
 Bounded free_bar_courant_limit(const MapScheme& scheme, const std::vector<double>& points, double spacing);
 
+/// The limit of a bar that leans on a rigid frictionless wall at zero, points beyond it: of those motions of the points and
+/// their mirror images that the mirror keeps. Throws as above, key `points` where one is not beyond the wall.
+Bounded leaning_bar_courant_limit(const MapScheme& scheme, const std::vector<double>& points, double spacing);
+
 }  // namespace plumbline::reference

@@ -9,6 +9,7 @@ import statistics
 from dataclasses import dataclass, field
 
 import figures
+import stability as stability_page
 import svg
 import text
 from cost_estimates import AT, MORE, MOST, NONE, front, ratio, reach, spread
@@ -444,5 +445,9 @@ def _limit(stability, row):
             named = f"{entry.get('scheme')}+{entry.get('integrator')}"
             if row["scheme"] in (entry.get("scheme"), named):
                 high = entry["predicted"][0].get("high") if entry["predicted"] else None
-                return text.MISSING if high is None else f"{text.number(high, 3)} {entry.get('unit') or ''}"
+                if high is None:
+                    return text.MISSING
+                smallest = stability_page.smallest_in_words(entry.get("smallest_known"))
+                words = f"{text.number(high, 3)} {entry.get('unit') or ''} on {problem['problem']}"
+                return f"{words}; {smallest}" if smallest else words
     return text.MISSING

@@ -360,7 +360,24 @@ def load_stability(path):
             ]
         for index, entry in enumerate(problem["maps"]):
             _check_map(entry, f"{place}.maps[{index}]")
+    stability["known_limits"] = _known_limits(stability.get("known_limits"))
     return stability
+
+
+def _known_limits(lists):
+    """Of each integrator its limits on all problems; empty for files from before they were written."""
+    if not isinstance(lists, (list, type(None))):
+        raise DamagedFile("known_limits should be a list")
+    found = [
+        _filled(entry, {"problems": "texts", "parameters": "object", "rows": "objects"}, f"known_limits[{number}]")
+        for number, entry in enumerate(lists or [])
+    ]
+    for number, entry in enumerate(found):
+        if not isinstance(entry.get("integrator"), str):
+            raise DamagedFile(f"known_limits[{number}] has no integrator")
+        if not all(isinstance(row.get("problem"), str) for row in entry["rows"]):
+            raise DamagedFile(f"known_limits[{number}] has a row without a problem")
+    return found
 
 
 # What the parts of a document of `plumbline stability` are made of; a matrix is checked with the axes of its map.
@@ -370,6 +387,7 @@ _STABILITY_PARTS = {
         "settings": "object",
         "scanned": "object",
         "differences": "object",
+        "smallest_known": "object",
         "orders": "object",
         "predicted": "objects",
         "observed": "objects",
@@ -410,7 +428,7 @@ def _filled(entry, parts, place):
             raise DamagedFile(f"{place}.{name} should be a list of texts")
         entry[name] = value
     _check_numbers({key: value for key, value in entry.items() if key not in parts}, place)
-    for name in ("scanned", "differences"):
+    for name in ("scanned", "differences", "smallest_known"):
         _check_numbers(entry.get(name, {}), f"{place}.{name}")
     for name, order in entry.get("orders", {}).items():
         _check_numbers(order, f"{place}.orders.{name}")

@@ -26,10 +26,12 @@ MOST_RINGS = 16  # of one line: growth that runs showed; all are in the document
 FEW_MAPS = 12  # that are shown unfolded
 MOST_MAPS = 10  # of a shape; where there are more, those of one transfer are drawn
 DRAWN_TRANSFER = "flip"  # that one, where it is there: the transfer of most codes
-EDGE_COLLAPSE = 0.5  # a free edge is named apart where it bears less than this share of what the inside bears
+EDGE_COLLAPSE = 0.5  # a free edge is named apart where its limit is less than this share of that inside
 STEADY_RANGE = 10  # times the smallest step, over which growth of a power of the step is told from rounding
 STEADY_POWERS = (0.8, 6)  # rounding of a double eigenvalue goes as the root of the step at most; a limit is a jump
 UNITS = {"1/omega": "1/ω"}
+COMMON_UNIT = "h/c"  # in which limits of different problems are compared
+SAME = 1e-3  # relative: limits in tables are not found as finely as those of single problems
 _FIRST_CHOICES = ("shape", "transfer", "ppc", "N")
 CONFIGURATION_COLUMNS = (
     "problem",
@@ -48,6 +50,22 @@ CONFIGURATION_COLUMNS = (
     "reach",
     "degrees_of_freedom",
     "sampled",
+    "smallest_known",
+    "smallest_known_problem",
+    "smallest_known_choices",
+)
+KNOWN_COLUMNS = (
+    "integrator",
+    "parameters",
+    "problem",
+    "choices",
+    "unit",
+    "limit",
+    "endless",
+    "closed_form",
+    "growth",
+    "smallest",
+    "note",
 )
 SAFE_COLUMNS = (
     "problem",
@@ -74,6 +92,8 @@ def page(stability, verdicts):
     safe = _safe(stability)
     return {
         "verdicts": list(verdicts.values()),
+        "known": [_known_row(entry) for entry in stability.get("known_limits") or []],
+        "known_problems": text.listing(_known_problems(stability)),
         "safe": safe,
         "lead": _lead(safe["rows"]),
         "explain": any(problem["rows"] for problem in problems),
@@ -97,6 +117,63 @@ def unit(name):
     return UNITS.get(name, name or "")
 
 
+# --- the known limits of each integrator ----------------------------------------------------------
+
+
+def _known_problems(stability):
+    names = [name for entry in stability.get("known_limits") or [] for name in entry["problems"]]
+    return list(dict.fromkeys(names))
+
+
+def _known_row(entry):
+    """One integrator: its smallest limit and on which problem, then all others; what has no limit stands apart."""
+    rows = entry["rows"]
+    comparable = [row for row in rows if row.get("unit") == COMMON_UNIT]
+    smallest = next((row for row in comparable if row.get("smallest")), None)
+    limits = [row for row in comparable if row is not smallest and row.get("limit")]
+    return {
+        "integrator": entry["integrator"],
+        "parameters": ", ".join(f"{key} {text.exact(value)}" for key, value in entry["parameters"].items()),
+        "smallest": floored(smallest["limit"]) if smallest else "",
+        "problem": _where_known(smallest) if smallest else "",
+        "others": [f"{floored(row['limit'])} on {_where_known(row)}" for row in limits],
+        "endless": [_where_known(row) for row in comparable if row.get("endless")],
+        "growing": [_where_known(row) for row in comparable if row.get("limit") == 0],
+        "unknown": [
+            {"where": row["problem"], "why": row.get("note") or ""}
+            for row in rows
+            if row.get("limit") is None and not row.get("endless")
+        ],
+        "apart": [_apart(row) for row in rows if row.get("unit") != COMMON_UNIT and not row.get("note")],
+    }
+
+
+def _where_known(row):
+    return row["problem"] + (f" ({row['choices']})" if row.get("choices") else "")
+
+
+def _apart(row):
+    """A limit in another unit than h/c."""
+    if row.get("endless"):
+        return f"{row['problem']}: every step scanned is stable"
+    if row.get("limit") == 0:
+        return f"{row['problem']}: no stable step"
+    return f"{row['problem']}: {text.number(row.get('limit'), 5)} {unit(row.get('unit'))}"
+
+
+def smallest_in_words(smallest, own=None):
+    """Whether a limit is the smallest known of its integrator, else which is; empty where none is known.
+
+    `smallest`: its problem and limit. `own`: the limit that is shown, where that may be it.
+    """
+    limit = (smallest or {}).get("limit")
+    if not limit:
+        return ""
+    if smallest.get("is_this") or (own is not None and own <= limit * (1 + SAME)):
+        return "smallest known"
+    return f"smallest known: {floored(limit)} on {smallest.get('problem')}"
+
+
 # --- which Courant number is safe -----------------------------------------------------------------
 
 
@@ -108,7 +185,11 @@ def _safe(stability):
             key = (problem["problem"], *(str(entry.get(name) or "") for name in ("integrator", "shape", "transfer")))
             found.setdefault(key, []).append(entry)
     counts = sorted({entry["ppc"] for entries in found.values() for entry in entries if entry.get("ppc") is not None})
-    rows = [_safe_row(key, entries, counts) for key, entries in found.items()]
+    smallest = {}
+    for entry in stability.get("known_limits") or []:
+        least = next((row for row in entry["rows"] if row.get("smallest")), None)
+        smallest.setdefault(entry["integrator"], least)
+    rows = [_safe_row(key, entries, counts, smallest.get(key[1])) for key, entries in found.items()]
     rows.sort(key=lambda row: (row["rank"], -(row["value"] or 0), row["key"]))
     choices, several = [], len({row["key"][0] for row in rows}) > 1
     for part, name in enumerate(("Problem", "Integrator", "Shape", "Transfer")):
@@ -120,7 +201,7 @@ def _safe(stability):
     return {"rows": rows, "counts": [text.number(count) for count in counts], "choices": choices, "several": several}
 
 
-def _safe_row(key, entries, counts):
+def _safe_row(key, entries, counts, smallest):
     numbers = [
         (entry[name], name, entry) for entry in entries for name in ("limit", "edge") if entry.get(name) is not None
     ]
@@ -134,6 +215,7 @@ def _safe_row(key, entries, counts):
         "value": math.inf if stable else value,
         "safe": "none" if grows else "every step" if stable else floored(value),
         "none": bool(grows),
+        "smallest": "" if value is None or stable else smallest_in_words(smallest, value),
         "words": _safe_words(entries, grows, stable, _where(decided, entry)),
         "cells": [_safe_cell([entry for entry in entries if entry.get("ppc") == count]) for count in counts],
         "classes": [],
@@ -150,12 +232,12 @@ def floored(value, digits=4):
 
 
 def _where(decided, entry):
-    """What decides the safe number: the layout that bears least."""
+    """What decides the safe number: the layout with the smallest limit."""
     ppc = f" with {text.number(entry['ppc'])} per cell" if entry.get("ppc") is not None else ""
     if decided == "edge":
-        return f"a free edge{ppc}, {_depth(entry)}"
+        return f"a free edge (problem bar-edge){ppc}, {_depth(entry)}"
     offset = f" at offset {text.number(entry['offset'], 4)}" if entry.get("offset") is not None else ""
-    return f"points{offset}{ppc}"
+    return f"points{offset}{ppc} (problem bar)"
 
 
 def _depth(entry):
@@ -176,10 +258,10 @@ def _safe_words(entries, grows, stable, where):
         return "Not determined."
     if inside is not None and edge and edge["edge"] < EDGE_COLLAPSE * inside:
         return (
-            f"{floored(inside)} inside a body, but only {floored(edge['edge'])} at a free edge whose outermost point "
-            f"lies near the face of its cell ({_depth(edge)})."
+            f"{floored(inside)} inside a body (problem bar), but only {floored(edge['edge'])} at a free edge whose "
+            f"outermost point lies near the face of its cell (problem bar-edge, {_depth(edge)})."
         )
-    return f"Stable on the sampled set; {where}, bear{'s' if where.startswith('a') else ''} least." + (
+    return f"Stable on the sampled set; the smallest limit is that of {where}." + (
         "" if edge else " No free edge was looked at."
     )
 
@@ -204,13 +286,13 @@ def _lead(rows):
     if not rows:
         return ""
     found = [row for row in rows if row["value"] is not None]
-    bearing = [row for row in found if row["value"] >= 1]
+    stable_at_one = [row for row in found if row["value"] >= 1]
     growing = [row for row in rows if row["none"]]
     grow = f", and {text.plural(len(growing), 'grows', 'grow')} at every step, however small." if growing else "."
     words = [
-        f"Of {text.plural(len(rows), 'combination')} of integrator, shape and transfer, {text.count(len(bearing))} "
-        f"{'bears' if len(bearing) == 1 else 'bear'} a Courant number of 1 at the worst place of the points that was "
-        f"sampled{grow}"
+        f"Of {text.plural(len(rows), 'combination')} of integrator, shape and transfer, {text.count(len(stable_at_one))} "
+        f"{'is' if len(stable_at_one) == 1 else 'are'} stable at a Courant number of 1 at the worst place of the points that "
+        f"was sampled{grow}"
     ]
     finite = [row for row in found if math.isfinite(row["value"])]
     if len(finite) > 1:
@@ -310,6 +392,7 @@ def _row(configuration, choices):
         "small": small,
         "predicted": intervals(configuration),
         "scanned": _scanned(configuration),
+        "smallest": smallest_in_words(configuration.get("smallest_known")),
         "limits": limits,
         "closed": text.number(closed, 6),
         "closed_off": maps.percent(nearest, closed) if nearest is not None else "",
@@ -467,9 +550,16 @@ def _summary(rows):
                 "closed": _largest(closed),
                 "observed": _largest(observed),
                 "growing": text.count(sum(row["small"] for row in own)),
+                "smallest": _smallest_of(own),
             }
         )
     return found
+
+
+def _smallest_of(rows):
+    """What is said of most of the rows of one integrator, which have one list of known limits."""
+    words = [row["smallest"] for row in rows if row["smallest"]]
+    return next((said for said in words if said == "smallest known"), words[0] if words else "")
 
 
 def _largest(shares):
@@ -744,6 +834,18 @@ def csv_tables(stability):
             [[p["problem"], *(entry.get(name) for name in SAFE_COLUMNS[1:])] for p in problems for entry in p["safe"]],
         ),
         "stability-maps": (("problem", "map", "kind", "part", "x", "y", "low", "high"), map_rows),
+        "stability-known": (
+            KNOWN_COLUMNS,
+            [
+                [
+                    entry["integrator"],
+                    json.dumps(entry["parameters"], sort_keys=True),
+                    *(row.get(name) for name in KNOWN_COLUMNS[2:]),
+                ]
+                for entry in stability.get("known_limits") or []
+                for row in entry["rows"]
+            ],
+        ),
         "stability-orders": (
             ORDER_COLUMNS,
             [
@@ -779,6 +881,7 @@ def _csv_row(problem, c):
         c.get("reach"),
         c.get("degrees_of_freedom"),
         c.get("sampled"),
+        *(c["smallest_known"].get(key) for key in ("limit", "problem", "choices")),
     ]
 
 

@@ -3,6 +3,7 @@
 
 #include "cases/commands/command.hpp"
 #include "cases/harness/pool.hpp"
+#include "cases/laboratory/known_limits.hpp"
 #include "cases/laboratory/stability_documents.hpp"
 #include "kernel/time_integrator.hpp"
 
@@ -39,7 +40,7 @@ std::vector<std::string> assignments(const std::string& over) {
 }
 
 // The chosen schemes and integrators; where neither is named and all problems are asked for, every scheme, and of quick
-// problems every integrator that the problem's own choices allow, or that FLIP allows.
+// problems every integrator that can work with the problem's own choices or its concessions.
 std::vector<Chosen> choices_of(const StabilityProblem& problem, const CommonOptions& options, bool all) {
   std::vector<Chosen> found;
   if (!all || !options.schemes.empty() || !options.integrators.empty()) {
@@ -48,17 +49,8 @@ std::vector<Chosen> choices_of(const StabilityProblem& problem, const CommonOpti
   }
   if (!problem.compares_integrators()) return {{"default", {}}, {"york1997", {}}};
   for (const IntegratorEntry& entry : integrators()) {
-    for (const char* transfer : {"", "flip"}) {
-      std::vector<Override> overrides{{"integrator", entry.name}};
-      if (*transfer) overrides.emplace_back("transfer", transfer);
-      try {
-        stability_settings(problem, "default", overrides);
-      } catch (const UsageError&) {
-        continue;
-      }
-      found.push_back({"default", overrides});
-      break;
-    }
+    const WorkableSettings workable = workable_settings(problem, {{"integrator", entry.name}});
+    if (workable.settings) found.push_back({"default", workable.overrides});
   }
   if (problem.has_grid()) found.push_back({"york1997", {}});
   return found;
@@ -92,6 +84,65 @@ std::vector<std::pair<std::string, Settings>> settings_of(const StabilityProblem
 std::string text_of(const StableInterval& interval) {
   return std::isinf(interval.high) ? fmt::format("{:.6g} ... end of the scan", interval.low)
                                    : fmt::format("{:.6g} ... {:.8g}", interval.low, interval.high);
+}
+
+// The known limits of every integrator that was asked for, found once each. A single problem is compared with those alone
+// that are quick to examine.
+class KnownLists {
+ public:
+  KnownLists(bool all, int threads) : threads_(threads) {
+    for (const StabilityProblem* problem : stability_problems()) {
+      if (!problem->listed().empty() && (all || problem->compares_integrators())) problems_.push_back(problem);
+    }
+  }
+  void find(const IntegratorChoice& integrator) {
+    if (!find_list(integrator)) lists_.push_back({integrator, problems_, limits_of(integrator, threads_, problems_)});
+  }
+  const KnownList& of(const IntegratorChoice& integrator) const { return *find_list(integrator); }
+  const std::vector<KnownList>& lists() const { return lists_; }
+  std::string problems() const {
+    std::string names;
+    for (const StabilityProblem* problem : problems_) names += (names.empty() ? "" : ", ") + problem->name();
+    return names;
+  }
+
+ private:
+  const KnownList* find_list(const IntegratorChoice& integrator) const {
+    const auto found = std::find_if(lists_.begin(), lists_.end(), [&](const KnownList& list) {
+      return list.integrator.name == integrator.name && list.integrator.parameters == integrator.parameters;
+    });
+    return found == lists_.end() ? nullptr : &*found;
+  }
+
+  int threads_;
+  std::vector<const StabilityProblem*> problems_;
+  std::vector<KnownList> lists_;
+};
+
+IntegratorChoice integrator_of(const Configuration& found) {
+  return {found.settings.text("integrator"), integrator_parameters(found.settings)};
+}
+
+// Which limit is the smallest known, and which this one is.
+void print_smallest(const Output& out, const Configuration& found, const KnownList& known) {
+  const SmallestKnown smallest = smallest_known(found, known);
+  const std::string& integrator = known.integrator.name;
+  std::string line;
+  if (smallest.is_this) {
+    line = fmt::format("this is the smallest known limit of {}: {:.4g} h/c on {} ({})", integrator, smallest.limit,
+                       smallest.problem, smallest.words);
+  } else if (smallest.limit > 0) {
+    line = fmt::format("smallest known limit of {}: {:.4g} h/c on {} ({}); this is {}: {}", integrator, smallest.limit,
+                       smallest.problem, smallest.words, found.problem->name(), limit_in_words(found));
+  } else {
+    line = fmt::format("no limit of {} in h/c is known; this is {}: {}", integrator, found.problem->name(),
+                       limit_in_words(found));
+  }
+  std::string without;
+  for (const KnownLimit& row : known.rows) {
+    if (row.no_stable_step()) without += fmt::format("; no stable step on {} ({})", row.problem->name(), row.words());
+  }
+  out.line("  {}{}", line, without);
 }
 
 void print(const Output& out, const StabilityProblem& problem, const Configuration& found) {
@@ -158,12 +209,12 @@ Configuration examined(const StabilityProblem& problem, const std::string& schem
   } catch (const UsageError&) {
     throw;
   } catch (const std::runtime_error& error) {
-    return {scheme, settings, problem.unit(), problem.scan(settings), {}, {}, {}, {}, {}, error.what()};
+    return {&problem, scheme, settings, problem.unit(), problem.scan(settings), {}, {}, {}, {}, {}, error.what()};
   }
 }
 
 Json examine_all(const Output& out, const StabilityProblem& problem, const CommonOptions& options,
-                 const StabilityOptions& own, bool all) {
+                 const StabilityOptions& own, bool all, KnownLists& known) {
   const Tier tier = own.tier == "full" ? Tier::full : Tier::quick;
   const auto chosen = settings_of(problem, options, own, all);
   std::vector<std::optional<Configuration>> found(chosen.size());
@@ -174,8 +225,12 @@ Json examine_all(const Output& out, const StabilityProblem& problem, const Commo
   out.line("{}: {} [{}]", problem.name(), problem.statement().title, problem.statement().source);
   Json document = problem_document(problem);
   for (const auto& configuration : found) {
+    known.find(integrator_of(*configuration));
+    const KnownList& list = known.of(integrator_of(*configuration));
     print(out, problem, *configuration);
+    print_smallest(out, *configuration, list);
     document["configurations"].push_back(to_json(*configuration));
+    document["configurations"].back()["smallest_known"] = to_json(smallest_known(*configuration, list));
   }
   if (!own.maps) return document;
   document["maps"] = Json::array();
@@ -196,10 +251,14 @@ int execute(const Invocation& invocation, const StabilityOptions& own) {
   }
   const Output out(invocation.options);
   Json documents = Json::array();
+  KnownLists known(all, invocation.options.threads);
   for (const StabilityProblem* problem : problems) {
-    documents.push_back(examine_all(out, *problem, invocation.options, own, all));
+    documents.push_back(examine_all(out, *problem, invocation.options, own, all, known));
   }
+  out.line("Known limits: those of {}{}.", known.problems(), all ? "" : "; of every problem with `stability all`");
   Json document = problems.size() == 1 && !all ? documents.front() : Json{{"problems", documents}};
+  document["known_limits"] = Json::array();
+  for (const KnownList& list : known.lists()) document["known_limits"].push_back(to_json(list));
   document["provenance"] = to_json(invocation.provenance());
   write_json(invocation.options, document);
   return 0;
@@ -209,13 +268,13 @@ int execute(const Invocation& invocation, const StabilityOptions& own) {
 
 Command add_stability(CLI::App& app, Invocation& invocation) {
   CLI::App* sub = app.add_subcommand("stability",
-                                     "limits of the time step: foretold by the step itself, and seen in runs");
+                                     "limits of the time step: predicted by the step itself, and seen in runs");
   sub->footer("Example: plumbline stability bar --integrator usl --over N=0.1,0.3,0.5");
   auto options = std::make_shared<StabilityOptions>();
   sub->add_option("problem", options->problems, "the problems, or all")->required();
   sub->add_option("--over", options->over, "key=value,value,...: each of the values (repeatable)")
       ->allow_extra_args(false);
-  sub->add_flag("--no-runs", options->no_runs, "foretell only");
+  sub->add_flag("--no-runs", options->no_runs, "predict only");
   sub->add_flag("--maps", options->maps, "the problem's maps, too, and of `bar` the table of safe steps");
   sub->add_option("--tier", options->tier, "how fine the maps are")->check(CLI::IsMember({"quick", "full"}));
   add_run_options(*sub, invocation.options);

@@ -8,6 +8,7 @@
 #include "cases/judging/cost.hpp"
 #include "cases/judging/growth.hpp"
 #include "cases/laboratory/known_limits.hpp"
+#include "cases/laboratory/stability_documents.hpp"
 
 namespace plumbline {
 namespace {
@@ -135,15 +136,7 @@ Json limit_rows(const Subject& subject, const JudgingOptions& options) {
   }
   Json rows = Json::array();
   for (const KnownLimit& row : limits_of(subject.choice(), options.threads, problems)) {
-    rows.push_back({{"problem", row.problem->name()},
-                    {"choices", row.words()},
-                    {"unit", row.unit},
-                    {"limit", number(row.limit)},
-                    {"endless", std::isinf(row.limit)},
-                    {"closed_form", row.closed_form ? number(row.closed_form->limit) : Json(nullptr)},
-                    {"growth", row.no_stable_step() ? number(row.growth.per_step) : Json(nullptr)},
-                    {"smallest", row.smallest},
-                    {"note", row.note}});
+    rows.push_back(to_json(row));
   }
   return rows;
 }

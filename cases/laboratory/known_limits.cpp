@@ -9,44 +9,76 @@
 
 #include "cases/harness/errors.hpp"
 #include "cases/harness/pool.hpp"
+#include "kernel/integrator_traits.hpp"
 
 namespace plumbline {
 namespace {
 
 constexpr double width = 1e-6;  // relative, of limits
 constexpr const char* common_unit = "h/c";
+constexpr int problem_margin = 2;  // periods: enough to have every body
 
-// The rows of one problem. An integrator that refuses the problem's transfer may take FLIP.
+// Whether the integrator can step the problem's scene; else why not.
+std::string refusal_of(const StabilityProblem& problem, const Settings& settings) {
+  if (!problem.has_grid()) return {};
+  try {
+    const Patch patch = problem.patch(settings, {1, problem_margin});
+    const auto missing = lacks(*find_integrator(settings.text("integrator")), patch.scene);
+    return missing.empty() ? std::string() : CannotWork(missing).what();
+  } catch (const CannotWork& parts) {  // some scenes are brought to rest by steps
+    return parts.what();
+  }
+}
+
 KnownLimit row_of(const StabilityProblem& problem, const std::vector<Override>& listed,
                   const IntegratorChoice& integrator) {
+  std::vector<Override> overrides = listed;
+  overrides.emplace_back("integrator", integrator.name);
+  for (const auto& [name, value] : integrator.parameters) overrides.emplace_back(name, value);
+  WorkableSettings found = workable_settings(problem, overrides);
   KnownLimit row;
   row.problem = &problem;
+  row.settings = std::move(found.settings);
   row.listed = listed;
   row.unit = problem.unit();
   row.limit = std::numeric_limits<double>::quiet_NaN();
-  for (const char* transfer : {"", "flip"}) {
-    if (*transfer != 0 && !problem.has_grid()) continue;
-    std::vector<Override> overrides = listed;
-    overrides.emplace_back("integrator", integrator.name);
-    for (const auto& [name, value] : integrator.parameters) overrides.emplace_back(name, value);
-    if (*transfer != 0) overrides.emplace_back("transfer", transfer);
-    try {
-      row.settings = stability_settings(problem, "default", overrides);
-      row.note.clear();
-      return row;
-    } catch (const UsageError& refused) {
-      if (row.note.empty()) row.note = refused.what();
-    }
-  }
+  row.note = found.refusal;
   return row;
 }
 
-bool comparable(const KnownLimit& row) { return row.unit == common_unit && row.has_limit(); }
+bool in_h_over_c(const KnownLimit& row) { return row.unit == common_unit && row.has_limit(); }
+
+// The problem's own keys.
+std::vector<Override> own_choices(const Configuration& result) {
+  std::vector<Override> own;
+  for (const Key& key : result.problem->keys()) own.emplace_back(key.name, result.settings[key.name]);
+  return own;
+}
 
 // Rows in h/c with a limit first, then those there without one, then other units.
-int rank(const KnownLimit& row) { return comparable(row) ? 0 : row.unit == common_unit ? 1 : 2; }
+int rank(const KnownLimit& row) { return in_h_over_c(row) ? 0 : row.unit == common_unit ? 1 : 2; }
 
 }  // namespace
+
+WorkableSettings workable_settings(const StabilityProblem& problem, const std::vector<Override>& overrides) {
+  WorkableSettings found;
+  std::vector<std::vector<Override>> attempts = problem.concessions();
+  attempts.insert(attempts.begin(), std::vector<Override>{});
+  for (const std::vector<Override>& concession : attempts) {
+    found.overrides = overrides;
+    found.overrides.insert(found.overrides.end(), concession.begin(), concession.end());
+    std::string refusal;
+    try {
+      const Settings settings = stability_settings(problem, "default", found.overrides);
+      refusal = refusal_of(problem, settings);
+      if (refusal.empty()) return {settings, found.overrides, {}};
+    } catch (const MissingTraits& missing) {
+      refusal = missing.what();
+    }
+    if (found.refusal.empty()) found.refusal = refusal;
+  }
+  return found;
+}
 
 std::vector<KnownLimit> rows_of(const IntegratorChoice& integrator,
                                 const std::vector<const StabilityProblem*>& problems) {
@@ -69,18 +101,16 @@ void find_limit(KnownLimit& row) {
     row.growth = prediction.growth.front();
   } catch (const std::runtime_error& error) {  // a step that cannot be taken, or has no derivative
     row.note = error.what();
-  } catch (const CannotWork& parts) {
-    row.note = parts.what();
   }
 }
 
 void put_in_order(std::vector<KnownLimit>& rows) {
   std::stable_sort(rows.begin(), rows.end(), [](const KnownLimit& a, const KnownLimit& b) {
     if (rank(a) != rank(b)) return rank(a) < rank(b);
-    return rank(a) == 0 && a.limit < b.limit;
+    return rank(a) == 0 && a.comparable() < b.comparable();
   });
   for (KnownLimit& row : rows) row.smallest = false;
-  if (!rows.empty() && comparable(rows.front())) rows.front().smallest = true;
+  if (!rows.empty() && in_h_over_c(rows.front())) rows.front().smallest = true;
 }
 
 std::vector<KnownLimit> limits_of(const IntegratorChoice& integrator, int threads,
@@ -96,7 +126,29 @@ const KnownLimit* smallest_of(const std::vector<KnownLimit>& rows) {
   return found == rows.end() ? nullptr : &*found;
 }
 
+double KnownLimit::comparable() const { return settings ? limit * problem->fastest(*settings) : limit; }
+
 std::string KnownLimit::words() const { return settings ? choices_in_words(*settings, listed) : std::string(); }
+
+SmallestKnown smallest_known(const Configuration& result, const KnownList& list) {
+  constexpr double same = 1e-4;  // relative: limits of a list are not found as finely
+  SmallestKnown smallest;
+  if (const KnownLimit* row = smallest_of(list.rows)) {
+    smallest = {row->comparable(), row->problem->name(), row->words(), false};
+  }
+  const double own = result.predicted.limit() * result.problem->fastest(result.settings);
+  if (result.unit != common_unit || !(own > 0) || std::isinf(own)) return smallest;
+  if (smallest.limit > 0 && own > smallest.limit * (1 + same)) return smallest;
+  return {own, result.problem->name(), choices_in_words(result.settings, own_choices(result)), true};
+}
+
+std::string limit_in_words(const Configuration& result) {
+  const double limit = result.predicted.limit();
+  if (!result.note.empty()) return "not found";
+  if (limit == 0) return "no stable step";
+  if (std::isinf(limit)) return fmt::format("none up to {:.4g} {}", result.scan.high, result.unit);
+  return fmt::format("{:.4g} {}", limit, result.unit);
+}
 
 std::string choices_in_words(const Settings& settings, const std::vector<Override>& own) {
   std::string words;

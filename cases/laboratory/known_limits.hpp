@@ -2,7 +2,7 @@
 // others.
 #pragma once
 
-#include <functional>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,21 +20,29 @@ struct KnownLimit {
   double scanned = 0;   // the largest step that was looked at
   Growth growth = {};   // where no step is stable: at the smallest step of the scan
   std::optional<ClosedForm> closed_form = {};
-  bool smallest = false;  // of all rows in h/c with a limit above zero
+  bool smallest = false;  // of all rows with a limit in h/c
   std::string note = {};
 
-  bool has_limit() const { return limit > 0; }            // false: NaN, too
+  bool has_limit() const { return limit > 0 && limit < HUGE_VAL; }
   bool no_stable_step() const { return limit == 0; }
+  double comparable() const;  // the limit where c is the speed of the fastest wave of all
   std::string words() const;  // shape, transfer, points and places: "linear flip, ppc 2, depth 0.01"
 };
 
-// The rows of one integrator, not looked at yet: every problem's listed() choices, its own transfer or, where the
-// integrator refuses that, FLIP. problems: empty for all.
+// A problem's settings with the first of its own choices and its concessions() that the integrator can work with.
+struct WorkableSettings {
+  std::optional<Settings> settings = {};
+  std::vector<Override> overrides = {};  // those given, and the concession
+  std::string refusal = {};              // where there are none: why not with the problem's own choices
+};
+WorkableSettings workable_settings(const StabilityProblem& problem, const std::vector<Override>& overrides);
+
+// The rows of one integrator, not looked at yet: every problem's listed() choices. problems: empty for all.
 std::vector<KnownLimit> rows_of(const IntegratorChoice& integrator,
                                 const std::vector<const StabilityProblem*>& problems = {});
 // Finds the limit of a row, and why there is none.
 void find_limit(KnownLimit& row);
-// The smallest in h/c first, then what has no limit there, then other units; marks the smallest.
+// The smallest in h/c first, then what has no limit there, then other units. Marks the smallest.
 void put_in_order(std::vector<KnownLimit>& rows);
 
 // All three, rows shared between threads.
@@ -43,6 +51,24 @@ std::vector<KnownLimit> limits_of(const IntegratorChoice& integrator, int thread
 
 // The row marked smallest; null: no row has a limit in h/c.
 const KnownLimit* smallest_of(const std::vector<KnownLimit>& rows);
+
+// A list as it is shown: which integrator, over which problems it was taken.
+struct KnownList {
+  IntegratorChoice integrator;
+  std::vector<const StabilityProblem*> problems;
+  std::vector<KnownLimit> rows;
+};
+
+// The smallest limit in h/c of a list and of one more result beside it; limit 0: neither has one.
+struct SmallestKnown {
+  double limit = 0;
+  std::string problem, words;
+  bool is_this = false;  // the result itself
+};
+SmallestKnown smallest_known(const Configuration& result, const KnownList& list);
+
+// "0.7071 h/c", "no stable step", "none below 4 h/c".
+std::string limit_in_words(const Configuration& result);
 
 // Shape, transfer and points of a problem's settings, then its own keys: "linear flip, ppc 2, depth 0.01".
 std::string choices_in_words(const Settings& settings, const std::vector<Override>& own = {});

@@ -110,7 +110,8 @@ Observation StabilityProblem::observed(const Settings& settings, int reach) cons
 
 Configuration examine(const StabilityProblem& problem, const std::string& scheme, const Settings& settings,
                       bool with_runs) {
-  Configuration found{scheme,
+  Configuration found{&problem,
+                      scheme,
                       settings,
                       problem.unit(),
                       problem.scan(settings),

@@ -56,7 +56,7 @@ inline constexpr std::array<double, 3> sampled_places{0.5, 0.25, 0.01};
 // A place where a problem occurs in a scene that is to be run.
 struct Occurrence {
   std::vector<Override> choices;  // beside those that the problem and the run have in common
-  double factor = 1;              // its limit times this is one of the run's Courant number
+  double factor = 1;              // its limit times fastest() and this is one of the run's Courant number
 };
 
 class StabilityProblem {
@@ -77,6 +77,10 @@ class StabilityProblem {
   virtual Watch watch(const Settings&) const { return {}; }  // of runs
   virtual std::optional<ClosedForm> closed_form(const Settings&) const { return std::nullopt; }
   virtual std::string unit() const { return "h/c"; }
+  // Speed of the fastest wave of all in units of c: limits times this are comparable, and Courant numbers of a run.
+  virtual double fastest(const Settings&) const { return 1; }
+  // Choices to fall back on, one after another, where an integrator cannot work with the problem's own.
+  virtual std::vector<std::vector<Override>> concessions() const { return {{{"transfer", "flip"}}}; }
   // What the step says over the scan, limits to a relative `width`; and what runs show. Of the patch, unless a problem
   // knows better.
   virtual Prediction predicted(const Settings& settings, const Scan& scan, double width) const;
@@ -117,6 +121,7 @@ Experiment experiment_of(const StabilityProblem& problem, const Settings& settin
 
 // What was found for one choice of settings.
 struct Configuration {
+  const StabilityProblem* problem = nullptr;
   std::string scheme;
   Settings settings;
   std::string unit;

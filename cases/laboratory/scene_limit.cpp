@@ -10,6 +10,7 @@
 
 #include "cases/harness/errors.hpp"
 #include "cases/laboratory/known_limits.hpp"
+#include "kernel/traits.hpp"
 
 namespace plumbline {
 namespace {
@@ -44,6 +45,8 @@ Found look(const StabilityProblem& problem, const Settings& settings) {
             fmt::format("it grows by {:.6g} in a step of {:.4g} {}", first.per_step, first.dt, problem.unit())};
   } catch (const std::runtime_error& error) {  // a step that cannot be taken is none to call safe
     return {0, error.what()};
+  } catch (const CannotWork& parts) {
+    return {0, parts.what()};
   }
 }
 
@@ -74,7 +77,8 @@ std::vector<SceneLimit> limits_in(const Scene& scene, const Settings& run) {
       overrides.insert(overrides.end(), occurrence.choices.begin(), occurrence.choices.end());
       const Settings settings = stability_settings(*problem, "default", overrides);
       const Found found = remembered(*problem, settings);
-      all.push_back({problem, settings, occurrence.choices, found.limit, found.limit * occurrence.factor, found.why});
+      all.push_back({problem, settings, occurrence.choices, found.limit, found.limit * problem->fastest(settings) * occurrence.factor,
+                     found.why});
     }
   }
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.courant < b.courant; });

@@ -108,6 +108,36 @@ Json to_json(const SafeStep& safe) {
   return document;
 }
 
+Json to_json(const KnownLimit& row) {
+  return {{"problem", row.problem->name()},
+          {"choices", row.words()},
+          {"unit", row.unit},
+          {"limit", real(row.limit)},
+          {"endless", std::isinf(row.limit)},
+          {"closed_form", row.closed_form ? real(row.closed_form->limit) : Json(nullptr)},
+          {"growth", row.no_stable_step() ? real(row.growth.per_step) : Json(nullptr)},
+          {"smallest", row.smallest},
+          {"note", row.note}};
+}
+
+Json to_json(const KnownList& list) {
+  Json document{{"integrator", list.integrator.name},
+                {"parameters", list.integrator.parameters},
+                {"problems", Json::array()},
+                {"rows", Json::array()}};
+  for (const StabilityProblem* problem : list.problems) document["problems"].push_back(problem->name());
+  for (const KnownLimit& row : list.rows) document["rows"].push_back(to_json(row));
+  return document;
+}
+
+Json to_json(const SmallestKnown& smallest) {
+  if (smallest.limit == 0) return nullptr;
+  return {{"problem", smallest.problem},
+          {"choices", smallest.words},
+          {"limit", smallest.limit},
+          {"is_this", smallest.is_this}};
+}
+
 Json problem_document(const StabilityProblem& problem) {
   const ProblemStatement s = problem.statement();
   return {{"problem", s.name},        {"title", s.title},         {"source", s.source},

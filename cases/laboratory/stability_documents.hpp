@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cases/harness/documents.hpp"
+#include "cases/laboratory/known_limits.hpp"
 #include "cases/laboratory/safe_step.hpp"
 
 namespace plumbline {
@@ -9,6 +10,9 @@ namespace plumbline {
 Json to_json(const Configuration& found);
 Json to_json(const StabilityMap& map);
 Json to_json(const SafeStep& safe);
+Json to_json(const KnownLimit& row);
+Json to_json(const KnownList& list);
+Json to_json(const SmallestKnown& smallest);  // null where there is none
 
 // Name, title, source, statement and equations of a problem, with its configurations to be filled in.
 Json problem_document(const StabilityProblem& problem);

@@ -1,5 +1,6 @@
 // The free end of an elastic bar.
 #include <cmath>
+#include <span>
 
 #include "cases/laboratory/bar_patch.hpp"
 #include "cases/laboratory/problem.hpp"
@@ -60,14 +61,17 @@ class BarEdge final : public StabilityProblem {
                           settings.integer("ppc"), settings.number("depth"), settings.integer("length"),
                           settings.text("far_end") == "wall" ? FarEnd::wall : FarEnd::free);
   }
-  // Known where both ends are free; a bar that leans on a wall is half of one of twice the length.
   std::optional<ClosedForm> closed_form(const Settings& s) const override {
     const auto scheme = map_scheme(s);
-    const int ppc = s.integer("ppc");
-    if (!scheme || s.text("far_end") != "free" || s.number("depth") * ppc > 1) return std::nullopt;
-    const auto points = reference::edge_points(ppc, s.integer("length"), s.number("depth"));
-    return ClosedForm{reference::free_bar_courant_limit(*scheme, points, 1.0 / ppc).value,
-                      "largest eigenvalue of a symmetric matrix, reference/mpm_amplification.hpp"};
+    if (!scheme) return std::nullopt;
+    const Patch bar = patch(s, {});
+    const std::span<const double> places = bar.scene.bodies[0].points.values(column::position);
+    const std::vector<double> points(places.begin(), places.end());
+    const double spacing = 1.0 / s.integer("ppc");
+    const reference::Bounded limit = s.text("far_end") == "wall"
+                                         ? reference::leaning_bar_courant_limit(*scheme, points, spacing)
+                                         : reference::free_bar_courant_limit(*scheme, points, spacing);
+    return ClosedForm{limit.value, "largest eigenvalue of a symmetric matrix, reference/mpm_amplification.hpp"};
   }
   // A strain that no velocity has made throws the light node beyond the end about by its share over its mass, once.
   Watch watch(const Settings& s) const override {

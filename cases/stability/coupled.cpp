@@ -100,11 +100,19 @@ class Coupled final : public StabilityProblem {
   std::vector<std::vector<Override>> listed() const override {
     return {{{"density_ratio", 1.0}, {"stiffness_ratio", 1.0}}};
   }
-  // Along the membrane. Here c is the gas's, in a run that of whichever is faster.
+  std::vector<std::vector<Override>> concessions() const override {
+    return {{{"transfer", "flip"}},
+            {{"membrane.loss", "booked"}},
+            {{"transfer", "flip"}, {"membrane.loss", "booked"}}};
+  }
+  // Of gas and membrane; c is the gas's.
+  double fastest(const Settings& s) const override {
+    return std::sqrt(std::max(1.0, s.number("stiffness_ratio") / s.number("density_ratio")));
+  }
+  // Along the membrane.
   std::vector<Occurrence> occurrences(const SceneContents& scene) const override {
     std::vector<Occurrence> all;
     for (const SceneContents::Coupling& found : scene.couplings) {
-      const double faster = std::sqrt(std::max(1.0, found.stiffness_ratio / found.density_ratio));
       for (const double place : sampled_places) {
         all.push_back({{{"ppc", 1.0 * found.gas.per_cell},
                         {"membrane.ppc", 1.0 * found.chain.per_cell},
@@ -112,7 +120,7 @@ class Coupled final : public StabilityProblem {
                         {"density_ratio", found.density_ratio},
                         {"stiffness_ratio", found.stiffness_ratio},
                         {"place", place}},
-                       faster / std::sqrt(scene.dim)});
+                       1 / std::sqrt(scene.dim)});
       }
     }
     return all;

@@ -12,7 +12,7 @@ Prediction predict_beside(double slow, const Experiment& experiment, const Scan&
 // The watch that tells the two apart: runs so short that slow growth stays small.
 Watch watch_beside(double slow, const Scan& scan);
 
-// Growth per step as the step foretells it, and as a run shows it that is long enough for the fastest mode to be alone and
+// Growth per step as the step predicts it, and as a run shows it that is long enough for the fastest mode to be alone and
 // short enough to stay small.
 struct GrowthSeen {
   double predicted = 1, observed = 1;

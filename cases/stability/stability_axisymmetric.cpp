@@ -55,7 +55,7 @@ class StabilityAxisymmetric final : public TrialCase {
     s.equations = {"Σ_p V_p p (∂N_i/∂r + N_i/r_p) = 0 at rest"};
     s.cells_along = "nothing: trials are not refined";
     s.reference_name = "bar-stability";
-    s.reference_text = "None: runs are compared with what the step foretells.";
+    s.reference_text = "None: runs are compared with what the step predicts.";
     s.reference_bound = "Rounding.";
     s.theory_orders = {{"observed.departure", 0, "nothing is refined"}};
     return s;

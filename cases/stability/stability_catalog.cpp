@@ -1,4 +1,4 @@
-// Cases of the catalog at shares of the limit that the laboratory foretells.
+// Cases of the catalog at shares of the limit that the laboratory predicts.
 #include <algorithm>
 #include <cmath>
 
@@ -78,10 +78,10 @@ class StabilityCatalog final : public TrialCase {
     s.name = "stability-catalog";
     s.sketch =
         R"svg(<svg viewBox="0 0 300 100" role="img" aria-label="A bar of four shares of a limit: 0.5, 0.9, 1.1, 2"><path d="M20 50h260M150 30v40" fill="none" stroke="currentColor" stroke-width="1.2"/><g fill="currentColor"><circle cx="85" cy="50" r="4"/><circle cx="137" cy="50" r="4"/><circle cx="163" cy="50" r="4"/><circle cx="280" cy="50" r="4"/></g><g fill="currentColor" font-size="12"><text x="75" y="80">0.5</text><text x="122" y="80">0.9</text><text x="158" y="80">1.1</text><text x="270" y="80">2</text><text x="130" y="24">limit</text></g></svg>)svg";
-    s.title = "Cases of the catalog at shares of the foretold limit";
+    s.title = "Cases of the catalog at shares of the predicted limit";
     s.source = "kernel/README.md, \"Stability\"";
     s.claim =
-        "At half and at nine tenths of the limit that the laboratory foretells, cases hold; at twice the limit none "
+        "At half and at nine tenths of the limit that the laboratory predicts, cases hold; at twice the limit none "
         "does.";
     s.physics =
         "Each case runs at shares of the limit behind `cfl=auto`: the least that the laboratory finds over the places "

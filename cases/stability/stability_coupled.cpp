@@ -24,7 +24,7 @@ struct Ratios {
   double mass, stiffness;
 };
 
-// Runs against what the step foretells, for several membranes.
+// Runs against what the step predicts, for several membranes.
 Findings runs(const std::string& scheme, const std::vector<Ratios>& membranes, const std::vector<Override>& more) {
   double worst = 0, brackets = 0;
   for (const Ratios& m : membranes) {
@@ -114,7 +114,7 @@ class StabilityCoupled final : public TrialCase {
         "York 1997, SAND97-1893, chapters 6 and 8: a stability analysis of the coupled scheme \"has not been "
         "conducted\"";
     s.claim =
-        "The step of gas and membrane on shared nodes has limits that its own derivative foretells and runs meet, from "
+        "The step of gas and membrane on shared nodes has limits that its own derivative predicts and runs meet, from "
         "light "
         "and stiff to heavy and soft membranes; York's steps lay below them, but for his piston's.";
     s.physics =
@@ -136,7 +136,7 @@ class StabilityCoupled final : public TrialCase {
     s.equations = {"long waves: c_l² = (ρ c² h + E t)/(ρ h + m_s)"};
     s.cells_along = "nothing: trials are not refined";
     s.reference_name = "bar-stability";
-    s.reference_text = "None: runs are compared with what the step foretells.";
+    s.reference_text = "None: runs are compared with what the step predicts.";
     s.reference_bound = "Rounding.";
     s.theory_orders = {{"observed.departure", 0, "nothing is refined"}};
     return s;
@@ -199,7 +199,7 @@ class StabilityCoupled final : public TrialCase {
     for (const std::string scheme : {"default", "york1997"}) {
       all.push_back(error_gate(scheme + "-growth", "observed.departure", trial_level,
                                declare(scheme + "-growth/observed", {{}, 0.02}, Origin::target,
-                                       "growth per step of runs within 2 % of what the step foretells")));
+                                       "growth per step of runs within 2 % of what the step predicts")));
     }
     const Gate none = declare("york1997-growth/rate", {{}, 1e-5}, Origin::theory, "a gas at rest stays at rest");
     all.push_back(value_gate(

@@ -176,7 +176,7 @@ class StabilityGas final : public TrialCase {
     s.title = "Largest stable steps of a gas";
     s.source = "York 1997, SAND97-1893, chapter 4; his chapter 8 analyses elastic bars alone";
     s.claim =
-        "The limits of a gas, which York left open, are foretold by the step itself and met by runs: 1.44 h/c by "
+        "The limits of a gas, which York left open, are predicted by the step itself and met by runs: 1.44 h/c by "
         "default, "
         "1.09 to 1.20 by his choices under compression.";
     s.physics =

@@ -94,6 +94,46 @@ TEST(FreeBar, PointsAtCentresHaveStandingWaves) {
   }
 }
 
+// Half of a bar of 2 n cells: the standing waves of odd k alone, whose velocity is odd about the wall.
+TEST(LeaningBar, PointsAtCentresHaveEveryOtherStandingWave) {  // [Stability 4, 5]
+  for (int count : {1, 2, 5, 6}) {
+    std::vector<double> points;
+    for (int k = 0; k < count; ++k) points.push_back(k + 0.5);
+    double first = 0, last = 0;
+    for (int k = 1; k <= 2 * count; k += 2) {
+      const double s = std::pow(std::sin(k * pi.value / (4 * count)), 2);
+      first = std::max(first, s * (1 - s));
+      last = std::max(last, s * (1 + s));
+    }
+    const Bounded early = leaning_bar_courant_limit({Update::first}, points, 1);
+    const Bounded late = leaning_bar_courant_limit({Update::last}, points, 1);
+    EXPECT_NEAR(early.value, 1 / std::sqrt(first), early.bound + 1e-15);
+    EXPECT_NEAR(late.value, 1 / std::sqrt(last), late.bound + 1e-15);
+  }
+}
+
+// A mode of the bar alone is one of it and its image; where they do not reach each other they are the same.
+TEST(LeaningBar, BearsNoLessThanTheBarWithItsImage) {
+  for (Update update : {Update::first, Update::last}) {
+    for (Shape shape : {Shape::linear, Shape::boxes, Shape::quadratic, Shape::cubic}) {
+      for (Transfer transfer : {Transfer::flip, Transfer::apic}) {
+        std::vector<double> points, both;
+        for (int k = 0; k < 24; ++k) points.push_back(12.1 - 0.5 * k);
+        for (double x : points) both.insert(both.end(), {x, -x});
+        const MapScheme scheme{update, shape, transfer};
+        const Bounded whole = free_bar_courant_limit(scheme, both, 0.5);
+        const Bounded half = leaning_bar_courant_limit(scheme, points, 0.5);
+        EXPECT_GE(half.value + half.bound, whole.value - whole.bound);
+      }
+    }
+  }
+  const MapScheme last{Update::last, Shape::linear, Transfer::flip};
+  std::vector<double> points;
+  for (int k = 0; k < 24; ++k) points.push_back(12.01 - 0.5 * k);
+  EXPECT_NEAR(leaning_bar_courant_limit(last, points, 0.5).value,
+              free_bar_courant_limit(last, edge_points(2, 12, 0.01), 0.5).value, 1e-12);
+}
+
 TEST(FreeBar, YorksFivePoints) {  // [York 8.36, 8.41]
   const MapScheme york{Update::modified_last, Shape::linear, Transfer::flip};
   const Bounded centres = free_bar_courant_limit(york, york_points(0.5), 1);
@@ -113,6 +153,7 @@ TEST(FreeBar, WrongArgumentsAreRefusedByKey) {
   EXPECT_EQ(refused_key([] { free_bar_courant_limit({.shape = Shape::boxes}, {0.5}, 1.5); }), "spacing");
   EXPECT_EQ(refused_key([] { free_bar_courant_limit({.order = 0}, {0.5}, 1); }), "order");
   EXPECT_EQ(refused_key([] { free_bar_amplification({}, {0.5}, 1, 0); }), "courant");
+  EXPECT_EQ(refused_key([] { leaning_bar_courant_limit({}, {0.5, -0.5}, 1); }), "points");
   EXPECT_EQ(refused_key([] { edge_points(2, 8, 0.6); }), "depth");
   EXPECT_EQ(refused_key([] { edge_points(0, 8, 0.1); }), "per_cell");
   EXPECT_EQ(refused_key([] { york_points(1.5); }), "offset");

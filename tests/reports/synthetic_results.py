@@ -663,6 +663,16 @@ def _closed_step(integrator, wave):
     return math.sqrt(4 / (4 * s * (2 - h))) if integrator == "usl" else 1 / math.sqrt(s * h)
 
 
+def _known(integrator, parameters, rows):
+    problems = list(dict.fromkeys(row["problem"] for row in rows))
+    return {"integrator": integrator, "parameters": parameters, "problems": problems, "rows": rows}
+
+
+def _limit(problem, limit, **more):
+    row = {"problem": problem, "choices": "linear flip, ppc 2", "unit": "h/c", "limit": limit, "endless": False}
+    return {**row, "closed_form": None, "growth": None, "smallest": False, "note": "", **more}
+
+
 def _safe(integrator, shape, transfer, ppc, limit, **more):
     offset, edge = (0.0, 0.99 * limit) if limit else (None, None)
     entry = {"integrator": integrator, "shape": shape, "transfer": transfer, "ppc": ppc, "limit": limit}
@@ -723,7 +733,24 @@ def stability_document(maps=None):
         "threshold": None,
         "sampled": None,
     }
+    smallest = {"problem": "bar-edge", "choices": "linear flip, ppc 2, depth 0.01", "limit": 0.0141}
+    for configuration in bar[6:9]:
+        configuration["smallest_known"] = {**smallest, "is_this": False}
+    bar[0]["smallest_known"] = {"problem": "bar", "choices": "linear flip, N 0.1", "limit": bar_limit("usf", 0.1), "is_this": True}
     return {
+        "known_limits": [
+            _known("usl", {}, [_limit("bar-edge", 0.0141, smallest=True), _limit("bar", 0.7071), _limit("gas", 0.0, growth=1.02)]),
+            _known(
+                "generalized-alpha",
+                {"rho_b": 0.5},
+                [
+                    _limit("plane", 1.2345678, smallest=True),
+                    _limit("bar", None, endless=True),
+                    _limit("coupled", None, note="it gives no loss back"),
+                    _limit("oscillator", 1.9, unit="1/omega"),
+                ],
+            ),
+        ],
         "problems": [
             {
                 "problem": "bar",

@@ -9,6 +9,7 @@ import re
 import numpy
 import pytest
 
+import cost
 import maps
 import plumbline_results
 import render
@@ -49,10 +50,11 @@ def rows_of(parsed, section):
 def test_every_safe_number_is_that_of_the_document(parsed):
     rows = {cells[0]: cells for cells in rows_of(parsed, "stability") if " · " in cells[0] and cells[0][0].islower()}
     assert len(rows) == 6
-    assert rows["usf · linear · flip"][1] == "0.99", "the edge with one point per cell bears least"
+    assert rows["usf · linear · flip"][1] == "0.99", "the edge with one point per cell has the smallest limit"
+    assert "a free edge (problem bar-edge) with 1 per cell" in rows["usf · linear · flip"][2]
     assert rows["usf · linear · flip"][3:] == ["1 at 0 regular 1.2 edge 0.99", "1.414 at 0 regular 1.735 edge 1.399"]
-    assert rows["usl · linear · flip"][1] == "0.0141"
-    assert "0.7071 inside a body, but only 0.0141 at a free edge" in rows["usl · linear · flip"][2]
+    assert rows["usl · linear · flip"][1] == "0.0141 smallest known"
+    assert "0.7071 inside a body (problem bar), but only 0.0141 at a free edge" in rows["usl · linear · flip"][2]
     assert rows["usl · linear · apic"][1] == "none" and "Not safe" in rows["usl · linear · apic"][2]
     assert rows["implicit_midpoint · linear · flip"][1] == "every step"
     assert rows["usl_old · linear · flip"][1:3] == ["—", "Not determined."]
@@ -75,10 +77,50 @@ def test_limits_of_a_problem_are_those_of_the_document(parsed):
     for cells, (name, place) in zip(rows, expected):
         limit = bar_limit(name, place)
         assert cells[0] == f"flip, N {place}"
-        assert cells[1] == f"0 … {text.number(limit, 6)}"
+        said = {("usf", 0.1): " smallest known"}.get((name, place), "")
+        said = " smallest known: 0.0141 on bar-edge" if name == "usl" else said
+        assert cells[1] == f"0 … {text.number(limit, 6)}{said}"
         assert cells[2] == f"{text.number(limit, 6)} +3 × 10⁻⁶ %"
         assert cells[3] == maps.bracket(0.998 * limit, 1.001 * limit)
         assert cells[4] == "−0.05 %"
+
+
+def test_the_smallest_known_limit_stands_beside_every_other():
+    """Whatever limit is shown, the page names its problem and, where it is not the smallest known, the one that is."""
+    document = _filled(stability_document())
+    shown = stability.page(document, {})
+    usl, alpha = shown["known"]
+    assert (usl["integrator"], usl["smallest"], usl["problem"]) == ("usl", "0.0141", "bar-edge (linear flip, ppc 2)")
+    assert usl["others"] == ["0.7071 on bar (linear flip, ppc 2)"] and usl["growing"] == ["gas (linear flip, ppc 2)"]
+    assert alpha["smallest"] == "1.234", "rounded down"
+    assert alpha["parameters"] == "rho_b 0.5" and alpha["endless"] == ["bar (linear flip, ppc 2)"]
+    assert alpha["unknown"] == [{"where": "coupled", "why": "it gives no loss back"}]
+    assert alpha["apart"] == ["oscillator: 1.9 1/ω"]
+    rows = shown["problems"][0]["rows"]
+    said = {(row["label"], row["choices"]): row["smallest"] for row in rows}
+    assert said["usl", "flip, N 0.3"] == "smallest known: 0.0141 on bar-edge"
+    assert said["usf", "flip, N 0.1"] == "smallest known" and said["musl", "flip, N 0.1"] == ""
+    safe = {row["key"][1:]: row["smallest"] for row in shown["safe"]["rows"]}
+    assert safe["usl", "linear", "flip"] == "smallest known" and safe["usf", "linear", "flip"] == ""
+    document["problems"][0]["safe"][3]["edge"] = 0.3
+    safe = {row["key"][1:]: row["smallest"] for row in stability.page(document, {})["safe"]["rows"]}
+    assert safe["usl", "linear", "flip"] == "smallest known: 0.0141 on bar-edge"
+
+
+def test_known_limits_are_on_the_page(parsed):
+    rows = {cells[0]: cells for cells in rows_of(parsed, "stability")}
+    assert rows["usl"][1:3] == ["0.0141", "bar-edge (linear flip, ppc 2)"]
+    assert "not found on coupled: it gives no loss back" in rows["generalized-alpha rho_b 0.5"][4]
+
+
+def test_a_limit_of_the_table_of_schemes_names_its_problem():
+    document = _filled(stability_document())
+    document["problems"][3] = {**document["problems"][0], "problem": "contact"}
+    usl = document["problems"][3]["configurations"][6]
+    usl["scheme"] = "default"
+    words = cost._limit(document, {"kind": "solid", "scheme": "default"})
+    limit = text.number(usl["predicted"][0]["high"], 3)
+    assert words == f"{limit} h/c on contact; smallest known: 0.0141 on bar-edge"
 
 
 def test_growth_just_above_a_limit_is_given():
@@ -221,8 +263,13 @@ def test_maps_of_a_kind_share_one_scale():
 def _filled(document):
     document = copy.deepcopy(document)
     for problem in document["problems"]:
-        for part in ("configurations", "maps", "safe"):
+        for part in ("configurations", "maps", "safe", "equations"):
             problem[part] = problem.get(part) or []
+        for configuration in problem["configurations"]:
+            for part in ("settings", "scanned", "differences", "orders", "smallest_known"):
+                configuration[part] = configuration.get(part) or {}
+            for part in ("predicted", "observed", "growth", "observed_growth"):
+                configuration[part] = configuration.get(part) or []
     return document
 
 
@@ -341,6 +388,10 @@ def stability_page(folder):
         lambda d: d["problems"][0].update(configurations="none"),
         lambda d: d["problems"][0].update(safe=[1]),
         lambda d: d["problems"][0].update(equations=[1]),
+        lambda d: d.update(known_limits={}),
+        lambda d: d["known_limits"][0].update(rows=None, integrator=None),
+        lambda d: d["known_limits"][0]["rows"][0].update(limit="small"),
+        lambda d: d["known_limits"][0]["rows"][0].update(problem=None),
         lambda d: d["problems"][0]["safe"][0].update(limit="large"),
         lambda d: d["problems"][0]["safe"][0].update(limit=True),
         lambda d: d["problems"][0]["configurations"][0].update(predicted=[1.8]),
@@ -431,7 +482,7 @@ def test_csv_gives_every_number_back(tmp_path):
     write_stability(tmp_path, document)
     assert render.main([str(tmp_path), str(tmp_path / "page.html"), "--csv", str(tmp_path / "csv")]) == 0
     tables = {}
-    for name in ("stability", "stability-growth", "stability-safe", "stability-maps", "stability-orders"):
+    for name in ("stability", "stability-growth", "stability-safe", "stability-known", "stability-maps", "stability-orders"):
         with open(tmp_path / "csv" / f"{name}.csv", encoding="utf-8", newline="") as stream:
             tables[name] = list(csv.DictReader(stream))
     bar = document["problems"][0]
@@ -443,6 +494,9 @@ def test_csv_gives_every_number_back(tmp_path):
     growth = [float(row["per_step"]) for row in tables["stability-growth"][:30]]
     assert growth == [entry["per_step"] for entry in bar["configurations"][0]["growth"]]
     assert [float(row["limit"] or "nan") for row in tables["stability-safe"][:4]] == [1.0, 1.414, 2.24, 0.7071]
+    assert first["smallest_known_problem"] == "bar" and tables["stability"][6]["smallest_known"] == "0.0141"
+    known = [(row["integrator"], row["problem"], row["limit"], row["smallest"]) for row in tables["stability-known"]]
+    assert known[0] == ("usl", "bar-edge", "0.0141", "true") and known[-1][:2] == ("generalized-alpha", "oscillator")
     values = [row for row in tables["stability-maps"] if row["part"] == "values"]
     assert len(values) == sum(len(m["values"]) * len(m["values"][0]) for m in bar["maps"])
     assert float(values[41]["low"]) == bar["maps"][0]["values"][1][1]

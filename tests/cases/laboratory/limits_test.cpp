@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace plumbline {
@@ -35,6 +36,25 @@ TEST(Limits, EveryStableIntervalIsFound) {
   EXPECT_FALSE(found.always_unstable());
   ASSERT_EQ(found.growth.size(), 40U);
   EXPECT_EQ(found.growth.front().dt, 0.3);
+}
+
+// From the smallest step on; beyond the first that grows nothing is looked at.
+TEST(Limits, TheFirstAloneIfAskedFor) {
+  double largest = 0;
+  const auto watched = [&](double dt, const std::vector<WaveNumber>& hints) {
+    largest = std::max(largest, dt);
+    return islands(dt, hints);
+  };
+  const Scan scan{.low = 0.3, .high = 6, .steps = 40, .first_limit_only = true};
+  const Prediction found = predict(GrowthOfStep(watched), scan);
+  ASSERT_EQ(found.stable.size(), 1U);
+  EXPECT_EQ(found.stable[0].low, 0);
+  EXPECT_NEAR(found.limit(), 1, 1e-8);
+  EXPECT_LT(largest, 1.1);
+  const Scan above{.low = 1.2, .high = 6, .steps = 40, .first_limit_only = true};
+  EXPECT_TRUE(predict(GrowthOfStep(watched), above).always_unstable());
+  const Scan below{.low = 0.3, .high = 0.9, .steps = 4, .first_limit_only = true};
+  EXPECT_TRUE(predict(GrowthOfStep(watched), below).always_stable());
 }
 
 TEST(Limits, NoneAndAll) {
