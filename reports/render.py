@@ -31,6 +31,7 @@ import normals
 import pictures
 import plumbline_results
 import profiles
+import scorecards
 import speed
 import stability
 import svg
@@ -106,10 +107,11 @@ def front_page(folder, cases):
     parts = {
         "cost": cost_part(folder, cases),
         "bite": mutants.page(folder.mutants),
+        "integrators": scorecards.page(folder.scorecards, folder.judges),
     }
     return {
         **parts,
-        "glance": glance(cases, parts["cost"], parts["bite"]),
+        "glance": glance(cases, parts),
         "strips": tables.strips(folder, cases),
         "missed": _anchored(tables.missed(cases)),
         "expected_failures": _anchored(tables.expected_failures(cases)),
@@ -128,8 +130,8 @@ def front_page(folder, cases):
     }
 
 
-def glance(cases, cost_shown, bite):
-    """What a newcomer should know first, each a link to where it is shown."""
+def glance(cases, parts):
+    """What a newcomer should know first, each a link to where it is shown; `parts`: those of the front page."""
     counts = sum((case.counts for case in cases.values()), collections.Counter())
     if not counts:
         return []
@@ -144,13 +146,20 @@ def glance(cases, cost_shown, bite):
             {"figure": str(counts["XFAIL"]), "target": "expected-failures", "look": "xfail",
              "words": "of them are known failures of a scheme, each with its cause"}
         )  # fmt: skip
-    chosen = [row for row in (cost_shown or {}).get("jobs", ()) if row.get("chosen")]
+    chosen = [row for row in (parts["cost"] or {}).get("jobs", ()) if row.get("chosen")]
     if chosen:
         schemes = collections.Counter(row["scheme"] for row in chosen)
         name, times = schemes.most_common(1)[0]
         cards.append(
             {"figure": name, "target": "which-scheme", "look": "",
              "words": f"is the scheme to take for {times} of {text.plural(len(chosen), 'kind')} of scene: which scheme for which job"}
+        )  # fmt: skip
+    integrators, bite = parts["integrators"], parts["bite"]
+    if integrators and integrators["cards"]:
+        judged, green = len(integrators["cards"]), integrators["green"]
+        cards.append(
+            {"figure": f"{green} of {judged}", "target": "integrators", "look": "pass" if green == judged else "fail",
+             "words": "time integrators meet all gates that any must meet: judge one of your own"}
         )  # fmt: skip
     if bite:
         cards.append(
@@ -444,6 +453,7 @@ def write_tables(folder, cases, target):
     more = trust.csv_tables(folder, cases)
     if folder.cost:
         more["cost"] = cost.CSV_COLUMNS, cost.csv_rows(folder.cost)
+    more |= scorecards.csv_tables(folder.scorecards)
     for name, (columns, rows) in more.items():
         plumbline_results.write_csv(columns, rows, target / f"{name}.csv")
 
