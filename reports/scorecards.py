@@ -90,7 +90,7 @@ def card_page(card):
 def _words(words):
     """What the program writes in letters of a terminal, with the signs of this page."""
     words = re.sub(r"\d+(?:\.\d+)?e[+-]\d+", lambda found: text.number(float(found[0])), words)
-    return words.replace(" /omega", "/ω").replace("/omega", "/ω").replace("->", "→")
+    return words.replace("/omega", "/ω").replace("->", "→")
 
 
 def _family_rows(card, gates):
@@ -128,14 +128,16 @@ def _has_limit(row):
 def _limit(row):
     if row["endless"]:
         return "no limit"
-    return "no stable step" if row["limit"] == 0 else text.number(row["limit"], 5)
+    return "no stable step" if row["limit"] == 0 else f"{text.number(row['limit'], 5)} {stability.unit(row['unit'])}"
 
 
 def _limit_words(row):
     """'0.7513 h/c on plane (linear flip, ppc 1)'."""
-    choices = f" ({row['choices']})" if row["choices"] else ""
-    unit = "" if row["endless"] else f" {stability.unit(row['unit'])}"
-    return f"{_limit(row)}{unit} on {row['problem']}{choices}"
+    return f"{_limit(row)} on {_problem(row)}"
+
+
+def _problem(row):
+    return f"{row['problem']} ({row['choices']})" if row["choices"] else row["problem"]
 
 
 def _limit_rows(card):
@@ -150,7 +152,6 @@ def _limit_rows(card):
             {
                 **row,
                 "limit": _limit(row),
-                "unit": stability.unit(row["unit"]),
                 "closed": text.number(row["closed_form"], 5),
                 "other": _limit(other) if other and _has_limit(other) else text.MISSING,
                 "growth": text.number(row["growth"], 6) if row["growth"] is not None else "",
@@ -164,7 +165,7 @@ def _without_limits(card):
     found = {}
     for row in card["limits"]:
         if not _has_limit(row):
-            found.setdefault(row["note"], []).append(f"{row['problem']} ({row['choices']})" if row["choices"] else row["problem"])
+            found.setdefault(row["note"], []).append(_problem(row))
     return [{"problems": text.listing(dict.fromkeys(problems)), "note": note} for note, problems in found.items()]
 
 
