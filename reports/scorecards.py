@@ -23,10 +23,14 @@ from figures import Figure, Key, log_axis
 from plumbline_results import JUDGES_FILE
 
 EFFORTS = {"core": "core set of gates", "whole": "whole set of gates"}
-CLASSES = {  # of ci/judges: what such an integrator should be, and how that is said
-    "wrong": ("red", "wrong", "red by a gate beyond the identities, which hold for wrong physics too"),
-    "weak": ("red", "weakly unstable", "red"),
-    "right": ("green", "right", "green"),
+CLASSES = {  # of ci/judges: how they are called, what is expected of them, and whether one meets that
+    "wrong": ("wrong", "red by a gate beyond the identities, which hold for wrong physics too", lambda row: row["proven"]),
+    "weak": ("weakly unstable", "red by a gate of stability", lambda row: row["gate"]["family"] == "stability"),
+    "right": (
+        "right",
+        "green, with the order and limit that are known",
+        lambda row: row["verdict"] == "green" and all(entry["agrees"] for entry in row["known"]),
+    ),
 }
 LOOKS = {"green": "pass", "red": "fail", "stopped": "invalid"}
 MOST_TICKS = 3  # along the lower side of a panel of half the width
@@ -308,12 +312,11 @@ def judges_page(document):
     if not document:
         return None
     classes = []
-    for name, (wanted, words, meaning) in CLASSES.items():
-        rows = [_judged_row(row) for row in document[name]]
+    for name, (words, expected, meets) in CLASSES.items():
+        rows = sorted(document[name], key=meets)  # those that are not as expected first
         if rows:
-            met = sum(row["proven"] if name == "wrong" else row["verdict"] == wanted for row in rows)
-            rows.sort(key=lambda row: row["verdict"] == wanted)
-            classes.append({"name": name, "words": words, "met": met, "meaning": meaning, "rows": rows})
+            met = sum(map(meets, rows))
+            classes.append({"name": name, "words": words, "met": met, "expected": expected, "rows": list(map(_judged_row, rows))})
     changes = document["systematic"]["changes"]
     kinds = [kind for kind in ("strain", "force", "motion") if any(row[kind] is not None for row in document["smallest"])]
     return {
