@@ -16,6 +16,7 @@ import pytest
 import plumbline_results
 import render
 import scorecards
+import svg
 import synthetic_results
 import synthetic_scorecards
 from conftest import REPORTS
@@ -262,7 +263,7 @@ def test_a_card_of_the_program(tmp_path):
     card = json.loads((tmp_path / "scorecard-musl.json").read_text(encoding="utf-8"))
     page = Page(page_of(tmp_path, card, "scorecard-musl.json"))
     assert card["sentence"].replace("/omega", "/ω") in page.text
-    assert {gate["id"] for gate in card["gates"]} <= set(re.findall(r"[\w.-]+(?:/[\w.-]+)+", page.text))
+    assert {f"gate-scorecard-musl-{svg.identifier(gate['id'])}" for gate in card["gates"]} <= set(page.ids)
 
 
 # --- gaps and damage ----------------------------------------------------------------------------------
