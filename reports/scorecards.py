@@ -32,7 +32,6 @@ CLASSES = {  # of ci/judges: how they are called, what is expected of them, and 
         lambda row: row["verdict"] == "green" and all(entry["agrees"] for entry in row["known"]),
     ),
 }
-LOOKS = {"green": "pass", "red": "fail", "stopped": "invalid"}
 MOST_TICKS = 3  # along the lower side of a panel of half the width
 MOST_ROWS = 60  # of changed stages in a table; all are in the file
 LIMIT_COLUMNS = ("integrator", "problem", "choices", "unit", "limit", "endless", "closed_form", "growth", "smallest", "note")
@@ -316,7 +315,7 @@ def judges_page(document):
         rows = sorted(document[name], key=meets)  # those that are not as expected first
         if rows:
             met = sum(map(meets, rows))
-            classes.append({"name": name, "words": words, "met": met, "expected": expected, "rows": list(map(_judged_row, rows))})
+            classes.append({"name": name, "words": words, "met": met, "expected": expected, "rows": [_judged_row(row, name, meets(row)) for row in rows]})
     changes = document["systematic"]["changes"]
     kinds = [kind for kind in ("strain", "force", "motion") if any(row[kind] is not None for row in document["smallest"])]
     return {
@@ -338,11 +337,24 @@ def judges_page(document):
     }
 
 
-def _judged_row(row):
+def _found(row, name, met):
+    """(word, colour) of what was made of an integrator of this class, `met`: what is expected."""
+    if row["verdict"] == "stopped":
+        return "stopped", "invalid"
+    if name == "right":
+        return (row["verdict"], "pass" if met else "fail") if met or row["verdict"] != "green" else ("differs", "fail")
+    if met:
+        return "seen", "pass"
+    return ("other gate", "inconclusive") if row["verdict"] == "red" else ("not seen", "fail")
+
+
+def _judged_row(row, name, met):
     gate = row["gate"]
+    word, look = _found(row, name, met)
     return {
         **row,
-        "look": LOOKS.get(row["verdict"], "none"),
+        "found": word,
+        "look": look,
         "gate": gate["id"],
         "family": gate["family"],
         "measured": text.measured(gate["measured"], gate["expected"]),
