@@ -269,7 +269,8 @@ def _missing(card):
 
 def _places(names):
     """Identifiers of gates, those that differ in their last part alone as one."""
-    return list(dict.fromkeys(name.rpartition("/")[0] if name.count("/") > 1 else name for name in names))
+    above = [name.rpartition("/")[0] for name in names]
+    return list(dict.fromkeys(place if above.count(place) > 1 and "/" in place else name for name, place in zip(names, above)))
 
 
 def _gate_groups(card, gates):

@@ -116,7 +116,7 @@ def green():
         "next": None,
         "gates": gates,
         "not_applicable": [{"what": f"identities/airbag-200/{name}", "integrator": "mine", "missing": [LACK]} for name in ("mass", "finite")]
-        + [{"what": "jumps/sod", "integrator": "mine", "missing": [LACK, {**LACK, "trait": "forward-steps"}]}],
+        + [{"what": "jumps/sod/order", "integrator": "mine", "missing": [LACK, {**LACK, "trait": "forward-steps"}]}],
     }
 
 

@@ -189,6 +189,7 @@ def test_nothing_timed_draws_nothing(tmp_path):
 def test_what_could_not_be_judged_is_said_with_the_trait(tmp_path):
     words = Page(page_of(tmp_path, green())).text
     assert "identities/airbag-200. Missing: returned-loss (the gas needs returned-loss" in words
+    assert "jumps/sod/order. Missing: " in words, "one alone keeps its name"
     assert words.count("returned-loss (the gas") == 2 and "forward-steps (" in words
 
 
