@@ -41,9 +41,14 @@ class Figure:
 # --- axes -----------------------------------------------------------------------------------------
 
 
-def log_axis(axis, low, high):
-    """Ticks of a logarithmic axis: decades; 1, 2, 5; all digits; whatever gives at least three labels."""
+def log_axis(axis, low, high, most=None):
+    """Ticks of a logarithmic axis: decades; 1, 2, 5; all digits; whatever gives at least three labels. Where that is more
+    than `most`: the decades among them, or each second or so.
+    """
     ticks = log_ticks(low, high)
+    if most and len(ticks) > most:
+        decades = [value for value in ticks if f"{value:e}".startswith("1.000000e")]
+        ticks = decades if 1 < len(decades) <= most else ticks[:: -(-len(ticks) // most)]
     axis.set_major_locator(FixedLocator(ticks))
     axis.set_major_formatter(FuncFormatter(lambda value, _: tick(value)))
     axis.set_minor_locator(NullLocator())

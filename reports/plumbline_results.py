@@ -34,6 +34,8 @@ COST_FILE = "cost.json"
 EQUATIONS_FILE = "equations.json"
 COVERAGE_FILE = "coverage.json"
 DIFF_FILE = "diff.json"
+JUDGES_FILE = "judges.json"
+SCORECARD_FILES = "scorecard-*.json"
 GATE_COLUMNS = (
     "case",
     "id",
@@ -166,7 +168,8 @@ class Folder:
     `bench`: the JSON object of `plumbline bench`, if the folder has one under the name BENCH_FILE; `stability`: that of
     `plumbline stability` under STABILITY_FILE; `mutants`: the kill matrix of ci/mutants under MUTANTS_FILE;
     `cost`: that of `plumbline bench --cases` under COST_FILE; `equations`: that of `ci/check_equations` under
-    EQUATIONS_FILE; `coverage`: that of `ci/coverage` under COVERAGE_FILE.
+    EQUATIONS_FILE; `coverage`: that of `ci/coverage` under COVERAGE_FILE; `judges`: that of `ci/judges` under JUDGES_FILE;
+    `scorecards`: those of `plumbline verify --integrator` under SCORECARD_FILES.
     """
 
     runs: list = field(default_factory=list)
@@ -180,6 +183,8 @@ class Folder:
     equations: dict = field(default_factory=dict)
     coverage: dict = field(default_factory=dict)
     diff: dict = field(default_factory=dict)  # of `plumbline diff` under DIFF_FILE
+    judges: dict = field(default_factory=dict)
+    scorecards: list = field(default_factory=list)
 
 
 def load(path):
@@ -232,6 +237,9 @@ def load_folder(path):
     folder.equations = _load_if_there(load_equations, path / EQUATIONS_FILE, folder)
     folder.coverage = _load_if_there(load_coverage, path / COVERAGE_FILE, folder)
     folder.diff = _load_if_there(load_diff, path / DIFF_FILE, folder)
+    folder.judges = _load_if_there(load_judges, path / JUDGES_FILE, folder)
+    cards = [_load_if_there(load_scorecard, file, folder) for file in sorted(path.glob(SCORECARD_FILES))]
+    folder.scorecards = [card for card in cards if card]
     return folder
 
 
@@ -338,6 +346,109 @@ def load_coverage(path):
 def load_diff(path):
     """The JSON object that `plumbline diff --json` wrote. Raises DamagedFile or FileNotFoundError."""
     return _with_list(path, "findings", "plumbline diff")
+
+
+def load_scorecard(path):
+    """The JSON object that `plumbline verify --integrator` wrote, with the name of its `file`. Raises DamagedFile or
+    FileNotFoundError. Parts that it lacks, or gives as null, come back empty; numbers may be None, and so may `against` and `factor`.
+    """
+    card = _json_file(path)
+    if not isinstance(card, dict) or not all(isinstance(card.get(part), str) for part in ("integrator", "sentence", "verdict")):
+        raise DamagedFile("not a scorecard of plumbline verify --integrator: integrator, sentence or verdict is missing")
+    against, factor = card.get("against"), card.get("factor")
+    whole = _formed(card, _SCORECARD_PARTS, "scorecard")
+    if against is None:
+        whole["against"] = None
+    if factor is None:
+        whole["factor"] = None
+    return {**whole, "file": pathlib.Path(path).name}
+
+
+def load_judges(path):
+    """The JSON object that `ci/judges` wrote. Raises DamagedFile or FileNotFoundError; parts that it lacks come back empty."""
+    document = _json_file(path)
+    if not isinstance(document, dict) or not isinstance(document.get("wrong"), list):
+        raise DamagedFile("not an output of ci/judges: there is no list of wrong integrators")
+    return _formed(document, _JUDGES_PARTS, "judges")
+
+
+def _formed(value, form, place):
+    """The value with all parts that its form names there and of their kind. A form is a kind, a list of one form, an object of
+    forms, or a tuple of one, which stands for an object of any names."""
+    if isinstance(form, tuple):
+        form = dict.fromkeys(value, form[0]) if isinstance(value, dict) else {}
+    if isinstance(form, dict):
+        value = {} if value is None else value
+        if not isinstance(value, dict):
+            raise DamagedFile(f"{place} is no object")
+        return {**value, **{key: _formed(value.get(key), part, f"{place}.{key}") for key, part in form.items()}}
+    if isinstance(form, list):
+        value = [] if value is None else value
+        if not isinstance(value, list):
+            raise DamagedFile(f"{place} is no list")
+        return [_formed(entry, form[0], f"{place}[{number}]") for number, entry in enumerate(value)]
+    if form is float:
+        if not _number_or_none(value):
+            raise DamagedFile(f"{place} is no number")
+        return value
+    value = form() if value is None else value
+    if not isinstance(value, form):
+        raise DamagedFile(f"{place} should be {_KINDS[form]}")
+    return value
+
+
+_KINDS = {str: "a text", bool: "true or false"}
+_RANGE = {"low": float, "high": float}
+_GATE_PARTS = {
+    **dict.fromkeys(("id", "case", "scheme", "study", "quantity", "origin", "reason", "verdict", "cause", "note", "explanation"), str),
+    "expected": _RANGE,
+    "measured": float,
+    "interval": [float],
+    "margin": float,
+}
+_FACTOR_PARTS = {"case": str, "factor": float, "low": float, "high": float, "note": str}
+_HALF_PARTS = {
+    **dict.fromkeys(("integrator", "title", "source", "effort", "sentence", "verdict"), str),
+    "parameters": (float,),
+    "needs": [str],
+    "offers": [str],
+    "families": [{"family": str, "claimed": str, "measured": str, "verdict": str, "gates": float, "red": [str]}],
+    "limits": [
+        {
+            **dict.fromkeys(("problem", "choices", "unit", "note"), str),
+            **dict.fromkeys(("limit", "closed_form", "growth"), float),
+            **dict.fromkeys(("endless", "smallest"), bool),
+        }
+    ],
+    "cost": [
+        {
+            **dict.fromkeys(("case", "measure", "note"), str),
+            "levels": [{"cells": float, "error": float, "particle_steps": float, "wall_s": [float]}],
+        }
+    ],
+}
+_SCORECARD_PARTS = {
+    **_HALF_PARTS,
+    "against": _HALF_PARTS,
+    "factors": [_FACTOR_PARTS],
+    "factor": _FACTOR_PARTS,
+    "next": str,
+    "gates": [_GATE_PARTS],
+    "not_applicable": [{"what": str, "missing": [{"trait": str, "why": str}]}],
+}
+_JUDGED_PARTS = {
+    **dict.fromkeys(("integrator", "title", "source", "verdict", "stopped", "stage", "status", "argument"), str),
+    "gate": {**_GATE_PARTS, "family": str},
+    "proven": bool,
+    "known": [{"quantity": str, "known": float, "measured": float, "agrees": bool}],
+}
+_JUDGES_PARTS = {
+    **dict.fromkeys(("wrong", "weak", "right"), [_JUDGED_PARTS]),
+    "systematic": {"stages": (dict.fromkeys(("changes", "killed", "equivalent", "survived"), float),), "changes": [_JUDGED_PARTS]},
+    "smallest": [{"gate": str, **dict.fromkeys(("strain", "force", "motion"), float)}],
+    **dict.fromkeys(("commit", "made"), str),
+    "dirty": bool,
+}
 
 
 def load_stability(path):

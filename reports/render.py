@@ -16,26 +16,22 @@ import gc
 import multiprocessing
 import os
 import pathlib
-import platform
 import re
 import sys
 import threading
 
-import jinja2
-
 import baseline
 import cases as gathering
-import compact
 import cost
 import cost_charts
 import figures
-import libraries
+import frame
 import mutants
 import normals
 import pictures
 import plumbline_results
 import profiles
-import small
+import scorecards
 import speed
 import stability
 import svg
@@ -43,8 +39,6 @@ import tables
 import text
 import trust
 
-HERE = pathlib.Path(__file__).resolve().parent
-SHARED_STYLES = "/* styles of the drawings */"  # where compact.py puts them
 NORMS = (".L1", ".L2", ".Linf")
 MOST_PROFILES = 2  # lines of a case that are drawn over the exact solution, in the field that stands for it
 MOST_OTHER_PROFILES = 1  # in every other field
@@ -61,23 +55,10 @@ def render(folder, earlier=None):
     cases = gathering.gather(folder)
     if earlier:
         baseline.attach(cases, gathering.gather(earlier))
-    environment = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(HERE / "templates"),
-        autoescape=True,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        undefined=jinja2.ChainableUndefined,
-    )
-    environment.filters.update(plural=text.plural, by_label=tables.by_label, by_reason=tables.by_reason, identity_matrix=tables.identity_matrix, prose=text.prose)
-    environment.globals.update(series_mark=svg.series_mark)
     results = {result.name: result for result in folder.runs}
     pages = case_pages(cases, results, folder.cost)
     front = front_page(folder, cases)
-    page = environment.get_template("page.html").render(
-        style=_markup(style_sheet(front["stability"].get("style", ""))), scripts=scripts(), pages=pages, **front
-    )
-    page, rules = compact.with_shared_styles(page)
-    return small.page(page.replace(SHARED_STYLES, rules, 1))
+    return frame.page("page.html", front["stability"].get("style", ""), pages=pages, **front)
 
 
 def case_pages(cases, results, costs):
@@ -119,23 +100,6 @@ class _Worker:
         return page
 
 
-def style_sheet(more):
-    """All rules of the page; those of the dark page stand for the preference of the reader and for the switch."""
-    style, dark = ((HERE / "templates" / name).read_text(encoding="utf-8") for name in ("style.css", "dark.css"))
-    dark = (
-        f"@media screen and (prefers-color-scheme: dark) {{ :root:not([data-theme=light]) {{ {dark} color-scheme: dark; }} }}\n"
-        f"@media screen {{ :root[data-theme=dark] {{ {dark} color-scheme: dark; }} :root[data-theme=light] {{ color-scheme: light; }} }}"
-    )
-    return "\n".join((style, dark, small.STYLES, more, SHARED_STYLES))
-
-
-def scripts():
-    """The scripts of the page by name, and what is said of the library among them."""
-    library, words = libraries.zoom()
-    own = {name: (HERE / "scripts" / f"{name}.js").read_text(encoding="utf-8") for name in ("theme", "figures", "page")}
-    return {**{name: _markup(script) for name, script in own.items()}, "library": _markup(library), "words": words}
-
-
 def front_page(folder, cases):
     overview = [tables.case_row(case) for case in cases.values()]
     for row in overview:
@@ -143,10 +107,11 @@ def front_page(folder, cases):
     parts = {
         "cost": cost_part(folder, cases),
         "bite": mutants.page(folder.mutants),
+        "integrators": scorecards.page(folder.scorecards, folder.judges),
     }
     return {
         **parts,
-        "glance": glance(cases, parts["cost"], parts["bite"]),
+        "glance": glance(cases, parts),
         "strips": tables.strips(folder, cases),
         "missed": _anchored(tables.missed(cases)),
         "expected_failures": _anchored(tables.expected_failures(cases)),
@@ -165,29 +130,36 @@ def front_page(folder, cases):
     }
 
 
-def glance(cases, cost_shown, bite):
-    """What a newcomer should know first, each a link to where it is shown."""
+def glance(cases, parts):
+    """What a newcomer should know first, each a link to where it is shown; `parts`: those of the front page."""
     counts = sum((case.counts for case in cases.values()), collections.Counter())
-    if not counts:
-        return []
     missed = sum(count for verdict, count in counts.items() if verdict not in gathering.GREEN)
     judged = sum(counts.values()) - counts["NONE"]
-    cards = [
-        {"figure": f"{judged - missed} of {judged}", "target": "verdicts", "look": "fail" if missed else "pass",
-         "words": f"gates are as they should be, over {text.plural(len(cases), 'case')}"},
-    ]  # fmt: skip
+    cards = []
+    if counts:
+        cards.append(
+            {"figure": f"{judged - missed} of {judged}", "target": "verdicts", "look": "fail" if missed else "pass",
+             "words": f"gates are as they should be, over {text.plural(len(cases), 'case')}"}
+        )  # fmt: skip
     if counts["XFAIL"]:
         cards.append(
             {"figure": str(counts["XFAIL"]), "target": "expected-failures", "look": "xfail",
              "words": "of them are known failures of a scheme, each with its cause"}
         )  # fmt: skip
-    chosen = [row for row in (cost_shown or {}).get("jobs", ()) if row.get("chosen")]
+    chosen = [row for row in (parts["cost"] or {}).get("jobs", ()) if row.get("chosen")]
     if chosen:
         schemes = collections.Counter(row["scheme"] for row in chosen)
         name, times = schemes.most_common(1)[0]
         cards.append(
             {"figure": name, "target": "which-scheme", "look": "",
              "words": f"is the scheme to take for {times} of {text.plural(len(chosen), 'kind')} of scene: which scheme for which job"}
+        )  # fmt: skip
+    integrators, bite = parts["integrators"], parts["bite"]
+    if integrators and integrators["cards"]:
+        judged, green = len(integrators["cards"]), integrators["green"]
+        cards.append(
+            {"figure": f"{green} of {judged}", "target": "integrators", "look": "pass" if green == judged else "fail",
+             "words": "time integrators meet all gates that any must meet: judge one of your own"}
         )  # fmt: skip
     if bite:
         cards.append(
@@ -207,8 +179,8 @@ def cost_part(folder, cases):
         **part,
         "rows": _anchored(part["rows"]),
         "rule": cost.RULE,
-        "charts": _ready((cost_charts.relative_to_york(found), cost_charts.absolute(found))),
-        "surfaces": _ready(cost_charts.surface(folder.cost, scheme) for scheme in ("york1997", "default")),
+        "charts": frame.ready((cost_charts.relative_to_york(found), cost_charts.absolute(found))),
+        "surfaces": frame.ready(cost_charts.surface(folder.cost, scheme) for scheme in ("york1997", "default")),
         "york_step": cost_charts.york_step(folder.cost),
     }
 
@@ -224,7 +196,7 @@ def trust_part(folder, cases):
         "references": _anchored(part["references"]),
         "first_tolerances": (judged := [row for row in part["tolerances"] if row["origin_key"] != "identity"])[:MOST_TOLERANCES],
         "other_tolerances": max(0, len(judged) - MOST_TOLERANCES),
-        "margins": _ready([trust.margins(part["tolerances"], [result.name for result in folder.verdicts])]),
+        "margins": frame.ready([trust.margins(part["tolerances"], [result.name for result in folder.verdicts])]),
     }
 
 
@@ -232,7 +204,7 @@ def speed_part(bench):
     """What the section on speed shows; None where no speed was measured."""
     if not bench:
         return None
-    return {**speed.page(bench), "figures": _ready((speed.cost_by_size(bench), speed.memory_by_size(bench)))}
+    return {**speed.page(bench), "figures": frame.ready((speed.cost_by_size(bench), speed.memory_by_size(bench)))}
 
 
 def stability_part(document, cases):
@@ -246,7 +218,7 @@ def stability_part(document, cases):
         return {"verdicts": list(verdicts.values())}
     part = stability.page(document, verdicts)
     for problem, shown in zip(document["problems"], part["problems"]):
-        shown["growth"] = next(iter(_ready([stability.growth(problem, f"{shown['anchor']}-growth")])), None)
+        shown["growth"] = next(iter(frame.ready([stability.growth(problem, f"{shown['anchor']}-growth")])), None)
         shown["parts"] = stability.map_parts(problem)
     kinds = [found["growth"] for shown in part["problems"] for found in shown["parts"]]
     return {
@@ -285,7 +257,7 @@ def case_page(case, results, film_characters, costs):
         "counts": tables.counts_row(case),
         "reason": tables.one_line_reason(case),
         "paragraphs": [part.strip() for part in (catalog.get("physics") or "").split("\n\n") if part.strip()],
-        "sketch": _markup(svg.sketch(catalog.get("sketch") or "", f"{name}-sketch", f"Sketch of {title}")),
+        "sketch": frame.markup(svg.sketch(catalog.get("sketch") or "", f"{name}-sketch", f"Sketch of {title}")),
         "parameters": own,
         "choices": [row for row in choices if row["changed"]],
         "default_choices": [row for row in choices if not row["changed"]],
@@ -306,7 +278,7 @@ def case_page(case, results, film_characters, costs):
         "books": tables.ledger_rows(([pair for pair in finest if pair[0].refined] or finest)[:MOST_BOOKS]),
         "stopped": tables.stopped(case),
         "pictures": picture_groups(case, results, name, film_characters),
-        "normals": _ready(normals.drawings(case, results, f"{name}-normals")),
+        "normals": frame.ready(normals.drawings(case, results, f"{name}-normals")),
         **case_figures(case, results, finest, name, costs),
     }
 
@@ -316,8 +288,8 @@ def picture_groups(case, results, name, film_characters):
     groups = pictures.groups(case, results, f"{name}-pictures", film_characters)
     for group in groups:
         if group["film"]:
-            group["film"].svg = _markup(group["film"].svg)
-        group["fields"] = _ready(group["fields"])
+            group["film"].svg = frame.markup(group["film"].svg)
+        group["fields"] = frame.ready(group["fields"])
     return groups
 
 
@@ -326,21 +298,21 @@ def case_figures(case, results, finest, name, costs):
     drawn = {"profiles": profile_groups(case, results, name), "convergence": [], "variations": []}
     for number, measure in enumerate(convergence_measures(case)[:MOST_CONVERGENCE]):
         drawn["convergence"].append(
-            _ready(
+            frame.ready(
                 function(case, measure, f"{name}-{function.__name__}-{number}")
                 for function in (figures.convergence, figures.level_by_level)[: 2 if number == 0 else 1]
             )
         )
     if case.measure:
-        drawn["variations"] = _ready(
+        drawn["variations"] = frame.ready(
             figures.variation(case, vary, measure, f"{name}-{vary}-{number}")
             for vary in ("dt", "ppc", "offset")
             for number, measure in enumerate(figures.variation_measures(case, vary))
         )
-    drawn["costs"] = _ready(cost.case_figures(costs, case, name)) if costs else cost_figures(case, name)
+    drawn["costs"] = frame.ready(cost.case_figures(costs, case, name)) if costs else cost_figures(case, name)
     refined = [pair for pair in finest if pair[0].refined] or finest
     quantities = profiles.quantities(finest)
-    drawn["drifts"] = _ready([profiles.drifts(quantities, refined, f"{name}-drift", ROUNDING_OF_A_RUN)])
+    drawn["drifts"] = frame.ready([profiles.drifts(quantities, refined, f"{name}-drift", ROUNDING_OF_A_RUN)])
     drawn["rounding"] = profiles.at_rounding(quantities, refined, ROUNDING_OF_A_RUN)
     closed = [
         (profiles.quantity_name(quantity), profiles.closed(quantity, refined)) for quantity in quantities
@@ -370,7 +342,7 @@ def leading_measures(case):
 
 def cost_figures(case, prefix):
     return (
-        _ready(figures.cost(case, case.measure, kind, f"{prefix}-{kind}") for kind in figures.COSTS)
+        frame.ready(figures.cost(case, case.measure, kind, f"{prefix}-{kind}") for kind in figures.COSTS)
         if case.measure
         else []
     )
@@ -414,7 +386,7 @@ def profile_groups(case, results, name):
 
 
 def _profiles(lines, field, prefix):
-    return _ready(
+    return frame.ready(
         profiles.profile(entry, field, levels, f"{prefix}-{number}")
         for number, (entry, levels) in enumerate(lines)
     )
@@ -432,18 +404,6 @@ def finest_results(case, results):
         if names and entry.vary in ("cells", ""):
             found.append((entry, results[names[-1]]))
     return found
-
-
-def _ready(parts):
-    """The figures that could be drawn, their drawings marked as checked markup."""
-    found = [figure for figure in parts if figure]
-    for figure in found:
-        figure.svg = _markup(figure.svg)
-    return found
-
-
-def _markup(checked):
-    return jinja2.utils.markupsafe.Markup(checked)
 
 
 # --- command line ---------------------------------------------------------------------------------
@@ -467,7 +427,7 @@ def main(arguments=None):
         if options.diff:
             folder.diff = load_diff(options.diff)
         page = render(folder, earlier)
-        write_whole(pathlib.Path(options.output), page)
+        frame.write_whole(pathlib.Path(options.output), page)
         if options.csv:
             write_tables(folder, gathering.gather(folder), pathlib.Path(options.csv))
     except (OSError, plumbline_results.ResultsError) as error:
@@ -493,6 +453,7 @@ def write_tables(folder, cases, target):
     more = trust.csv_tables(folder, cases)
     if folder.cost:
         more["cost"] = cost.CSV_COLUMNS, cost.csv_rows(folder.cost)
+    more |= scorecards.csv_tables(folder.scorecards)
     for name, (columns, rows) in more.items():
         plumbline_results.write_csv(columns, rows, target / f"{name}.csv")
 
@@ -502,29 +463,6 @@ def load_diff(path):
         return plumbline_results.load_diff(path)
     except plumbline_results.ResultsError as error:
         raise plumbline_results.ResultsError(f"{path}: {error}") from error
-
-
-def write_whole(path, page):
-    """Under a temporary name first, so that a page is there whole or not at all."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    remove_abandoned(path)
-    temporary = path.with_name(f"{path.name}.{platform.node()}-{os.getpid()}.part")
-    try:
-        temporary.write_text(page, encoding="utf-8")
-        temporary.replace(path)
-    finally:
-        temporary.unlink(missing_ok=True)
-
-
-def remove_abandoned(path):
-    """What processes of this machine that were killed as they wrote the page left beside it."""
-    for part in path.parent.glob(f"{path.name}.{platform.node()}-*.part"):
-        try:
-            os.kill(int(part.name.split("-")[-1].removesuffix(".part")), 0)
-        except ProcessLookupError:
-            part.unlink(missing_ok=True)
-        except (PermissionError, ValueError):
-            pass
 
 
 if __name__ == "__main__":

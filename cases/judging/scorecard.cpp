@@ -17,7 +17,7 @@ Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nul
 
 std::string limit_text(double limit) {
   if (std::isinf(limit)) return "no limit";
-  return limit > 0 ? fmt::format("{:.4f}", limit) : "no stable step";
+  return limit > 0 ? fmt::format("{:.4f}/omega", limit) : "no stable step";
 }
 
 const JudgedGate* find(const JudgedIntegrator& judged, const std::string& id) {
@@ -66,8 +66,7 @@ std::string measured_text(const std::string& family, const Subject& subject, con
     return fmt::format("displacement {}, velocity {}", order_text(judged, "displacement"),
                        order_text(judged, "velocity"));
   }
-  if (family == "stability")
-    return fmt::format("{} /omega on the oscillator", limit_text(limit_on_oscillator(subject)));
+  if (family == "stability") return fmt::format("{} on the oscillator", limit_text(limit_on_oscillator(subject)));
   if (family == "energy") return energy_text(judged);
   if (family == "consistency") {
     double largest = 0;
@@ -85,7 +84,7 @@ std::string claimed_text(const std::string& family, const Claims& claims) {
       text += fmt::format("{}{:.3g} of {} ({})", text.empty() ? "" : ", ", claim.order, claim.field, claim.of);
     }
   }
-  if (family == "stability" && claims.limit) text = limit_text(*claims.limit) + " /omega";
+  if (family == "stability" && claims.limit) text = limit_text(*claims.limit);
   if (family == "energy" && claims.energy) {
     constexpr const char* names[] = {"conserved", "bounded", "decaying"};
     text = names[static_cast<std::size_t>(*claims.energy)];

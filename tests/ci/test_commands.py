@@ -22,7 +22,7 @@ class Tree:
         self.fake("ci/setup")
         self.fake("bin/cmake")
         self.fake("bin/ctest")
-        self.fake("build/release/bin/plumbline")
+        self.program()
         self.fake("bin/chosen-python", "mkdir -p report; echo page > report/index.html")
 
     def fake(self, name, body="", status=0):
@@ -30,6 +30,11 @@ class Tree:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(f'#!{shutil.which("bash")}\necho "{Path(name).name} $*" >> {self.log}\n{body}\nexit {status}\n')
         path.chmod(0o755)
+
+    def program(self, body="", status=0):
+        """A program of two integrators; it logs, does as told, and lists them all the same."""
+        listed = """[[ $1 != list ]] || { echo '{"integrators": [{"name": "musl"}, {"name": "rk4"}]}'; exit 0; }"""
+        self.fake("build/release/bin/plumbline", f"{listed}\n{body}", status)
 
     def run(self, script, *options, cwd=None):
         environment = {**os.environ, "PATH": f"{self.root}/bin:{os.environ['PATH']}"}
@@ -59,6 +64,11 @@ def cost(tier):
     return f"plumbline bench --cases --tier {tier} --results results --json results/cost.json"
 
 
+def scorecard(integrator, tier="quick"):
+    core = " --core" if tier == "quick" else ""
+    return f"plumbline verify --integrator {integrator}{core} --results results"
+
+
 VERSION = "plumbline --version"   # asked for by every document, which is made again by another program
 
 
@@ -72,7 +82,7 @@ def test_documents_of_an_earlier_build_are_not_shown(tree, command, file):
     stale = tree.root / "results" / file
     stale.parent.mkdir()
     stale.write_text("{}")
-    tree.fake("build/release/bin/plumbline", body=f"[[ $1 != {command} ]] || exit 3")
+    tree.program(f"[[ $1 != {command} ]] || exit 3")
     result = tree.run("report")
     assert result.returncode == 0 and "(exit status 3)" in result.stdout
     assert not stale.exists() and "chosen-python" in tree.calls()[-1]
@@ -92,7 +102,7 @@ def with_documents(tree):
                    "cases/membrane/string.hpp"):
         (tree.root / source).parent.mkdir(parents=True, exist_ok=True)
         (tree.root / source).write_text("code")
-    tree.fake("build/release/bin/plumbline", 'echo "printed" ; [[ $* != *--json* ]] || echo "{}" > "${@: -1}"')
+    tree.program('echo "printed" ; [[ $* != *--json* ]] || echo "{}" > "${@: -1}"')
     assert tree.run("report").returncode == 0
     assert made_documents(tree) == ["bench", "stability", "cost"]
     return tree
@@ -123,9 +133,59 @@ def test_document_that_is_not_the_one_made_is_made_again(with_documents, change)
 def test_documents_of_another_tier_or_program_are_made_again(with_documents):
     assert with_documents.run("report", "--full").returncode == 0
     assert made_documents(with_documents) == ["bench", "stability", "cost"]
-    with_documents.fake("build/release/bin/plumbline", 'echo printed; echo "another compiler"; [[ $* != *--json* ]] || echo "{}" > "${@: -1}"')
+    with_documents.program('echo printed; echo "another compiler"; [[ $* != *--json* ]] || echo "{}" > "${@: -1}"')
     assert with_documents.run("report", "--full").returncode == 0
     assert made_documents(with_documents) == ["bench", "stability", "cost"]
+
+
+CARDS = """case "$*" in "verify --integrator "*) echo "{}" > "results/scorecard-$3.json";; esac"""
+
+
+def judged(tree):
+    """The integrators that were judged since the last time this was asked."""
+    names = re.findall(r"verify --integrator (\S+)", tree.log.read_text())
+    tree.log.unlink()
+    return names
+
+
+def test_scorecards_are_made_once_and_again_by_other_code(tree):
+    (tree.root / "cases").mkdir()
+    tree.program(CARDS)
+    assert tree.run("report").returncode == 0 and judged(tree) == ["musl", "rk4"]
+    assert tree.run("report").returncode == 0 and judged(tree) == []
+    (tree.root / "results/scorecard-musl.json").write_text("{ }")
+    assert tree.run("report").returncode == 0 and judged(tree) == ["musl"]
+    (tree.root / "cases/new.cpp").write_text("other code")
+    assert tree.run("report").returncode == 0 and judged(tree) == ["musl", "rk4"]
+    assert tree.run("report", "--full").returncode == 0 and judged(tree) == ["musl", "rk4"]
+
+
+def test_a_red_integrator_ends_red_also_when_its_card_is_kept(tree):
+    tree.program(CARDS + """\n[[ "$1 $3" != "verify rk4" ]] || exit 1""")
+    for made in (["musl", "rk4"], []):
+        result = tree.run("report")
+        assert result.returncode == 1 and "not green" in result.stdout and judged(tree) == made
+        assert (tree.root / "results/scorecard-rk4.json").exists()
+
+
+def test_cards_of_integrators_that_are_no_more_are_not_shown(tree):
+    folder = tree.root / "results"
+    folder.mkdir()
+    for name in ("scorecard-gone.json", "scorecard-gone.json.origin", "scorecard-gone.txt", "scorecard-mine.json"):
+        (folder / name).write_text("{}")
+    assert tree.run("report").returncode == 0
+    assert sorted(path.name for path in folder.glob("scorecard-[gm]*")) == ["scorecard-mine.json", "scorecard-musl.txt"]
+
+
+@pytest.mark.parametrize("name", ["mutants", "judges"])
+def test_what_the_last_night_showed_is_shown_unless_there_is_newer(tree, name):
+    kept, own = tree.root / f"tests/{name}/last/{name}.json", tree.root / f"results/{name}.json"
+    kept.parent.mkdir(parents=True)
+    kept.write_text("kept")
+    assert tree.run("report").returncode == 0 and own.read_text() == "kept"
+    own.write_text("own")
+    os.utime(kept, (1, 1))
+    assert tree.run("report").returncode == 0 and own.read_text() == "own"
 
 
 def test_report_sets_up_builds_verifies_and_renders(tree, tmp_path):
@@ -135,7 +195,8 @@ def test_report_sets_up_builds_verifies_and_renders(tree, tmp_path):
     assert names[:3] == ["setup", "cmake", "cmake"]
     assert [call for call in without_threads(tree.calls())[3:] if call != VERSION] == [
         "plumbline sweep --tier quick --results results", "plumbline verify --reuse --tier quick --results results",
-        bench("quick", "1e5"), stability("quick"), cost("quick"), "chosen-python reports/render.py results report/index.html"]
+        bench("quick", "1e5"), stability("quick"), cost("quick"), "plumbline list --json -", scorecard("musl"), scorecard("rk4"),
+        "chosen-python reports/render.py results report/index.html"]
     assert result.stdout.splitlines()[-1].endswith(f"{tree.root}/report/index.html")
 
 
@@ -144,11 +205,12 @@ def test_full_report(tree):
     assert "plumbline verify --reuse --tier full --results results" in without_threads(tree.calls())
     assert bench("full", "2e6") in tree.calls() and cost("full") in tree.calls()
     assert stability("full") in without_threads(tree.calls())
+    assert scorecard("rk4", "full") in without_threads(tree.calls())
 
 
 @pytest.mark.parametrize("status", [1, 3, 4])
 def test_red_verdict_is_shown_and_ends_red(tree, status):
-    tree.fake("build/release/bin/plumbline", status=status)
+    tree.program(status=status)
     result = tree.run("report")
     assert result.returncode == status
     assert "not green" in result.stdout
@@ -157,7 +219,7 @@ def test_red_verdict_is_shown_and_ends_red(tree, status):
 
 @pytest.mark.parametrize("status", [2, 130, 143, 139])
 def test_verification_that_did_not_run_makes_no_page(tree, status):
-    tree.fake("build/release/bin/plumbline", status=status)
+    tree.program(status=status)
     result = tree.run("report")
     assert result.returncode == status
     assert "did not run" in result.stderr and not any("render.py" in call for call in tree.calls())

@@ -1,11 +1,14 @@
 """An installed Plumbline, moved elsewhere: users add an integrator as a plug-in of one file and need no fork."""
+import json
 import os
 import re
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
+import yaml
 from contract import ROOT, Plumbline
 
 PLUGIN = Path(__file__).parent / "plugin"
@@ -103,6 +106,22 @@ def test_plugin_is_verified_by_its_name(installed, plugin):
     gates = [gate for gate in verdicts["gates"] if re.search(r"\bmine\b", gate["scheme"] + " " + gate["id"])]
     assert gates and {gate["verdict"] for gate in gates} == {"PASS"}
     assert verdicts["executed"] == verdicts["declared"]
+
+
+def test_the_workflow_of_a_plugin_judges_it(prefix, tmp_path):
+    """Its own lines, after the checkouts and the build, with the core set of gates."""
+    workflow = yaml.safe_load((PLUGIN / "judge.yml").read_text(encoding="utf-8"))
+    (tmp_path / "installed").symlink_to(prefix)
+    shutil.copytree(PLUGIN, tmp_path / "plugin")
+    source = (ROOT / "kernel/integrators/usavg.cpp").read_text(encoding="utf-8")
+    (tmp_path / "plugin/mine.cpp").write_text(source.replace('"usavg"', '"mine"'), encoding="utf-8")
+    tools = os.pathsep.join([str(Path(sys.executable).parent), str(Path(os.environ["CMAKE"]).parent), os.environ["PATH"]])
+    steps = [step["run"] for step in workflow["jobs"]["judge"]["steps"] if "run" in step and "working-directory" not in step]
+    for step in steps:
+        call("bash", "-e", "-c", step.replace("verify ", "verify --core "), cwd=tmp_path, env={**os.environ, **workflow["env"], "PATH": tools})
+    assert [card["integrator"] for card in json.loads((tmp_path / "judged/verify.json").read_text())["scorecards"]] == ["mine"]
+    page = (tmp_path / "judged/card.html").read_text(encoding="utf-8")
+    assert "mine: consistent, of order 2" in page and "<h1>" in page
 
 
 def test_without_the_plugin_its_name_is_unknown(installed):

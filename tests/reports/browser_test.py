@@ -13,6 +13,8 @@ import chromium
 import libraries
 import plumbline_results
 import render
+import scorecards
+import synthetic_scorecards
 import text
 from synthetic_results import gate, write_verdicts
 
@@ -495,6 +497,48 @@ CONTRAST = """(() => {
   }
   return [...poor];
 })()"""
+
+
+@pytest.fixture(scope="module", params=["green", "red", "endless", "bare"])
+def card(request, tmp_path_factory):
+    """The page of one integrator alone."""
+    folder = tmp_path_factory.mktemp(request.param)
+    synthetic_scorecards.write_card(folder, "scorecard-mine.json", getattr(synthetic_scorecards, request.param)())
+    assert scorecards.main([str(folder / "scorecard-mine.json"), str(folder / "card.html")]) == 0
+    return folder / "card.html"
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("size", list(SIZES))
+def test_layout_of_a_card(browser, card, size, scheme):
+    browser.messages.clear()
+    browser.open(card, *SIZES[size], scheme)
+    for opened in (False, True):
+        browser.evaluate(f"document.querySelectorAll('details').forEach(element => element.open = {json.dumps(opened)})")
+        assert browser.evaluate("document.documentElement.scrollWidth") <= SIZES[size][0]
+        for check in (OVERLAPS, OUTSIDE, CUT_LABELS, CROWDED_LABELS, CONTRAST):
+            assert browser.evaluate(check) == []
+    wide = browser.evaluate("document.querySelector('main').getBoundingClientRect().width")
+    assert wide > 0.7 * SIZES[size][0], "there are no contents beside it"
+    levels = browser.evaluate("[...document.querySelectorAll('main :is(h1, h2, h3, h4)')].map(heading => Number(heading.tagName[1]))")
+    assert levels[0] == 1 and all(after <= before + 1 for before, after in zip(levels, levels[1:]))
+    assert browser.messages == []
+
+
+def test_a_link_to_a_folded_card_opens_it_and_one_to_its_gate_both(browser, page):
+    opened = "[...document.querySelectorAll('details.card[open]')].map(card => card.id)"
+    browser.open(page, *SIZES["desk"])
+    assert browser.evaluate(opened) == ["scorecard-wrong"], "one with a red gate is open"
+    browser.evaluate("document.querySelector('#integrators a[href=\"#scorecard-mine\"]').click()")
+    browser.evaluate(WAIT)
+    assert set(browser.evaluate(opened)) == {"scorecard-mine", "scorecard-wrong"}
+    top = browser.evaluate("document.getElementById('scorecard-mine').getBoundingClientRect().top")
+    assert -1 <= top < SIZES["desk"][1]
+    browser.open(page, *SIZES["phone"], hash="#gate-scorecard-mine-order-first")
+    browser.evaluate(WAIT)
+    row = "document.getElementById('gate-scorecard-mine-order-first')"
+    assert 0 < browser.evaluate(f"{row}.getBoundingClientRect().height")
+    assert -1 <= browser.evaluate(f"{row}.getBoundingClientRect().top") < SIZES["phone"][1]
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])

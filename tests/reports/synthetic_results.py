@@ -16,6 +16,7 @@ import h5py
 import numpy
 
 import synthetic_mutants
+import synthetic_scorecards
 
 CELLS = (100, 200, 400, 800, 1600)
 VERDICTS = ("PASS", "FAIL", "INCONCLUSIVE", "XFAIL", "XPASS", "INVALID", "NONE")
@@ -1027,6 +1028,7 @@ def write_all(folder, damaged=True):
     write_bench(folder)
     write_stability(folder)
     synthetic_mutants.write(folder)
+    synthetic_scorecards.write(folder)
     sod_study(
         folder,
         "default",
