@@ -61,6 +61,14 @@ def render(folder, earlier=None):
     cases = gathering.gather(folder)
     if earlier:
         baseline.attach(cases, gathering.gather(earlier))
+    results = {result.name: result for result in folder.runs}
+    pages = case_pages(cases, results, folder.cost)
+    front = front_page(folder, cases)
+    return whole("page.html", front["stability"].get("style", ""), pages=pages, **front)
+
+
+def whole(template, more_styles, **parts):
+    """The page of a template with styles and scripts, written short."""
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(HERE / "templates"),
         autoescape=True,
@@ -70,12 +78,7 @@ def render(folder, earlier=None):
     )
     environment.filters.update(plural=text.plural, by_label=tables.by_label, by_reason=tables.by_reason, identity_matrix=tables.identity_matrix, prose=text.prose)
     environment.globals.update(series_mark=svg.series_mark)
-    results = {result.name: result for result in folder.runs}
-    pages = case_pages(cases, results, folder.cost)
-    front = front_page(folder, cases)
-    page = environment.get_template("page.html").render(
-        style=_markup(style_sheet(front["stability"].get("style", ""))), scripts=scripts(), pages=pages, **front
-    )
+    page = environment.get_template(template).render(style=_markup(style_sheet(more_styles)), scripts=scripts(), **parts)
     page, rules = compact.with_shared_styles(page)
     return small.page(page.replace(SHARED_STYLES, rules, 1))
 
@@ -207,8 +210,8 @@ def cost_part(folder, cases):
         **part,
         "rows": _anchored(part["rows"]),
         "rule": cost.RULE,
-        "charts": _ready((cost_charts.relative_to_york(found), cost_charts.absolute(found))),
-        "surfaces": _ready(cost_charts.surface(folder.cost, scheme) for scheme in ("york1997", "default")),
+        "charts": ready((cost_charts.relative_to_york(found), cost_charts.absolute(found))),
+        "surfaces": ready(cost_charts.surface(folder.cost, scheme) for scheme in ("york1997", "default")),
         "york_step": cost_charts.york_step(folder.cost),
     }
 
@@ -224,7 +227,7 @@ def trust_part(folder, cases):
         "references": _anchored(part["references"]),
         "first_tolerances": (judged := [row for row in part["tolerances"] if row["origin_key"] != "identity"])[:MOST_TOLERANCES],
         "other_tolerances": max(0, len(judged) - MOST_TOLERANCES),
-        "margins": _ready([trust.margins(part["tolerances"], [result.name for result in folder.verdicts])]),
+        "margins": ready([trust.margins(part["tolerances"], [result.name for result in folder.verdicts])]),
     }
 
 
@@ -232,7 +235,7 @@ def speed_part(bench):
     """What the section on speed shows; None where no speed was measured."""
     if not bench:
         return None
-    return {**speed.page(bench), "figures": _ready((speed.cost_by_size(bench), speed.memory_by_size(bench)))}
+    return {**speed.page(bench), "figures": ready((speed.cost_by_size(bench), speed.memory_by_size(bench)))}
 
 
 def stability_part(document, cases):
@@ -246,7 +249,7 @@ def stability_part(document, cases):
         return {"verdicts": list(verdicts.values())}
     part = stability.page(document, verdicts)
     for problem, shown in zip(document["problems"], part["problems"]):
-        shown["growth"] = next(iter(_ready([stability.growth(problem, f"{shown['anchor']}-growth")])), None)
+        shown["growth"] = next(iter(ready([stability.growth(problem, f"{shown['anchor']}-growth")])), None)
         shown["parts"] = stability.map_parts(problem)
     kinds = [found["growth"] for shown in part["problems"] for found in shown["parts"]]
     return {
@@ -306,7 +309,7 @@ def case_page(case, results, film_characters, costs):
         "books": tables.ledger_rows(([pair for pair in finest if pair[0].refined] or finest)[:MOST_BOOKS]),
         "stopped": tables.stopped(case),
         "pictures": picture_groups(case, results, name, film_characters),
-        "normals": _ready(normals.drawings(case, results, f"{name}-normals")),
+        "normals": ready(normals.drawings(case, results, f"{name}-normals")),
         **case_figures(case, results, finest, name, costs),
     }
 
@@ -317,7 +320,7 @@ def picture_groups(case, results, name, film_characters):
     for group in groups:
         if group["film"]:
             group["film"].svg = _markup(group["film"].svg)
-        group["fields"] = _ready(group["fields"])
+        group["fields"] = ready(group["fields"])
     return groups
 
 
@@ -326,21 +329,21 @@ def case_figures(case, results, finest, name, costs):
     drawn = {"profiles": profile_groups(case, results, name), "convergence": [], "variations": []}
     for number, measure in enumerate(convergence_measures(case)[:MOST_CONVERGENCE]):
         drawn["convergence"].append(
-            _ready(
+            ready(
                 function(case, measure, f"{name}-{function.__name__}-{number}")
                 for function in (figures.convergence, figures.level_by_level)[: 2 if number == 0 else 1]
             )
         )
     if case.measure:
-        drawn["variations"] = _ready(
+        drawn["variations"] = ready(
             figures.variation(case, vary, measure, f"{name}-{vary}-{number}")
             for vary in ("dt", "ppc", "offset")
             for number, measure in enumerate(figures.variation_measures(case, vary))
         )
-    drawn["costs"] = _ready(cost.case_figures(costs, case, name)) if costs else cost_figures(case, name)
+    drawn["costs"] = ready(cost.case_figures(costs, case, name)) if costs else cost_figures(case, name)
     refined = [pair for pair in finest if pair[0].refined] or finest
     quantities = profiles.quantities(finest)
-    drawn["drifts"] = _ready([profiles.drifts(quantities, refined, f"{name}-drift", ROUNDING_OF_A_RUN)])
+    drawn["drifts"] = ready([profiles.drifts(quantities, refined, f"{name}-drift", ROUNDING_OF_A_RUN)])
     drawn["rounding"] = profiles.at_rounding(quantities, refined, ROUNDING_OF_A_RUN)
     closed = [
         (profiles.quantity_name(quantity), profiles.closed(quantity, refined)) for quantity in quantities
@@ -370,7 +373,7 @@ def leading_measures(case):
 
 def cost_figures(case, prefix):
     return (
-        _ready(figures.cost(case, case.measure, kind, f"{prefix}-{kind}") for kind in figures.COSTS)
+        ready(figures.cost(case, case.measure, kind, f"{prefix}-{kind}") for kind in figures.COSTS)
         if case.measure
         else []
     )
@@ -414,7 +417,7 @@ def profile_groups(case, results, name):
 
 
 def _profiles(lines, field, prefix):
-    return _ready(
+    return ready(
         profiles.profile(entry, field, levels, f"{prefix}-{number}")
         for number, (entry, levels) in enumerate(lines)
     )
@@ -434,7 +437,7 @@ def finest_results(case, results):
     return found
 
 
-def _ready(parts):
+def ready(parts):
     """The figures that could be drawn, their drawings marked as checked markup."""
     found = [figure for figure in parts if figure]
     for figure in found:
