@@ -80,37 +80,14 @@ Entry without_result(const std::optional<AdapterEnd>& end) {
   return {end->how == AdapterEnd::How::late ? Outcome::late : Outcome::failed, end->reason, {}, false};
 }
 
-Entry entry_of(const ScoreFolder& folder, const std::string& program, const Start& start) {
-  const std::string path = folder.result(program, start.name);
-  try {
-    const auto end = folder.read_end(program, start.name);
-    if (!std::filesystem::exists(path)) return without_result(end);
-    const ResultFile file(path);
-    if (file.case_name != start.entry->name() || file.cells != start.cells) {
-      return {Outcome::mismatched,
-              fmt::format("it is of {} at {} cells; {} at {} cells is wanted", file.case_name, file.cells,
-                          start.entry->name(), start.cells),
-              {},
-              false};
-    }
-    score(*start.entry, {path}, start.typed);
-    if (file.wall_s > 0) return {Outcome::scored, "", file.wall_s, false};
-    if (end && end->how == AdapterEnd::How::written) return {Outcome::scored, "", end->seconds, true};
-    return {Outcome::scored, "", {}, false};
-  } catch (const Interrupted&) {
-    throw;
-  } catch (const UsageError& error) {
-    return {Outcome::mismatched, reason_of(error, path), {}, false};
-  } catch (const std::exception& error) {
-    return {Outcome::damaged, reason_of(error, path), {}, false};
-  }
-}
-
-ProgramScore score_program(const ScoreFolder& folder, const std::string& program, const ProblemScores& problem) {
+ProgramScore score_program(const ScoreFolder& folder, const Trial& trial, const std::string& program,
+                           const ProblemScores& problem) {
   ProgramScore scored{.program = program, .entries = {}, .score = {}, .reason = {}};
   std::vector<std::string> files;
   for (const Start& start : problem.starts) {
-    scored.entries.push_back(entry_of(folder, program, start));
+    const std::string ended = trial(program, start);
+    scored.entries.push_back(ended.empty() ? judge_result(folder, program, start)
+                                           : Entry{Outcome::damaged, "reading it " + ended, {}, false});
     if (scored.entries.back().outcome == Outcome::scored) files.push_back(folder.result(program, start.name));
   }
   if (files.empty()) return scored;
@@ -207,14 +184,42 @@ std::string_view name(Outcome outcome) {
 
 const StudyLevel* ProgramScore::level(int cells) const { return score ? score->study.level(cells) : nullptr; }
 
-Scoreboard make_scoreboard(const ScoreFolder& folder, int threads, const Progress& progress, RunStore& store) {
+Entry judge_result(const ScoreFolder& folder, const std::string& program, const Start& start) {
+  const std::string path = folder.result(program, start.name);
+  try {
+    const auto end = folder.read_end(program, start.name);
+    if (!std::filesystem::exists(path)) return without_result(end);
+    const ResultFile file(path);
+    if (file.case_name != start.entry->name() || file.cells != start.cells) {
+      return {Outcome::mismatched,
+              fmt::format("it is of {} at {} cells; {} at {} cells is wanted", file.case_name, file.cells,
+                          start.entry->name(), start.cells),
+              {},
+              false};
+    }
+    score(*start.entry, {path}, start.typed);
+    if (file.wall_s > 0) return {Outcome::scored, "", file.wall_s, false};
+    if (end && end->how == AdapterEnd::How::written) return {Outcome::scored, "", end->seconds, true};
+    return {Outcome::scored, "", {}, false};
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const UsageError& error) {
+    return {Outcome::mismatched, reason_of(error, path), {}, false};
+  } catch (const std::exception& error) {
+    return {Outcome::damaged, reason_of(error, path), {}, false};
+  }
+}
+
+Scoreboard make_scoreboard(const ScoreFolder& folder, const Trial& trial, int threads, const Progress& progress,
+                           RunStore& store) {
   Scoreboard board;
   take_starts(folder, board);
   const std::vector<std::string> programs = folder.programs();
   for (ProblemScores& problem : board.problems) {
     problem.own = run_default(problem, threads, progress, store);
     problem.measure = leading_measure(problem.starts.front());
-    for (const std::string& program : programs) problem.programs.push_back(score_program(folder, program, problem));
+    for (const std::string& program : programs)
+      problem.programs.push_back(score_program(folder, trial, program, problem));
   }
   for (const std::string& program : programs) {
     for (const std::string& file : folder.strays(program)) board.strays.push_back(program + "/" + file);

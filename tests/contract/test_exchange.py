@@ -62,6 +62,8 @@ def test_every_kind_of_scene_is_exported(plumbline, case, arguments, body, datas
     bodies = {b["name"]: b for b in description["bodies"]}
     holder = next(b for b in bodies.values() if dataset in b["datasets"]) if body not in bodies else bodies[body]
     assert holder["datasets"][dataset].get("components") == components
+    for name, about in ((name, about) for b in bodies.values() for name, about in b["datasets"].items() if "components" in about):
+        assert len(about["components"]) == about["shape"][1], name
     if case == "mms-vortex":
         assert holder["load"]["kind"] == "table"
         with h5py.File(path) as file:

@@ -1,6 +1,7 @@
 """`scoreboard`: every way in which a result can be there or not, adapters, and what the table says against what `score` and `run` say."""
 import json
 import os
+import random
 import signal
 import stat
 import subprocess
@@ -117,6 +118,22 @@ def test_solids_of_another_size_are_damaged(board):
     board.result("short", "bar", start, change=drop)
     how, reason = outcome(board(code=1)[0], "short")
     assert how == "damaged" and "particle by particle" in reason
+
+
+def test_results_that_hdf5_does_not_come_back_from(plumbline, board):
+    """Damaged at random, and a pipe that nobody writes to: some end the process that reads them, or hold it for ever."""
+    whole = board.result("whole", "tube", board.start("tube", "sod", "--cells", 20)).read_bytes()
+    dice = random.Random(20261123)
+    for number in range(40):
+        content = bytearray(whole)
+        for _ in range(dice.choice((1, 4, 30))):
+            content[dice.randrange(min(len(content), dice.choice((2000, len(content)))))] = dice.randrange(256)
+        board.result(f"bytes-{number}", "tube", plumbline.folder / "board/cases/tube.h5").write_bytes(content)
+    (plumbline.folder / "board/programs/pipe").mkdir()
+    os.mkfifo(plumbline.folder / "board/programs/pipe/tube.h5")
+    document, _ = board("--timeout", 2, code=1)
+    assert outcome(document, "pipe") == ("damaged", "reading it was not done after 2 s")
+    assert len(entries(document)) == 42 and outcome(document, "whole") == ("scored", "")
 
 
 def test_factor_is_the_error_over_that_of_the_default_scheme(plumbline, board):
@@ -308,18 +325,18 @@ def test_signal_ends_the_adapter_and_leaves_nothing_half_written(plumbline, boar
 def test_program_in_numpy(board):
     """The MPM of tests/stranger: a right one. On 50 cells its error is that of a first-order method, as is the default's."""
     board.start("tube", "sod", "--cells", 50, "--set", "ppc=4")
-    board.start("disk", "plane-stress")
+    board.start("sheet", "plane-stress")
     adapter = board.shell("numpy", f"exec {sys.executable} -B {ROOT}/tests/stranger/adapter.py \"$@\"")
     document, _ = board("--run", adapter, code=1)
-    disk, tube = (entries(document, number)["numpy"][0] for number in (0, 1))
-    assert disk["outcome"] == "failed" and "this program knows a line" in disk["reason"]
+    sheet, tube = (entries(document, number)["numpy"][0] for number in (0, 1))
+    assert sheet["outcome"] == "failed" and "this program knows a line" in sheet["reason"]
     assert tube["outcome"] == "scored" and tube["timed"] == "program"
     assert document["problems"][1]["programs"][0]["program"] == "stranger"
     start = board.result("start", "tube", board.plumbline.folder / "board/cases/tube.h5")
     assert start.exists()
     document, _ = board()
     moved, at_rest = (entries(document, 1)[name][0]["errors"]["density.L1"]["ratio"] for name in ("numpy", "start"))
-    assert moved < at_rest / 5, "what has moved is near the solution, which the start is not"
+    assert moved < at_rest / 2, "what has moved is near the solution, which the start is not"
 
 
 # --- programs that read and write text ---------------------------------------------------------------------------------------
@@ -392,7 +409,7 @@ TEXT_FAULTS = {
     "nan": ("", "sh -c '(echo position,velocity,mass,density,pressure; echo 1,nan,1,1,1) > gas-final.csv'", "damaged",
             "/bodies/gas/velocity is nan in row 0"),
     "template": ("{{ no_such_thing }}", "true", "failed", "'no_such_thing' is undefined"),
-    "program": ("", "no-such-program-anywhere", "failed", "no-such-program-anywhere"),
+    "program": ("", "no-such-program-anywhere", "failed", "no-such-program-anywhere: No such file"),
 }
 
 
@@ -407,15 +424,14 @@ def test_faults_of_programs_of_text_are_rows(board):
 
 def test_columns_of_several_components(board):
     """Position and velocity in the plane, a tensor: names of columns, and back."""
-    board.start("disk", "plane-stress", "--cells", 8)
-    copy = "sh -c 'cp disk.csv disk-final.csv || cp *.csv \\$(ls *.csv | sed s/.csv/-final.csv/)'"
+    board.start("sheet", "plane-stress", "--cells", 8)
+    copy = "sh -c 'cp sheet.csv sheet-final.csv'"
     document, _ = board("--run", text_adapter(board, "copy", "", copy))
-    start, result = (h5py.File(board.plumbline.folder / "board" / name) for name in ("cases/disk.h5", "programs/copy/disk.h5"))
+    start, result = (h5py.File(board.plumbline.folder / "board" / name) for name in ("cases/sheet.h5", "programs/copy/sheet.h5"))
     with start, result:
-        (body,) = result["bodies"]
-        assert set(result["bodies"][body]) >= {"position", "velocity", "mass"}
-        for name in result["bodies"][body]:
-            assert numpy.array_equal(result["bodies"][body][name][()].ravel(), start["bodies"][body][name][()].ravel()), name
+        assert set(result["bodies/sheet"]) == {"position", "velocity", "mass", "volume", "stress"}
+        for name, handed in result["bodies/sheet"].items():
+            assert numpy.array_equal(handed[()].ravel(), start[f"bodies/sheet/{name}"][()].ravel()), name
     assert entries(document)["copy"][0]["outcome"] == "scored"
 
 

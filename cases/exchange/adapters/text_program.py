@@ -125,7 +125,10 @@ def main():
         if "/" in words[0]:
             words[0] = str(pathlib.Path(words[0]).resolve())
         begun = time.perf_counter()
-        ended = subprocess.run(words, cwd=folder, check=False)
+        try:
+            ended = subprocess.run(words, cwd=folder, check=False)
+        except OSError as error:
+            sys.exit(f"{words[0]}: {error.strerror}")
         wall_s = time.perf_counter() - begun
         if ended.returncode:
             sys.exit(f"{arguments.command}: exit status {ended.returncode}")
