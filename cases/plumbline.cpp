@@ -82,11 +82,11 @@ int run(int argc, char** argv) {
   Invocation invocation;
   invocation.command = stored_command(argc, argv);
   const std::vector<Command> commands{
-      add_list(app, invocation),      add_explain(app, invocation),   add_run(app, invocation),
-      add_converge(app, invocation),  add_verify(app, invocation),    add_reference(app, invocation),
-      add_bench(app, invocation),     add_stability(app, invocation), add_sweep(app, invocation),
-      add_export(app, invocation),    add_score(app, invocation),     add_diff(app, invocation),
-      add_tolerances(app, invocation)};
+      add_list(app, invocation),     add_explain(app, invocation),   add_run(app, invocation),
+      add_converge(app, invocation), add_verify(app, invocation),    add_reference(app, invocation),
+      add_bench(app, invocation),    add_stability(app, invocation), add_sweep(app, invocation),
+      add_export(app, invocation),   add_score(app, invocation),     add_scoreboard(app, invocation),
+      add_diff(app, invocation),     add_tolerances(app, invocation)};
   for (const Command& command : commands) command.app->allow_extras();
   try {
     app.parse(argc, argv);

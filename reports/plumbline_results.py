@@ -451,6 +451,85 @@ _JUDGES_PARTS = {
 }
 
 
+def load_scoreboard(path):
+    """The JSON object that `plumbline scoreboard` wrote. Raises DamagedFile or FileNotFoundError."""
+    board = _json_file(path)
+    format_ = board.get("scoreboard") if isinstance(board, dict) else None
+    if isinstance(format_, int) and format_ > SCOREBOARD_FORMAT:
+        raise NewerFormat(f"made by a newer version: format {format_}, this reader knows up to {SCOREBOARD_FORMAT}")
+    _check_shape(board, _SCOREBOARD, "scoreboard")
+    for problem in board["problems"]:
+        levels = len(problem["own"]["levels"])
+        for program in problem["programs"]:
+            if len(program["entries"]) != levels:
+                raise DamagedFile(f"{problem['case']}: {program['name']} has {len(program['entries'])} entries for {levels} starts")
+    return board
+
+
+SCOREBOARD_FORMAT = 1
+_NUMBER, _NUMBER_OR_NULL, _TEXT_OR_NULL = (int, float), (int, float, type(None)), (str, type(None))
+_FITS = {str: dict.fromkeys(("order", "order_low", "order_high"), _NUMBER_OR_NULL)}
+# What a scoreboard is made of: objects with these keys (`str`: with any keys), lists of one kind, types.
+_SCOREBOARD = {
+    "scoreboard": int,
+    "problems": [
+        {
+            "case": str,
+            "title": str,
+            "settings": [str],
+            "measure": str,
+            "units": {str: str},
+            "own": {
+                "levels": [{"cells": int, "h": _NUMBER, "errors": {str: _NUMBER_OR_NULL}, "seconds": _NUMBER, "stop": _TEXT_OR_NULL}],
+                "orders": _FITS,
+            },
+            "programs": [
+                {
+                    "name": str,
+                    "reason": str,
+                    "program": _TEXT_OR_NULL,
+                    "version": _TEXT_OR_NULL,
+                    "verdict": _TEXT_OR_NULL,
+                    "orders": _FITS,
+                    "gates": [dict],
+                    "not_judged": [{"id": str, "reason": str}],
+                    "entries": [
+                        {
+                            "start": str,
+                            "cells": int,
+                            "outcome": str,
+                            "reason": str,
+                            "verdict": _TEXT_OR_NULL,
+                            "errors": {str: {"error": _NUMBER_OR_NULL, "ratio": _NUMBER_OR_NULL}},
+                            "seconds": _NUMBER_OR_NULL,
+                            "timed": _TEXT_OR_NULL,
+                        }
+                    ],
+                }
+            ],
+        }
+    ],
+    "refused": [{"start": str, "reason": str}],
+    "strays": [str],
+    "provenance": dict,
+}
+
+
+def _check_shape(value, shape, place):
+    if isinstance(shape, dict):
+        _check_shape(value, dict, place)
+        for key, part in (dict.fromkeys(value, shape[str]) if str in shape else shape).items():
+            if key not in value:
+                raise DamagedFile(f"{place}.{key} is missing")
+            _check_shape(value[key], part, f"{place}.{key}")
+    elif isinstance(shape, list):
+        _check_shape(value, list, place)
+        for number, item in enumerate(value):
+            _check_shape(item, shape[0], f"{place}[{number}]")
+    elif not isinstance(value, shape) or isinstance(value, bool):
+        raise DamagedFile(f"{place} is malformed")
+
+
 def load_stability(path):
     """The JSON object that `plumbline stability --json` wrote. Raises DamagedFile or FileNotFoundError.
 

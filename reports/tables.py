@@ -537,14 +537,14 @@ def provenance(folder):
     """[(files, rows)]: one entry per distinct build and machine, the one with most files first."""
     groups = {}
     for result in folder.verdicts + folder.studies + folder.runs:
-        rows = _provenance_rows(result.provenance)
+        rows = provenance_rows(result.provenance)
         groups.setdefault(tuple(rows), []).append(result.name)
     return sorted(
         ((names, list(rows)) for rows, names in groups.items()), key=lambda group: (-len(group[0]), group[0])
     )
 
 
-def _provenance_rows(stated):
+def provenance_rows(stated):
     rows = []
     for key in _MACHINE:
         if key == "dirty" or not stated.get(key):

@@ -1,4 +1,4 @@
-// A child of this program whose output is read line by line.
+// Children of this program: itself again, whose output is read line by line, and programs of others.
 #pragma once
 
 #include <sys/types.h>
@@ -29,6 +29,20 @@ class ChildProcess {
   int out_ = -1;
   std::string rest_;
 };
+
+// How a program of somebody else's ended.
+struct ProgramEnd {
+  int status = 0;      // exit status, or 128 and its signal
+  bool late = false;   // it was ended because its time was up
+  double seconds = 0;  // wall time
+};
+// Runs the program `words[0]` (a path) and waits for its end, `timeout` seconds at most. Its standard input is empty, output and
+// errors go to the file `log`. It has a process group of its own: what it started ends with it. Throws std::system_error where
+// it cannot be started, Interrupted.
+ProgramEnd run_program(const std::vector<std::string>& words, const std::string& log, double timeout);
+
+// How a child ended, for people: its exit status (or 128 and its signal) and the last that it said, if anything.
+std::string end_text(int status, const std::string& last_words);
 
 // Lets the system end this process when its parent ends, however that does. `parent`: the parent's process number.
 void end_with_parent(pid_t parent);

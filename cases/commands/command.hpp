@@ -43,6 +43,7 @@ Command add_stability(CLI::App& app, Invocation& invocation);
 Command add_sweep(CLI::App& app, Invocation& invocation);
 Command add_export(CLI::App& app, Invocation& invocation);
 Command add_score(CLI::App& app, Invocation& invocation);
+Command add_scoreboard(CLI::App& app, Invocation& invocation);
 Command add_diff(CLI::App& app, Invocation& invocation);
 Command add_tolerances(CLI::App& app, Invocation& invocation);
 

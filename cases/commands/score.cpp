@@ -9,16 +9,6 @@ struct ScoreOptions {
   std::vector<std::string> results;
 };
 
-// The gates that read one level alone, and those of the series for a single file.
-std::vector<JudgedGate> gates_of_level(const Score& score, const StudyLevel& at) {
-  if (score.study.levels.size() == 1) return score.gates;
-  std::vector<JudgedGate> gates;
-  for (const JudgedGate& gate : score.gates) {
-    if (gate.run_ids.size() == 1 && gate.run_ids.front() == at.run.file) gates.push_back(gate);
-  }
-  return gates;
-}
-
 Json document_of(const Case& entry, const Score& score, const Provenance& provenance) {
   const Json study = study_document(score.study, score.gates, provenance);
   Json not_judged = Json::array();

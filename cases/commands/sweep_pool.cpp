@@ -96,13 +96,6 @@ struct Worker {
   std::string last_words = {};
 };
 
-std::string end_text(int status, const std::string& last_words) {
-  std::string text = status > 128 ? fmt::format("ended by signal {} ({})", status - 128, ::strsignal(status - 128))
-                                  : fmt::format("exit status {}", status);
-  if (!last_words.empty()) text += ": " + last_words;
-  return text;
-}
-
 class Pool {
  public:
   Pool(const Plan& plan, const PoolOptions& options)

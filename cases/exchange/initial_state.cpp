@@ -64,7 +64,7 @@ std::vector<std::string> component_names(const ColumnId& id, const Body& body, c
   const int count = body.points.components(id);
   if (count == 1) return {};
   const StressMeasure measure = body.material->measure();
-  const bool tensor = id.index() == column::deformation.index() ||
+  const bool tensor = id.index() == column::deformation.index() || id.index() == column::affine.index() ||
                       (id.index() == column::stress.index() && measure == StressMeasure::full);
   const bool symmetric = id.index() == column::strain.index() ||
                          (id.index() == column::stress.index() && measure == StressMeasure::symmetric);
@@ -78,7 +78,7 @@ std::vector<std::string> component_names(const ColumnId& id, const Body& body, c
     if (!tensor) names.push_back(axis_name(d));
     for (int e = 0; tensor && e < grid.dim; ++e) names.push_back(axis_name(d) + axis_name(e));
   }
-  if (tensor && grid.axisymmetric) names.push_back("hoop");
+  if (tensor && id.index() != column::affine.index() && grid.axisymmetric) names.push_back("hoop");
   return names;
 }
 

@@ -289,4 +289,13 @@ Score score(const Case& entry, const std::vector<std::string>& names, const std:
   return score;
 }
 
+std::vector<JudgedGate> gates_of_level(const Score& score, const StudyLevel& at) {
+  if (score.study.levels.size() == 1) return score.gates;
+  std::vector<JudgedGate> gates;
+  for (const JudgedGate& gate : score.gates) {
+    if (gate.run_ids.size() == 1 && gate.run_ids.front() == at.run.file) gates.push_back(gate);
+  }
+  return gates;
+}
+
 }  // namespace plumbline

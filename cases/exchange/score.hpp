@@ -28,4 +28,7 @@ struct Score {
 // judged on the way), FileError for what a file holds.
 Score score(const Case& entry, const std::vector<std::string>& files, const std::vector<std::string>& typed);
 
+// The gates that read one level alone; of a single file, all.
+std::vector<JudgedGate> gates_of_level(const Score& score, const StudyLevel& at);
+
 }  // namespace plumbline

@@ -31,6 +31,16 @@ COST = {"case": "sod", "scheme": "default", "study": "default", "kind": "gas", "
         "wall_s": [0.004, 0.0041], "instructions": None, "errors": {"density.L1": {"error": 0.0066, "relative_error": 0.017}}}
 COMPARED = {"folder": "base", "version": "0.6.0", "git": "abc", "started": "2026-11-22T00:00:00Z", "executed": 3,
             "damaged": [{"file": "study-sod.h5", "reason": "truncated"}]}
+SCORED = {"start": "sod-100.h5", "cells": 100, "outcome": "scored", "reason": "", "verdict": "PASS",
+          "errors": {"density.L1": {"error": 0.01, "ratio": 1.8}}, "seconds": 0.3, "timed": "program"}
+LATE = {**SCORED, "outcome": "late", "reason": "not done after 10 s", "verdict": None, "errors": {}, "seconds": None, "timed": None}
+BOARD = {"scoreboard": 1, "refused": [{"start": "cut.h5", "reason": "truncated"}], "strays": ["other/sod-90.h5"], "provenance": PROVENANCE,
+         "problems": [{"case": "sod", "title": "Shock tube", "settings": ["gamma=1.5"], "measure": "density.L1", "units": {"density.L1": "kg/m^3"},
+                       "own": {"scheme": "default", "orders": {"density.L1": FIT},
+                               "levels": [{"cells": 100, "h": 0.01, "errors": {"density.L1": 0.0056}, "seconds": 0.002, "stop": None}]},
+                       "programs": [{"name": "other", "program": "other", "version": "", "study": "default", "verdict": "PASS", "reason": "",
+                                     "entries": [SCORED, LATE], "orders": {"density.L1": FIT}, "gates": [GATE],
+                                     "not_judged": [{"id": "default/drift", "reason": "reads the ledger"}]}]}]}
 DOCUMENTS = {
     "run": RUN,
     "dry_run": {"case": "sod", "scheme": "default", "settings": {}, "points": 450, "cells": 100, "steps": 108, "bytes": 90000, "estimated_s": 0.01},
@@ -75,6 +85,7 @@ DOCUMENTS = {
     "score": {"case": "sod", "scheme": "foreign:other", "program": "other", "version": "", "study": "default", "expectation": "declared",
               "verdict": "PASS", "results": ["a.h5"], "levels": [{**RUN, "value": 100}], "measures": {"density.L1": FIT}, "gates": [GATE],
               "not_judged": [{"id": "default/drift", "reason": "reads the ledger"}], "provenance": PROVENANCE},
+    "scoreboard": BOARD,
     "diff": {"baseline": COMPARED, "results": COMPARED, "change": "worse", "nothing_changed": False, "summary": "1 worse", "moved": 0,
              "counts": {"worse": 1, "new": 0}, "largest_move": 0, "machine": [{"key": "compiler", "before": "g++ 12", "after": "g++ 13"}],
              "findings": [{"change": "worse", "kind": "order", "case": "sod", "scheme": "default", "study": "cells", "quantity": "density.L1",
@@ -184,6 +195,11 @@ def test_stopped_run():
     ("score", ["scheme"], "default"),                                # a foreign result says so
     ("score", ["not_judged", 0, "reason"], ""),
     ("score", ["levels", 0, "value"], ...),
+    ("scoreboard", ["problems", 0, "programs", 0, "entries", 0, "outcome"], "lost"),
+    ("scoreboard", ["problems", 0, "programs", 0, "entries", 0, "reason"], "why"),   # scored, and yet a reason
+    ("scoreboard", ["problems", 0, "programs", 0, "entries", 1, "reason"], ""),      # not scored without one
+    ("scoreboard", ["problems", 0, "programs", 0, "entries", 1, "verdict"], "PASS"),
+    ("scoreboard", ["problems", 0, "own", "levels", 0, "h"], 0),
     ("reference", ["values", "pressure_star"], "0.3"),
     ("error", ["error", "message"], ""),
     ("error", ["error", "nearest"], "cfl"),

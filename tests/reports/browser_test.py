@@ -15,6 +15,8 @@ import plumbline_results
 import render
 import scorecards
 import synthetic_scorecards
+import scoreboard
+import synthetic_board
 import text
 from synthetic_results import gate, write_verdicts
 
@@ -564,6 +566,33 @@ def test_the_page_can_be_heard(browser, page):
     browser.press("Tab", 9)
     assert browser.evaluate("document.activeElement.className") == "skip"
     assert browser.evaluate("document.activeElement.getBoundingClientRect().left") >= 0
+
+
+# --- the scoreboard -----------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def board(tmp_path_factory):
+    folder = synthetic_board.write_board(tmp_path_factory.mktemp("board"))
+    assert scoreboard.main([str(folder)]) == 0
+    return folder / scoreboard.PAGE
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("size", list(SIZES))
+def test_layout_of_the_scoreboard(browser, board, pictures, size, scheme):
+    width, height = SIZES[size]
+    browser.messages.clear()
+    browser.open(board, width, height, scheme)
+    browser.screenshot(pictures / f"scoreboard-{size}-{scheme}.png")
+    browser.evaluate("document.querySelectorAll('details').forEach(element => element.open = true)")
+    assert browser.evaluate("document.documentElement.scrollWidth") <= width
+    for check in (OVERLAPS, OUTSIDE, CUT_LABELS, CROWDED_LABELS, CONTRAST):
+        assert browser.evaluate(check) == []
+    levels = browser.evaluate("[...document.querySelectorAll('main :is(h1, h2, h3, h4)')].map(heading => Number(heading.tagName[1]))")
+    assert levels[0] == 1 and all(after <= before + 1 for before, after in zip(levels, levels[1:]))
+    assert browser.evaluate("[...document.querySelectorAll('th')].filter(cell => !cell.scope).length") == 0
+    assert browser.messages == []
 
 
 # --- real results -------------------------------------------------------------------------------------

@@ -14,6 +14,10 @@ import h5py
 import numpy
 
 
+# Choices of `Mpm`: quadratic B-splines, velocities half a step apart from positions: second order in space and time.
+SECOND_ORDER = {"shape": "quadratic", "step": "usl", "staggered": True}
+
+
 def linear(u):
     """Nodes below a point at u cells and the one above: first node, weights, slopes per cell."""
     base = numpy.floor(u).astype(int)

@@ -11,10 +11,8 @@ import pytest
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent / "contract")]
 from contract import Plumbline  # noqa: E402
-from mpm import Mpm  # noqa: E402
+from mpm import SECOND_ORDER, Mpm  # noqa: E402
 
-# Quadratic B-splines, velocities half a step apart from positions: second order in space and time.
-SECOND_ORDER = {"shape": "quadratic", "step": "usl", "staggered": True}
 PULSE = ("acoustic-pulse", (50, 70, 100, 140, 200), ("ppc=4",), 0.5, {**SECOND_ORDER, "transfer": "flip"})
 # Linear viscosity spreads jumps over a number of cells: first order, as jumps allow.
 TUBE = ("sod", (100, 140, 200, 280, 400, 560), ("ppc=4",), 0.4,
