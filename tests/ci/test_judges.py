@@ -189,12 +189,16 @@ def test_every_built_in_integrator_is_changed():
 
 
 @pytest.mark.parametrize("text, what", [(TOY.replace(" final", ""), "is not declared as other integrators are"), (TOY.replace('"toy"', "toy"), "registers 0"),
-                                        (TOY.replace("mpm.map_forces();", "use(mpm.map_forces());"), "nothing is known of its value"),
-                                        (TOY.replace("(mpm.rate())));", "(mpm.rate("), "is not closed")])  # fmt: skip
+                                        (TOY.replace("mpm.map_forces();", "use(mpm.map_forces());"), "nothing is known of its value")])  # fmt: skip
 def test_what_cannot_be_changed_is_an_error(tmp_path, text, what):
     (tmp_path / "toy.cpp").write_text(text)
     with pytest.raises(ValueError, match=what):
         systematic.source(tmp_path / "toy.cpp")
+
+
+def test_a_parenthesis_that_is_not_closed_is_an_error():
+    with pytest.raises(ValueError, match="is not closed"):
+        systematic.calls("mpm.move_points((dt)")
 
 
 # --- the command ---
