@@ -26,7 +26,7 @@ class Judgement:
     """stopped: why there is no verdict, empty if there is one. red: the red gates, in the order in which they were judged."""
 
     red: list = field(default_factory=list)
-    gates: int = 0
+    measured: dict = field(default_factory=dict)  # by the id of each gate
     inconclusive: int = 0
     stopped: str = ""
     seconds: float = 0  # of the processor
@@ -47,6 +47,9 @@ class Judgement:
         gate = self.seen_by
         return gate is not None and family_of(gate) in PROVING
 
+    def red_families(self):
+        return {family_of(gate) for gate in self.red}
+
 
 class Program:
     """The executable and the plug-ins that it loads."""
@@ -65,10 +68,10 @@ class Program:
         listed = subprocess.run(command, env=self.environment(), capture_output=True, text=True, check=True)
         return {entry["name"]: entry for entry in json.loads(listed.stdout)["integrators"]}
 
-    def judge(self, integrator, cases=(), settings=(), until_red=True):
+    def judge(self, integrator, options=(), settings=()):
+        """options: --until-red, or --core for the gates that take seconds; without, the scorecard comes with all gates."""
         with tempfile.TemporaryDirectory(prefix="plumbline-judge-") as folder:
-            command = [self.executable, "verify", *cases, "--integrator", integrator, *self.options, "--json", "verify.json"]
-            command += ["--until-red"] if until_red else []
+            command = [self.executable, "verify", "--integrator", integrator, *options, *self.options, "--json", "verify.json"]
             command += [word for setting in settings for word in ("--set", setting)]
             status, output, seconds, why = run(command, self.environment(), SECONDS, cwd=folder)
             path = pathlib.Path(folder) / "verify.json"
@@ -84,7 +87,8 @@ def read(document):
     gates = document.get("gates", [])
     card = next(iter(document.get("scorecards", [])), {})
     red = [gate for gate in gates if gate["verdict"] in RED]
-    return Judgement(red, len(gates), sum(gate["verdict"] == "INCONCLUSIVE" for gate in gates), card=card)
+    measured = {gate["id"]: gate["measured"] for gate in gates}
+    return Judgement(red, measured, sum(gate["verdict"] == "INCONCLUSIVE" for gate in gates), card=card)
 
 
 def last_line(output):

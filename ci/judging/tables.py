@@ -2,8 +2,8 @@
 
 from .judge import family_of
 
-DIGITS = 5e-4  # of a measured limit, relative to the known one: three digits
-ORDER = 0.05  # of a measured order: what an interval of halved steps leaves
+DIGITS = 5e-4  # of a limit, relative: three digits
+ORDER = 5e-3  # of an order, relative: it is fitted to steps of finite size
 
 
 def row(integrator, entry, judgement):
@@ -16,8 +16,9 @@ def row(integrator, entry, judgement):
         "verdict": judgement.verdict,
         "stopped": judgement.stopped or None,
         "gate": gate and of_gate(gate),
+        "red_families": sorted(judgement.red_families()),
         "proven": judgement.proven,
-        "gates": judgement.gates,
+        "gates": len(judgement.measured),
         "inconclusive": judgement.inconclusive,
         "seconds": judgement.seconds,
     }
@@ -28,15 +29,13 @@ def of_gate(gate):
     return {**kept, "family": family_of(gate), "explanation": gate.get("explanation", "")}
 
 
-def against_known(card, known):
-    """[{"quantity", "known", "measured", "agrees"}] of order and limit, as far as both are stated."""
-    orders, limits = card.get("orders", {}), card.get("limits", [])
-    order = orders.get("displacement", {}).get("order")
+def against_known(judgement, known):
+    """[{"quantity", "known", "measured", "agrees"}] of the order in dt and the limit of the oscillator, where one is known."""
+    order = judgement.measured.get("order/oscillator/displacement")
+    limits = judgement.card.get("limits", [])
     limit = next((entry["limit"] for entry in limits if entry["problem"] == "oscillator"), None)
-    found = [compared("order", known["order"], order, ORDER)]
-    if known["limit"] is not None:
-        found.append(compared("limit", known["limit"], limit, DIGITS * known["limit"]))
-    return found
+    pairs = (("order", order, ORDER), ("limit", limit, DIGITS))
+    return [compared(what, known[what], measured, share * known[what]) for what, measured, share in pairs if known[what] is not None]
 
 
 def compared(quantity, known, measured, tolerance):

@@ -47,7 +47,7 @@ def test_the_first_red_gate_beyond_the_identities_has_seen_it():
     red = [gate("mass", "FAIL", case="sod"), gate("identities/sod/mass", "FAIL"), gate("energy/bar/slope", "FAIL"), gate("order/x/y", "FAIL")]
     found = judge.read({"gates": [gate("consistency/a/b"), gate("stability/a/b", "INCONCLUSIVE"), *red]})
     assert found.verdict == "red" and found.proven and found.seen_by["id"] == "energy/bar/slope"
-    assert found.gates == 6 and found.inconclusive == 1
+    assert len(found.measured) == 6 and found.inconclusive == 1
 
 
 def test_identities_alone_prove_nothing():
@@ -63,12 +63,17 @@ def test_what_is_red(verdict, expected):
 
 def test_orders_and_limits_agree_to_three_digits():
     known = {"order": 3, "limit": 1.7320508}
-    card = {"orders": {"displacement": {"order": 3.01}}, "limits": [{"problem": "bar", "limit": 1}, {"problem": "oscillator", "limit": 1.7325}]}
-    assert [entry["agrees"] for entry in tables.against_known(card, known)] == [True, True]
-    card = {"orders": {"displacement": {"order": 2.9}}, "limits": [{"problem": "oscillator", "limit": 1.734}]}
-    assert [entry["agrees"] for entry in tables.against_known(card, known)] == [False, False]
-    assert [entry["agrees"] for entry in tables.against_known({}, known)] == [False, False]
-    assert len(tables.against_known(card, {"order": 3, "limit": None})) == 1
+
+    def agreeing(order, limit, known=known):
+        card = {"limits": [{"problem": "bar", "limit": 1}, {"problem": "oscillator", "limit": limit}]}
+        found = judge.read({"gates": [gate("order/oscillator/displacement", measured=order)], "scorecards": [card]})
+        return [entry["agrees"] for entry in tables.against_known(found, known)]
+
+    assert agreeing(3.01, 1.7325) == [True, True]
+    assert agreeing(2.98, 1.734) == [False, False]
+    assert agreeing(3.02, None) == [False, False]
+    assert agreeing(3.01, 1.8, {"order": 3, "limit": None}) == [True]
+    assert [entry["agrees"] for entry in tables.against_known(judge.read({}), known)] == [False, False]
 
 
 def test_the_smallest_defect_is_that_of_each_gate_and_kind():
@@ -222,7 +227,11 @@ sys.exit(any(gate["verdict"] == "FAIL" for gate in answer["gates"]))
 GREEN = {"gates": [gate("consistency/oscillator/displacement")]}
 SEEN = {"gates": [gate("consistency/oscillator/displacement", "FAIL")]}
 UNSTABLE = {"gates": [gate("stability/oscillator/growth", "FAIL")]}
-KNOWN = {"gates": GREEN["gates"], "scorecards": [{"orders": {"displacement": {"order": 4.0}}, "limits": [{"problem": "oscillator", "limit": 1.5734}]}]}
+KNOWN = {
+    "gates": [*GREEN["gates"], gate("order/oscillator/displacement", measured=4.0)],
+    "scorecards": [{"limits": [{"problem": "oscillator", "limit": 1.5734}]}],
+}
+BOTH = {"gates": [*SEEN["gates"], *UNSTABLE["gates"]]}
 
 
 @pytest.fixture
@@ -243,7 +252,7 @@ def judges(tmp_path):
     return call
 
 
-GOOD = {"musl": 1, "right-forest-ruth": KNOWN, "weak-heun2": UNSTABLE, "wrong-nothing": SEEN, "wrong-half": UNSTABLE}
+GOOD = {"musl": GREEN, "right-forest-ruth": KNOWN, "weak-heun2": UNSTABLE, "wrong-nothing": SEEN, "wrong-half": UNSTABLE}
 
 
 def test_all_is_well(judges):
@@ -252,7 +261,8 @@ def test_all_is_well(judges):
     assert [row["integrator"] for row in document["wrong"]] == ["wrong-nothing", "wrong-half"]
     row = document["wrong"][0]
     assert (row["verdict"], row["title"], row["gate"]["id"], row["gate"]["family"]) == ("red", "its defect", "consistency/oscillator/displacement", "consistency")
-    assert [entry["agrees"] for entry in document["right"][0]["known"]] == [True, True]
+    assert {row["integrator"]: row.get("known", []) for row in document["right"]}["musl"] == []
+    assert [entry["agrees"] for entry in document["right"][1]["known"]] == [True, True]
     assert document["systematic"] is None and document["smallest"] == [] and document["commit"]
 
 
@@ -262,8 +272,9 @@ def test_all_is_well(judges):
         ({"wrong-nothing": GREEN}, "wrong-nothing is not seen"),
         ({"wrong-nothing": {"gates": [gate("identities/sod/mass", "FAIL")]}}, "wrong-nothing is not seen"),
         ({"wrong-nothing": 3}, "wrong-nothing is not seen"),
-        ({"weak-heun2": SEEN}, "weak-heun2 is not red by stability"),
-        ({"weak-heun2": GREEN}, "weak-heun2 is not red by stability"),
+        ({"weak-heun2": BOTH}, "weak-heun2 is red by consistency, stability: stability is expected"),
+        ({"weak-heun2": GREEN}, "weak-heun2 is red by nothing"),
+        ({"musl": SEEN}, "musl is red"),
         ({"right-forest-ruth": SEEN}, "right-forest-ruth is red"),
         ({"right-forest-ruth": 2}, "right-forest-ruth is stopped"),
         ({"right-forest-ruth": GREEN}, "order -, known 4"),
@@ -276,7 +287,7 @@ def test_each_fault_is_named_and_red(judges, told, what):
 
 def test_why_an_integrator_was_not_judged_is_said(judges):
     _, output, document = judges({**GOOD, "right-forest-ruth": 3})
-    assert document["right"][0]["stopped"] == "exit status 3: it cannot step" and "it cannot step" in output
+    assert document["right"][1]["stopped"] == "exit status 3: it cannot step" and "it cannot step" in output
 
 
 def test_one_in_twenty_may_escape(judges):

@@ -42,6 +42,16 @@ inline const Tableau& kutta3() {
   return third;
 }
 
+// Explicit, beta = 0: of second order for gamma = 1/2, below which oscillations grow and above which they decay.
+inline void newmark(Stages& mpm, double dt, double gamma) {
+  const State y = mpm.state(), accelerations = mpm.velocities_of(mpm.rate());
+  mpm.set_state(y + dt / 2 * accelerations);
+  const State moving = mpm.rate();
+  mpm.set_state(y + dt * (moving + -1.0 * mpm.velocities_of(moving)));
+  const State moved = mpm.state(), later = mpm.velocities_of(mpm.rate());
+  mpm.set_state(moved + (1 - gamma) * dt * accelerations + gamma * dt * later);
+}
+
 // Velocities change by the forces of where points stand; these and the strains stay.
 inline void kick(Stages& mpm, double dt) {
   mpm.locate_points();

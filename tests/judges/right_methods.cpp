@@ -41,6 +41,12 @@ const Judged dopri5("right-dopri5", "Dormand and Prince's method of order five",
                                    {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}});
                     });
 
+const Judged newmark_half("right-newmark", "explicit Newmark with gamma 1/2", "Newmark 1959, J. Eng. Mech. Div. 85(3)",
+                          [](Stages& mpm, double dt) { newmark(mpm, dt, 0.5); });
+const Judged newmark_damped("right-newmark-damped", "explicit Newmark with gamma 0.51, which damps",
+                            "Newmark 1959, J. Eng. Mech. Div. 85(3)",
+                            [](Stages& mpm, double dt) { newmark(mpm, dt, 0.51); });
+
 class AdamsBashforth3 final : public TimeIntegrator {
   void step(Stages& mpm, double dt) override { adams_bashforth(mpm, dt, history_, {23.0 / 12, -16.0 / 12, 5.0 / 12}); }
   std::vector<State*> memory() override { return history_.memory(); }
