@@ -6,9 +6,9 @@
 
 #include "kernel/geometry.hpp"
 #include "kernel/parallel.hpp"
-#include "kernel/transfers/transfers.hpp"
 #include "kernel/shapes/cubic.hpp"
 #include "kernel/shapes/quadratic.hpp"
+#include "kernel/transfers/transfers.hpp"
 
 namespace plumbline {
 namespace {

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "cases/harness/errors.hpp"
-#include "kernel/materials/ideal_gas.hpp"
 #include "kernel/integrator_traits.hpp"
+#include "kernel/materials/ideal_gas.hpp"
 
 namespace plumbline {
 namespace {

@@ -16,9 +16,9 @@ struct KnownLimit {
   std::optional<Settings> settings = {};  // none: the integrator cannot work with the problem
   std::vector<Override> listed = {};      // what the row sets beside the problem's own choices
   std::string unit = "h/c";
-  double limit = 0;     // infinite: every step of the scan is stable; 0: none is; NaN: not found, `note` says why
-  double scanned = 0;   // the largest step that was looked at
-  Growth growth = {};   // where no step is stable: at the smallest step of the scan
+  double limit = 0;    // infinite: every step of the scan is stable; 0: none is; NaN: not found, `note` says why
+  double scanned = 0;  // the largest step that was looked at
+  Growth growth = {};  // where no step is stable: at the smallest step of the scan
   std::optional<ClosedForm> closed_form = {};
   bool smallest = false;  // of all rows with a limit in h/c
   std::string note = {};

@@ -14,11 +14,12 @@ struct SceneContents {
   struct Part {
     std::string body;
     Matter matter = Matter::solid;
-    int per_cell = 1;        // points a cell and direction, a chain's along itself, where they stand least densely; >= 1
-    double speed = 0;        // of its fastest wave, m/s
+    int per_cell = 1;  // points a cell and direction, a chain's along itself, where they stand least densely; >= 1
+    double speed = 0;  // of its fastest wave, m/s
     double diffusivity = 0;  // of a viscous gas, 4/3 mu/rho, m^2/s
     bool segments = false;   // of a chain: strain is the stretch between neighbouring points
-    bool free_edge = false;  // beside it are nodes that nothing else keeps heavy: neither a wall or piston nor another body
+    bool free_edge =
+        false;  // beside it are nodes that nothing else keeps heavy: neither a wall or piston nor another body
   };
 
   // A chain among gas, on the same nodes.

@@ -77,8 +77,8 @@ std::vector<SceneLimit> limits_in(const Scene& scene, const Settings& run) {
       overrides.insert(overrides.end(), occurrence.choices.begin(), occurrence.choices.end());
       const Settings settings = stability_settings(*problem, "default", overrides);
       const Found found = remembered(*problem, settings);
-      all.push_back({problem, settings, occurrence.choices, found.limit, found.limit * problem->fastest(settings) * occurrence.factor,
-                     found.why});
+      all.push_back({problem, settings, occurrence.choices, found.limit,
+                     found.limit * problem->fastest(settings) * occurrence.factor, found.why});
     }
   }
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.courant < b.courant; });
@@ -91,11 +91,11 @@ double safe_courant_number(const Scene& scene, const Settings& run) {
   const SceneLimit& least = all.front();
   if (least.limit > 0) return auto_share * least.courant;
   const std::string name = least.problem->name(), integrator = run.text("integrator");
-  throw UsageError("cfl", "auto", "a number", {},
-                   fmt::format("cfl=auto: {} has no stable step on problem {} ({}), which this scene contains: {}; "
-                               "`plumbline stability {} --integrator {}` shows more",
-                               integrator, name, choices_in_words(least.settings, least.choices), least.why, name,
-                               integrator));
+  throw UsageError(
+      "cfl", "auto", "a number", {},
+      fmt::format("cfl=auto: {} has no stable step on problem {} ({}), which this scene contains: {}; "
+                  "`plumbline stability {} --integrator {}` shows more",
+                  integrator, name, choices_in_words(least.settings, least.choices), least.why, name, integrator));
 }
 
 }  // namespace plumbline

@@ -13,8 +13,8 @@ struct SceneLimit {
   const StabilityProblem* problem = nullptr;
   Settings settings;
   std::vector<Override> choices = {};  // those that the scene makes
-  double limit = 0;    // in the problem's unit; the end of its scan where all of that is stable; 0: no step is stable
-  double courant = 0;  // the same as a Courant number of the run
+  double limit = 0;      // in the problem's unit; the end of its scan where all of that is stable; 0: no step is stable
+  double courant = 0;    // the same as a Courant number of the run
   std::string why = {};  // where no step is stable
 };
 

@@ -87,7 +87,8 @@ class BarEdge final : public StabilityProblem {
   std::vector<Occurrence> occurrences(const SceneContents& scene) const override {
     std::vector<Occurrence> all;
     for (const SceneContents::Part& part : scene.parts) {
-      for (const double depth : part.free_edge ? std::vector<double>{0.6 / part.per_cell, shallow} : std::vector<double>{}) {
+      for (const double depth :
+           part.free_edge ? std::vector<double>{0.6 / part.per_cell, shallow} : std::vector<double>{}) {
         all.push_back({{{"depth", depth}, {"ppc", 1.0 * part.per_cell}, {"length", 6.0}}, 1 / std::sqrt(scene.dim)});
       }
     }

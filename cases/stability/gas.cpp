@@ -120,7 +120,8 @@ class Gas final : public StabilityProblem {
       const double factor = diffusion > 0 ? bound / scene.dim : 1 / std::sqrt(scene.dim);
       for (const double place : sampled_places) {
         const double offset = std::fmod(place + 0.5, 1.0) / gas.per_cell;  // regular where none
-        all.push_back({{{"dim", 1.0}, {"offset", offset}, {"ppc", 1.0 * gas.per_cell}, {"viscosity", 0.75 * diffusion}}, factor});
+        all.push_back(
+            {{{"dim", 1.0}, {"offset", offset}, {"ppc", 1.0 * gas.per_cell}, {"viscosity", 0.75 * diffusion}}, factor});
       }
     }
     return all;

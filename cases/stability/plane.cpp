@@ -82,7 +82,8 @@ class Plane final : public StabilityProblem {
     if (scene.dim < 2) return all;
     for (const SceneContents::Part& solid : scene.of(SceneContents::Matter::solid)) {
       for (const double place : sampled_places) {
-        all.push_back({{{"place_x", place}, {"place_y", place}, {"ppc", 1.0 * solid.per_cell}}, std::sqrt(2.0 / scene.dim)});
+        all.push_back(
+            {{{"place_x", place}, {"place_y", place}, {"ppc", 1.0 * solid.per_cell}}, std::sqrt(2.0 / scene.dim)});
       }
     }
     return all;
