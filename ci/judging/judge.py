@@ -36,16 +36,14 @@ class Judgement:
     def verdict(self):
         return "stopped" if self.stopped else "red" if self.red else "green"
 
-    @property
-    def seen_by(self):
-        """The first red gate of a family that proves something, else the first red one; None if all are green."""
-        proving = [gate for gate in self.red if family_of(gate) in PROVING]
-        return next(iter(proving + self.red), None)
+    def seen_by(self, families=PROVING):
+        """The first red gate of these families, else of those that prove something, else the first one; None if all are green."""
+        known = [gate for wanted in (families, PROVING, FAMILIES) for gate in self.red if family_of(gate) in wanted]
+        return next(iter(known), None)
 
     @property
     def proven(self):
-        gate = self.seen_by
-        return gate is not None and family_of(gate) in PROVING
+        return any(family_of(gate) in PROVING for gate in self.red)
 
     def red_families(self):
         return {family_of(gate) for gate in self.red}

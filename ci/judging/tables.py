@@ -1,14 +1,14 @@
 """What was judged, as the rows of results/judges.json and as tables for people."""
 
-from .judge import family_of
+from .judge import PROVING, family_of
 
 DIGITS = 5e-4  # of a limit, relative: three digits
 ORDER = 5e-3  # of an order, relative: it is fitted to steps of finite size
 
 
-def row(integrator, entry, judgement):
-    """Of one integrator; `entry` as it is registered: title and source."""
-    gate = judgement.seen_by
+def row(integrator, entry, judgement, families=PROVING):
+    """Of one integrator; `entry` as it is registered: title and source. Of its red gates the row shows one of `families`."""
+    gate = judgement.seen_by(families)
     return {
         "integrator": integrator,
         "title": entry["title"],

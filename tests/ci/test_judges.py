@@ -46,13 +46,14 @@ def gate(name, verdict="PASS", case="integrator", **more):
 def test_the_first_red_gate_beyond_the_identities_has_seen_it():
     red = [gate("mass", "FAIL", case="sod"), gate("identities/sod/mass", "FAIL"), gate("energy/bar/slope", "FAIL"), gate("order/x/y", "FAIL")]
     found = judge.read({"gates": [gate("consistency/a/b"), gate("stability/a/b", "INCONCLUSIVE"), *red]})
-    assert found.verdict == "red" and found.proven and found.seen_by["id"] == "energy/bar/slope"
+    assert found.verdict == "red" and found.proven and found.seen_by()["id"] == "energy/bar/slope"
+    assert found.seen_by(("order",))["id"] == "order/x/y" and found.seen_by(("jumps",))["id"] == "energy/bar/slope"
     assert len(found.measured) == 6 and found.inconclusive == 1
 
 
 def test_identities_alone_prove_nothing():
     found = judge.read({"gates": [gate("momentum", "FAIL", case="two-bar"), gate("consistency/a/b")]})
-    assert found.verdict == "red" and not found.proven and judge.family_of(found.seen_by) == "identities"
+    assert found.verdict == "red" and not found.proven and judge.family_of(found.seen_by()) == "identities"
 
 
 @pytest.mark.parametrize("verdict, expected", [("PASS", "green"), ("XFAIL", "green"), ("INCONCLUSIVE", "green"), ("NONE", "green"),
