@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "cases/judging/cost.hpp"
@@ -127,11 +128,11 @@ Json family_rows(const Subject& subject, const JudgedIntegrator& judged) {
 }
 
 Json limit_rows(const Subject& subject, const JudgingOptions& options) {
+  constexpr std::array quick{"oscillator", "bar", "bar-edge"};  // of the core set
   std::vector<const StabilityProblem*> problems;
   for (const StabilityProblem* problem : stability_problems()) {
-    if (options.effort == Effort::whole || problem->name() == "oscillator" || problem->name() == "bar") {
-      problems.push_back(problem);
-    }
+    const bool is_quick = std::find(quick.begin(), quick.end(), problem->name()) != quick.end();
+    if (options.effort == Effort::whole || is_quick) problems.push_back(problem);
   }
   Json rows = Json::array();
   for (const KnownLimit& row : limits_of(subject.choice(), options.threads, problems)) {
@@ -248,7 +249,8 @@ std::vector<std::string> scorecard_lines(const Json& card) {
                                   ? "no stable step"
                                   : fmt::format("{:.6g}", row.at("limit").get<double>());
     lines.push_back(fmt::format("    {:16} {} {} {}{}", text(row.at("problem")), limit, text(row.at("unit")),
-                                text(row.at("choices")), row.at("smallest").get<bool>() ? "  <- smallest known" : ""));
+                                text(row.at("choices")),
+                                row.at("smallest").get<bool>() ? "  (the smallest of these)" : ""));
   }
   if (!card.at("factors").empty()) {
     lines.push_back(fmt::format("  cost at equal error over that of {} (least, most of repeated timings):",
