@@ -17,12 +17,16 @@ class RecordedStages final : public Stages {
  public:
   RecordedStages(Stages& stages, IntegratorTraits& traits) : to_(stages), traits_(traits) {}
 
-  void begin_step() { stress_is_fresh_ = false; }
+  void begin_step() {
+    stress_is_fresh_ = false;
+    force_evaluations_ = 0;
+  }
 
   void locate_points() override { to_.locate_points(); }
   void map_mass_and_momentum() override { to_.map_mass_and_momentum(); }
   void map_forces() override {
     use_stress();
+    count_forces();
     to_.map_forces();
   }
   void advance_momentum(double dt) override { to_.advance_momentum(over(dt)); }
@@ -56,6 +60,7 @@ class RecordedStages final : public Stages {
   State rate() override {
     traits_.needs.insert(Trait::unfiltered_velocities);
     stress_is_fresh_ = true;
+    count_forces();
     return to_.rate();
   }
   State velocities_of(State state) const override { return to_.velocities_of(std::move(state)); }
@@ -69,9 +74,12 @@ class RecordedStages final : public Stages {
     if (!stress_is_fresh_) traits_.evaluates_stress_first = false;
   }
 
+  void count_forces() { traits_.force_evaluations = std::max(traits_.force_evaluations, ++force_evaluations_); }
+
   Stages& to_;
   IntegratorTraits& traits_;
   bool stress_is_fresh_ = false;
+  int force_evaluations_ = 0;
 };
 
 // Gas between two walls, in slow motion.

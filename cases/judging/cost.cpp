@@ -10,6 +10,7 @@ namespace plumbline {
 namespace {
 
 constexpr int repetitions = 3;
+constexpr int many_forces = 16;  // of a step: its runs are timed once
 
 struct Refinement {
   const char *case_name, *measure;
@@ -88,7 +89,10 @@ std::vector<std::vector<CostCurve>> cost_curves(const std::vector<const Subject*
   for (auto& curves : all) {
     for (const Refinement& refinement : refinements()) curves.push_back({refinement.case_name, refinement.measure});
   }
-  for (int repetition = 0; repetition < repetitions; ++repetition) {
+  const bool costly = std::any_of(subjects.begin(), subjects.end(), [](const Subject* subject) {
+    return subject->traits().force_evaluations > many_forces;
+  });
+  for (int repetition = 0; repetition < (costly ? 1 : repetitions); ++repetition) {
     for (std::size_t r = 0; r < refinements().size(); ++r) {
       for (std::size_t s = 0; s < subjects.size(); ++s) {
         CostCurve& curve = all[s][r];

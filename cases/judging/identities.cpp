@@ -13,7 +13,12 @@
 namespace plumbline {
 namespace {
 
-constexpr long most_steps = 100;  // identities hold in every step; so many steps of each case at each level
+// Identities hold in every step: so many steps of each case at each level, and fewer where each of them costs many forces.
+long most_steps(const Subject& subject) {
+  constexpr long steps = 100, forces = 800, least = 5;
+  return std::clamp(forces / std::max(1, subject.traits().force_evaluations), least, steps);
+}
+
 constexpr std::size_t levels = 2;
 
 // A case that integrators can step, and its geometry.
@@ -47,7 +52,8 @@ RunResult first_steps(const Case& entry, const Subject& subject, const Settings&
   try {
     Simulation run(std::move(scene), subject.name(), control);
     const double end = problem->end_time();
-    while (run.steps() < most_steps && end - run.time() > 1e-12 * end) {
+    const long steps = most_steps(subject);
+    while (run.steps() < steps && end - run.time() > 1e-12 * end) {
       throw_if_interrupted();
       run.step(end - run.time());
     }

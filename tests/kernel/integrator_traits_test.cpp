@@ -72,6 +72,13 @@ TEST(IntegratorTraits, StepsBackwardsAreNotForDissipation) {
   EXPECT_THROW(Simulation(scene, "test_backwards", {0.1, {}}), CannotWork);
 }
 
+TEST(IntegratorTraits, ForcesOfAStepAreCounted) {
+  EXPECT_EQ(traits_of(*find_integrator("musl")).force_evaluations, 1);
+  EXPECT_EQ(traits_of(*find_integrator("midpoint")).force_evaluations, 2);
+  EXPECT_EQ(traits_of(*find_integrator("rk4")).force_evaluations, 4);
+  EXPECT_GT(traits_of(*find_integrator("implicit-midpoint")).force_evaluations, 4);
+}
+
 TEST(IntegratorTraits, WhatAStepThrowsIsKept) {
   EXPECT_EQ(traits_of(*find_integrator("test_failing")).failure, "out of order");
 }
