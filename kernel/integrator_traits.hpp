@@ -12,9 +12,10 @@ namespace plumbline {
 
 struct IntegratorTraits {
   Traits needs, offers;
-  bool evaluates_stress_first =
-      false;            // in every step, before anything uses it: stresses need not follow sorted points
-  std::string failure;  // what the integrator threw when it was tried; else empty
+  // In every step, before anything uses it: stresses need not follow sorted points.
+  bool evaluates_stress_first = false;
+  int force_evaluations = 0;  // of one step, the most of those tried
+  std::string failure;        // what the integrator threw when it was tried; else empty
 };
 
 // Found once for each entry, with its parameters as they are when made: two steps of different size on a column of gas,
