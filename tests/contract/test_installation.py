@@ -42,8 +42,13 @@ def tutorial():
 
 
 @pytest.fixture(scope="module")
-def tutorial_plugin(tutorial, prefix, tmp_path_factory):
-    return built(re.search(r"```cpp\n(.*?)```", tutorial, re.DOTALL).group(1), prefix, tmp_path_factory.mktemp("tutorial"))
+def tutorial_source(tutorial):
+    return re.search(r"```cpp\n(.*?)```", tutorial, re.DOTALL).group(1)
+
+
+@pytest.fixture(scope="module")
+def tutorial_plugin(tutorial_source, prefix, tmp_path_factory):
+    return built(tutorial_source, prefix, tmp_path_factory.mktemp("tutorial"))
 
 
 def built(source, prefix, folder):
@@ -133,7 +138,21 @@ def test_the_tutorial_prints_what_it_shows(tutorial, tutorial_plugin, installed)
     blocks = re.findall(r"```\n\$ plumbline (.*?)\n(.*?)```", tutorial, re.DOTALL)
     assert len(blocks) == 3
     for command, shown in blocks:
-        words = [str(tutorial_plugin) if word == "libmine.so" else word for word in command.split()]
-        printed = installed(*words).out.splitlines()
-        for line in shown.splitlines():
-            assert line in printed, (command, line)
+        assert prints(installed, tutorial_plugin, command, shown) == 0
+
+
+def test_the_tutorials_broken_integrator_is_red(tutorial, tutorial_source, prefix, installed, tmp_path):
+    """The change that the tutorial makes gives the red verdict that it shows."""
+    section = tutorial[tutorial.index("## A red one"):tutorial.index("## Claims")]
+    broken, command, shown = re.search(r"`(mpm\..*?)`.*?```text\n\$ plumbline (.*?)\n(.*?)```", section, re.DOTALL).groups()
+    sound = broken.replace("0.999 * ", "")
+    assert sound != broken and tutorial_source.count(sound) == 1
+    assert prints(installed, built(tutorial_source.replace(sound, broken), prefix, tmp_path), command, shown) == 1
+
+
+def prints(installed, library, command, shown):
+    """Exit status of a command that must print all lines shown."""
+    result = installed(*[str(library) if word == "libmine.so" else word for word in command.split()])
+    printed = result.out.splitlines()
+    assert [line for line in shown.splitlines() if line not in printed] == [], command
+    return result.code
