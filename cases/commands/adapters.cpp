@@ -66,7 +66,8 @@ AdapterEnd run_on(const Adapter& adapter, const ScoreFolder& folder, const std::
   AdapterEnd end;
   try {
     const std::vector<std::string> words{adapter.path, fs::absolute(folder.start(start)).string(), result};
-    end = judged(run_program(words, log, timeout), fs::exists(result), timeout, log);
+    const ProgramEnd ended = run_program(words, log, timeout);
+    end = judged(ended, fs::exists(result), timeout, log);
   } catch (const std::system_error& error) {
     end = {AdapterEnd::How::failed, fmt::format("it cannot be started: {}", error.code().message()), 0};
   }

@@ -131,6 +131,7 @@ Command add_scoreboard(CLI::App& app, Invocation& invocation) {
       "red, "
       "or a result damaged, missing, late or failed; 2 wrong call; 4 DIR cannot be read or written.");
   auto options = std::make_shared<ScoreboardOptions>();
+  add_json(*sub, invocation.options);  // first: what is wrong with the others is said as JSON, too
   sub->add_option("DIR", options->folder, "starts and results")->required();
   sub->add_option("--run", options->adapters, "NAME=ADAPTER: run this executable on every start first (repeatable)")
       ->allow_extra_args(false);
@@ -139,7 +140,6 @@ Command add_scoreboard(CLI::App& app, Invocation& invocation) {
   sub->add_option("--threads", invocation.options.threads, "runs of the default scheme side by side")
       ->check(CLI::Range(1, 1024));
   sub->add_option("--only", options->only, "judge this result alone, PROGRAM/START, and print nothing")->group("");
-  add_json(*sub, invocation.options);
   sub->add_option("--results", invocation.options.results, "results folder of the default scheme's runs");
   sub->add_flag("--allow-inconclusive", invocation.options.allow_inconclusive,
                 "INCONCLUSIVE does not make the exit status red");

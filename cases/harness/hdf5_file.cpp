@@ -244,9 +244,16 @@ std::int64_t Hdf5Reader::attribute(const std::string& object, const std::string&
 
 std::string Hdf5Reader::text(const std::string& path) const {
   const OpenData open(file_, path_, path);
-  const bool is_text = H5Tget_class(open.type) == H5T_STRING && H5Tis_variable_str(open.type) == 0 &&
-                       H5Sget_simple_extent_npoints(open.space) == 1;
+  const bool is_text = H5Tget_class(open.type) == H5T_STRING && H5Sget_simple_extent_npoints(open.space) == 1;
   if (!is_text) throw FileError(path_, path_ + ": no text is " + path);
+  if (H5Tis_variable_str(open.type) > 0) {  // as h5py writes text
+    char* stored = nullptr;
+    if (H5Dread(open.data, open.type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &stored) < 0 || !stored)
+      throw FileError(path_, path_ + ": cannot read " + path);
+    const std::string text(stored);
+    H5free_memory(stored);
+    return text;
+  }
   std::string text(H5Tget_size(open.type), '\0');
   if (H5Dread(open.data, open.type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
     throw FileError(path_, path_ + ": cannot read " + path);

@@ -191,7 +191,7 @@ def test_problems_are_told_apart_by_their_physics(plumbline, board):
     board.result("good", "usual", usual)
     board.result("good", "other", other)
     document, _ = board(code=0)
-    assert [problem["settings"] for problem in document["problems"]] == [["gamma=1.5", "ppc=4", "points=equal-volume"], []]
+    assert [problem["settings"] for problem in document["problems"]] == [["ppc=4", "points=equal-volume", "gamma=1.5"], []]
     run = plumbline("run", "sod", "--cells", 20, *(part for key in document["problems"][0]["settings"] for part in ("--set", key)), json=True)
     own = document["problems"][0]["own"]["levels"][0]["errors"]
     assert own == {name: measure["error"] for name, measure in run.json("run")["measures"].items()}
