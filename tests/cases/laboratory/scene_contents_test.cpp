@@ -123,8 +123,7 @@ TEST(SceneContents, StringsHaveEndsWhereNothingHoldsThem) {
   const SceneContents hung = contents_of_case("spring-mass", {});
   ASSERT_EQ(hung.of(Matter::chain).size(), 1U);
   EXPECT_TRUE(hung.parts[0].free_edge);
-  EXPECT_TRUE(hung.parts[0].segments);
-  EXPECT_FALSE(contents_of_case("spring-mass", {}, "york1997").parts[0].segments);
+  EXPECT_FALSE(hung.parts[0].segments);
   EXPECT_FALSE(contents_of_case("string-vibration", {}).parts[0].free_edge);
 }
 
@@ -137,15 +136,6 @@ TEST(SceneContents, BodiesInContactHaveEdgesOfTheirOwn) {
 }
 
 // York's membrane expansion at h = 0.05: m_s = rho h, E' t = 1.6e4 rho c^2 h, to the digits of stability-coupled's text.
-TEST(SceneContents, AMembraneInGasIsCoupledToIt) {
-  for (const char* scheme : {"default", "york1997"}) {
-    const SceneContents bag = contents_of_case("membrane-expansion", {{"cells", 32.0}}, scheme);
-    ASSERT_EQ(bag.couplings.size(), 1U);
-    EXPECT_NEAR(bag.couplings[0].density_ratio, 1, 0.05) << scheme;
-    EXPECT_NEAR(bag.couplings[0].stiffness_ratio, 1.6e4, 0.05e4) << scheme;
-    EXPECT_EQ(bag.couplings[0].chain.segments, scheme == std::string("default"));
-  }
-}
 
 }  // namespace
 }  // namespace plumbline

@@ -12,7 +12,7 @@
 namespace plumbline {
 namespace {
 
-struct Run {
+struct SampleRun {
   const char* name;
   std::vector<Override> overrides;
   std::set<std::string> problems;  // those that occur
@@ -20,8 +20,8 @@ struct Run {
 };
 
 // A case of every kind of scene, on few cells.
-const std::vector<Run>& runs() {
-  static const std::vector<Run> all{
+const std::vector<SampleRun>& runs() {
+  static const std::vector<SampleRun> all{
       {"sod", {{"cells", 50.0}}, {"gas"}},
       {"gas-expansion", {{"cells", 10.0}}, {"gas", "bar-edge"}},
       {"bar-vibration", {{"cells", 13.0}}, {"bar", "bar-edge"}},
@@ -32,20 +32,20 @@ const std::vector<Run>& runs() {
   return all;
 }
 
-Settings settings_of(const Run& run, const Value& cfl) {
+Settings settings_of(const SampleRun& run, const Value& cfl) {
   std::vector<Override> overrides = run.overrides;
   overrides.emplace_back("cfl", cfl);
   return find_case(run.name).settings(run.scheme, overrides);
 }
 
-std::vector<SceneLimit> limits_of_run(const Run& run) {
+std::vector<SceneLimit> limits_of_run(const SampleRun& run) {
   const Case& entry = find_case(run.name);
   const Settings settings = settings_of(run, 0.5);
   return limits_in(entry.problem(settings)->scene(), settings);
 }
 
 TEST(SceneLimit, EveryProblemThatAppliesOccurs) {
-  for (const Run& run : runs()) {
+  for (const SampleRun& run : runs()) {
     std::set<std::string> found;
     for (const SceneLimit& limit : limits_of_run(run)) found.insert(limit.problem->name());
     EXPECT_EQ(found, run.problems) << run.name;
@@ -53,7 +53,7 @@ TEST(SceneLimit, EveryProblemThatAppliesOccurs) {
 }
 
 TEST(SceneLimit, AutoIsItsShareOfTheSmallest) {
-  for (const Run& run : runs()) {
+  for (const SampleRun& run : runs()) {
     const double cfl = settings_of(run, "auto").number("cfl");
     const std::vector<SceneLimit> limits = limits_of_run(run);
     EXPECT_EQ(cfl, auto_share * limits.front().courant) << run.name;
@@ -66,7 +66,7 @@ TEST(SceneLimit, AutoIsItsShareOfTheSmallest) {
 
 // Runs at that step finish, and their energy stays within twice that of the start, what walls and gravity give included.
 TEST(SceneLimit, RunsHoldAtIt) {
-  for (const Run& run : runs()) {
+  for (const SampleRun& run : runs()) {
     const Case& entry = find_case(run.name);
     const RunResult result = run_experiment(entry, run.scheme, settings_of(run, "auto"));
     EXPECT_TRUE(result.finished) << run.name;
@@ -81,7 +81,7 @@ TEST(SceneLimit, RunsHoldAtIt) {
 // The free end bears a fifth of what the inside does.
 TEST(SceneLimit, FreeEdgesCount) {
   const std::vector<Override> choices{{"integrator", "usl"}, {"shape", "linear"}, {"transfer", "flip"}};
-  Run free{"bar-vibration", {{"cells", 13.0}}, {}};
+  SampleRun free{"bar-vibration", {{"cells", 13.0}}, {}};
   free.overrides.insert(free.overrides.end(), choices.begin(), choices.end());
   const SceneLimit smallest = limits_of_run(free).front();
   EXPECT_EQ(smallest.problem->name(), "bar-edge");
@@ -91,9 +91,9 @@ TEST(SceneLimit, FreeEdgesCount) {
 
 // The problem `plane` at a corner, 1/sqrt(2), with more points a cell; at an edge the line's limit over sqrt(2).
 TEST(SceneLimit, InThePlaneWavesHaveTwoDirections) {
-  Run disks{"two-disks",
-            {{"cells", 12.0}, {"integrator", "musl"}, {"shape", "linear"}, {"transfer", "flip"}, {"ppc", 1.0}},
-            {}};
+  SampleRun disks{"two-disks",
+                  {{"cells", 12.0}, {"integrator", "musl"}, {"shape", "linear"}, {"transfer", "flip"}, {"ppc", 1.0}},
+                  {}};
   double plane = HUGE_VAL;
   for (const SceneLimit& limit : limits_of_run(disks)) {
     if (limit.problem->name() == "plane") plane = std::min(plane, limit.courant);
@@ -106,7 +106,7 @@ TEST(SceneLimit, InThePlaneWavesHaveTwoDirections) {
 
 // In units of the membrane, which is faster than the gas.
 TEST(SceneLimit, CoupledLimitsCountTheFastestWave) {
-  const Run bag{"membrane-expansion", {{"cells", 8.0}}, {}};
+  const SampleRun bag{"membrane-expansion", {{"cells", 8.0}}, {}};
   for (const SceneLimit& limit : limits_of_run(bag)) {
     if (limit.problem->name() != "coupled") continue;
     const double ratio = limit.settings.number("stiffness_ratio") / limit.settings.number("density_ratio");
@@ -116,9 +116,9 @@ TEST(SceneLimit, CoupledLimitsCountTheFastestWave) {
 }
 
 TEST(SceneLimit, WithoutAStableStepTheErrorNamesTheProblem) {
-  Run bar{"bar-vibration",
-          {{"cells", 13.0}, {"integrator", made_up::forward_euler}, {"shape", "linear"}, {"transfer", "flip"}},
-          {}};
+  SampleRun bar{"bar-vibration",
+                {{"cells", 13.0}, {"integrator", made_up::forward_euler}, {"shape", "linear"}, {"transfer", "flip"}},
+                {}};
   try {
     settings_of(bar, "auto");
     FAIL() << "a step was found";
@@ -131,7 +131,7 @@ TEST(SceneLimit, WithoutAStableStepTheErrorNamesTheProblem) {
 }
 
 TEST(SceneLimit, IsTheSameAgain) {
-  const Run& run = runs().front();
+  const SampleRun& run = runs().front();
   EXPECT_EQ(settings_of(run, "auto").number("cfl"), settings_of(run, "auto").number("cfl"));
 }
 
