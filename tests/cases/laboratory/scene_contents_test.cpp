@@ -135,7 +135,5 @@ TEST(SceneContents, BodiesInContactHaveEdgesOfTheirOwn) {
   EXPECT_FALSE(contents_of_case("two-bar", {{"contact", "none"}}).contact);
 }
 
-// York's membrane expansion at h = 0.05: m_s = rho h, E' t = 1.6e4 rho c^2 h, to the digits of stability-coupled's text.
-
 }  // namespace
 }  // namespace plumbline
