@@ -15,7 +15,7 @@
 namespace plumbline {
 namespace {
 
-constexpr double width = 1e-4;  // relative, of limits
+constexpr double width = 1e-3;  // relative, of limits: little beside auto_share
 
 // Keys of a kind of scene mean the same in all scenes and problems of it; a problem's own do not. Where points stand is
 // sampled, whatever the run's offset.
@@ -38,6 +38,7 @@ struct Found {
 Found look(const StabilityProblem& problem, const Settings& settings) {
   Scan scan = problem.scan(settings);
   scan.first_limit_only = true;
+  scan.steps = std::min(scan.steps, 8);
   try {
     const Prediction prediction = problem.predicted(settings, scan, width);
     const Growth& first = prediction.growth.front();
