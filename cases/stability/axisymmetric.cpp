@@ -135,12 +135,12 @@ class AxisymmetricGas final : public StabilityProblem {
     watch.grown_slowly = 1e3;
     return watch;
   }
-  std::vector<std::vector<Override>> listed() const override { return {{{"geometry", "axis"}}}; }
+  std::vector<std::vector<Override>> listed() const override { return {{{"width", 1.0 * narrow}}}; }
   std::vector<Occurrence> occurrences(const SceneContents& scene) const override {
     std::vector<Occurrence> all;
     if (!scene.axisymmetric) return all;
     for (const SceneContents::Part& gas : scene.of(SceneContents::Matter::gas)) {
-      all.push_back({{{"ppc", 1.0 * gas.per_cell * gas.per_cell}}});
+      all.push_back({{{"ppc", 1.0 * gas.per_cell * gas.per_cell}, {"width", 1.0 * narrow}}});
     }
     return all;
   }
@@ -158,6 +158,9 @@ class AxisymmetricGas final : public StabilityProblem {
     }
     return all;
   }
+
+ private:
+  static constexpr int narrow = 2;  // cells in radius: most of the can is next to the axis, and costs least
 };
 
 PLUMBLINE_STABILITY_PROBLEM(AxisymmetricGas);

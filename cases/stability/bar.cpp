@@ -63,6 +63,7 @@ class Bar final : public StabilityProblem {
     return ClosedForm{reference::frozen_courant_limit(*update, s.number("N")).value,
                       "reference bar-stability, York 1997 chapter 8"};
   }
+  bool quickly_listed(bool) const override { return true; }
   std::vector<std::vector<Override>> listed() const override { return {{{"N", 0.5}}, {{"N", sampled_places.back()}}}; }
   // In the plane and in space `plane` says what waves in several directions do.
   std::vector<Occurrence> occurrences(const SceneContents& scene) const override {

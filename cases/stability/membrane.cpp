@@ -139,6 +139,7 @@ class MembraneProblem final : public StabilityProblem {
     return ClosedForm{reference::periodic_courant_limit(*scheme, points).value,
                       "that of a bar, reference/mpm_amplification.hpp"};
   }
+  bool quickly_listed(bool explicit_step) const override { return explicit_step; }
   std::vector<std::vector<Override>> listed() const override { return {{{"slope", 0.0}, {"offset", 0.25}}}; }
   std::vector<Occurrence> occurrences(const SceneContents& scene) const override {
     std::vector<Occurrence> all;

@@ -72,6 +72,7 @@ class Plane final : public StabilityProblem {
     experiment.least_reach = settings.text("shape") == "linear" ? 3 : 5;
     return predict(experiment, scan, std::max(width, 1e-6));
   }
+  bool quickly_listed(bool explicit_step) const override { return explicit_step; }
   std::vector<std::vector<Override>> listed() const override {
     return {{{"place_x", 0.5}, {"place_y", 0.5}},
             {{"place_x", sampled_places.back()}, {"place_y", sampled_places.back()}}};
