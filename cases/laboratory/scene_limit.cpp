@@ -15,7 +15,7 @@
 namespace plumbline {
 namespace {
 
-constexpr double width = 1e-4;  // relative, of limits
+constexpr double width = 1e-3;  // relative, of limits: little beside auto_share
 
 // Keys of a kind of scene mean the same in all scenes and problems of it; a problem's own do not. Where points stand is
 // sampled, whatever the run's offset.
