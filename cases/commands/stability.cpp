@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 #include "cases/commands/command.hpp"
 #include "cases/harness/pool.hpp"
@@ -86,38 +87,40 @@ std::string text_of(const StableInterval& interval) {
                                    : fmt::format("{:.6g} ... {:.8g}", interval.low, interval.high);
 }
 
-// The known limits of every integrator that was asked for, found once each. A single problem is compared with those alone
-// that are quick to examine.
+// The known limits of every integrator that was asked for, found once each: on all problems, or on those where that is
+// quick.
 class KnownLists {
  public:
-  KnownLists(bool all, int threads) : threads_(threads) {
-    for (const StabilityProblem* problem : stability_problems()) {
-      if (!problem->listed().empty() && (all || problem->compares_integrators())) problems_.push_back(problem);
-    }
-  }
-  void find(const IntegratorChoice& integrator) {
-    if (!find_list(integrator)) lists_.push_back({integrator, problems_, limits_of(integrator, threads_, problems_)});
-  }
-  const KnownList& of(const IntegratorChoice& integrator) const { return *find_list(integrator); }
-  const std::vector<KnownList>& lists() const { return lists_; }
-  std::string problems() const {
-    std::string names;
-    for (const StabilityProblem* problem : problems_) names += (names.empty() ? "" : ", ") + problem->name();
-    return names;
-  }
+  KnownLists(bool all, int threads) : all_(all), threads_(threads) {}
 
- private:
-  const KnownList* find_list(const IntegratorChoice& integrator) const {
+  const KnownList& of(const IntegratorChoice& integrator) {
     const auto found = std::find_if(lists_.begin(), lists_.end(), [&](const KnownList& list) {
       return list.integrator.name == integrator.name && list.integrator.parameters == integrator.parameters;
     });
-    return found == lists_.end() ? nullptr : &*found;
+    if (found != lists_.end()) return *found;
+    KnownList list{integrator, {}, {}};
+    const bool explicit_step = all_ || !reaches_far(integrator);
+    for (const StabilityProblem* problem : stability_problems()) {
+      if (problem->listed().empty() || !(all_ || problem->quickly_listed(explicit_step))) continue;
+      list.problems.push_back(problem);
+    }
+    list.rows = limits_of(integrator, threads_, list.problems);
+    lists_.push_back(std::move(list));
+    return lists_.back();
   }
+  const std::deque<KnownList>& lists() const { return lists_; }
 
+ private:
+  bool all_;
   int threads_;
-  std::vector<const StabilityProblem*> problems_;
-  std::vector<KnownList> lists_;
+  std::deque<KnownList> lists_;
 };
+
+std::string names_of(const std::vector<const StabilityProblem*>& problems) {
+  std::string names;
+  for (const StabilityProblem* problem : problems) names += (names.empty() ? "" : ", ") + problem->name();
+  return names;
+}
 
 IntegratorChoice integrator_of(const Configuration& found) {
   return {found.settings.text("integrator"), integrator_parameters(found.settings)};
@@ -140,7 +143,9 @@ void print_smallest(const Output& out, const Configuration& found, const KnownLi
   }
   std::string without;
   for (const KnownLimit& row : known.rows) {
-    if (row.no_stable_step()) without += fmt::format("; no stable step on {} ({})", row.problem->name(), row.words());
+    if (!row.no_stable_step() || row.problem == found.problem) continue;
+    const std::string words = row.words();
+    without += fmt::format("; no stable step on {}{}", row.problem->name(), words.empty() ? "" : " (" + words + ")");
   }
   out.line("  {}{}", line, without);
 }
@@ -225,7 +230,6 @@ Json examine_all(const Output& out, const StabilityProblem& problem, const Commo
   out.line("{}: {} [{}]", problem.name(), problem.statement().title, problem.statement().source);
   Json document = problem_document(problem);
   for (const auto& configuration : found) {
-    known.find(integrator_of(*configuration));
     const KnownList& list = known.of(integrator_of(*configuration));
     print(out, problem, *configuration);
     print_smallest(out, *configuration, list);
@@ -255,7 +259,10 @@ int execute(const Invocation& invocation, const StabilityOptions& own) {
   for (const StabilityProblem* problem : problems) {
     documents.push_back(examine_all(out, *problem, invocation.options, own, all, known));
   }
-  out.line("Known limits: those of {}{}.", known.problems(), all ? "" : "; of every problem with `stability all`");
+  for (const KnownList& list : known.lists()) {
+    out.line("known limits of {}: those on {}{}", list.integrator.name, names_of(list.problems),
+             all ? "" : "; `stability all` has those on every problem");
+  }
   Json document = problems.size() == 1 && !all ? documents.front() : Json{{"problems", documents}};
   document["known_limits"] = Json::array();
   for (const KnownList& list : known.lists()) document["known_limits"].push_back(to_json(list));

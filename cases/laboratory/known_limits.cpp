@@ -9,6 +9,7 @@
 
 #include "cases/harness/errors.hpp"
 #include "cases/harness/pool.hpp"
+#include "cases/laboratory/bar_patch.hpp"
 #include "kernel/integrator_traits.hpp"
 
 namespace plumbline {
@@ -91,8 +92,7 @@ std::vector<KnownLimit> rows_of(const IntegratorChoice& integrator,
 
 void find_limit(KnownLimit& row) {
   if (!row.settings) return;
-  Scan scan = row.problem->scan(*row.settings);
-  scan.first_limit_only = true;
+  const Scan scan = scan_of_first_limit(*row.problem, *row.settings);
   row.scanned = scan.high;
   row.closed_form = row.problem->closed_form(*row.settings);
   try {
@@ -102,6 +102,32 @@ void find_limit(KnownLimit& row) {
   } catch (const std::runtime_error& error) {  // a step that cannot be taken, or has no derivative
     row.note = error.what();
   }
+}
+
+bool reaches_far(const IntegratorChoice& integrator) {
+  constexpr double large = 3;  // h/c
+  for (const MapChoice& maps : {MapChoice{"linear", "flip", 2}, MapChoice{"quadratic", "apic", 2}}) {
+    const auto patch = [maps](const Extent& extent) { return bar_patch(maps, 1, 0.5, extent); };
+    try {
+      return reach_of_step({patch, integrator, Positions::frozen}, large) > far_reach;
+    } catch (const CannotWork&) {
+      continue;
+    } catch (const NotStepped&) {
+      return false;
+    } catch (const std::runtime_error&) {  // further than the largest patch
+      return true;
+    }
+  }
+  return false;
+}
+
+Scan scan_of_first_limit(const StabilityProblem& problem, const Settings& settings) {
+  constexpr int few = 4;
+  Scan scan = problem.scan(settings);
+  scan.first_limit_only = true;
+  const IntegratorChoice integrator{settings.text("integrator"), integrator_parameters(settings)};
+  if (problem.has_grid() && reaches_far(integrator)) scan.steps = std::min(scan.steps, few);
+  return scan;
 }
 
 void put_in_order(std::vector<KnownLimit>& rows) {

@@ -42,6 +42,11 @@ std::vector<KnownLimit> rows_of(const IntegratorChoice& integrator,
                                 const std::vector<const StabilityProblem*>& problems = {});
 // Finds the limit of a row, and why there is none.
 void find_limit(KnownLimit& row);
+
+// Whether a step makes every point depend on every other, as implicit ones do. Their limits cost much.
+bool reaches_far(const IntegratorChoice& integrator);
+// The scan by which a problem's first limit is looked for: its own up to there, of steps that reach far a coarse one.
+Scan scan_of_first_limit(const StabilityProblem& problem, const Settings& settings);
 // The smallest in h/c first, then what has no limit there, then other units. Marks the smallest.
 void put_in_order(std::vector<KnownLimit>& rows);
 

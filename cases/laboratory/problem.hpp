@@ -79,8 +79,11 @@ class StabilityProblem {
   virtual std::string unit() const { return "h/c"; }
   // Speed of the fastest wave of all in units of c: limits times this are comparable, and Courant numbers of a run.
   virtual double fastest(const Settings&) const { return 1; }
-  // Choices to fall back on, one after another, where an integrator cannot work with the problem's own.
-  virtual std::vector<std::vector<Override>> concessions() const { return {{{"transfer", "flip"}}}; }
+  // Choices to fall back on, one after another, where an integrator cannot work with the problem's own: what methods of
+  // lines need, and steps that give losses back.
+  virtual std::vector<std::vector<Override>> concessions() const {
+    return {{{"transfer", "flip"}}, {{"shape", "quadratic"}, {"transfer", "apic"}}};
+  }
   // What the step says over the scan, limits to a relative `width`; and what runs show. Of the patch, unless a problem
   // knows better.
   virtual Prediction predicted(const Settings& settings, const Scan& scan, double width) const;
@@ -94,6 +97,8 @@ class StabilityProblem {
   // The rows that it has in the list of an integrator's known limits (known_limits.hpp), each by what it sets beside
   // choices(); the first is the representative one. None: the problem is not in the list.
   virtual std::vector<std::vector<Override>> listed() const { return {}; }
+  // Whether its rows are found in less than half a second: of explicit steps, and of those that reach everywhere.
+  virtual bool quickly_listed(bool explicit_step) const { return explicit_step && compares_integrators(); }
   // Where it occurs in a scene (scene_limit.hpp), at the places of points that are sampled.
   virtual std::vector<Occurrence> occurrences(const SceneContents&) const { return {}; }
   // Whether it is so quick to examine that all problems together are with every integrator; else with the schemes alone.

@@ -138,14 +138,14 @@ class Filling {
   std::vector<bool> filled_;
 };
 
-// Of the widest points; those hardly wider than a share of a cell count as in it.
+// Of the widest points. Those hardly wider than their share of a cell count as in it.
 int fewest_per_cell(const Body& body, const GridSpec& grid) {
   double widest = 0;
   for (int p = 0; p < body.points.points(); ++p) {
     widest = std::max(widest, point_spacing(body, p, grid.dim, grid.axisymmetric));
   }
   constexpr double hardly = 0.1;
-  return std::max(1, static_cast<int>(std::floor(grid.h / widest + hardly)));
+  return std::clamp(static_cast<int>(std::floor(grid.h / widest + hardly)), 1, SceneContents::most_per_cell);
 }
 
 SceneContents::Part part_of(const Body& body, const GridSpec& grid) {

@@ -9,13 +9,17 @@
 namespace plumbline {
 
 struct SceneContents {
+  // More points a cell change limits by less than 3 %, and cost much.
+  static constexpr int most_per_cell = 3;
+
   enum class Matter { gas, solid, chain };  // chain: a string or membrane, its points joined to a line
 
   struct Part {
     std::string body;
     Matter matter = Matter::solid;
-    int per_cell = 1;  // points a cell and direction, a chain's along itself, where they stand least densely; >= 1
-    double speed = 0;  // of its fastest wave, m/s
+    // Points a cell and direction, a chain's along itself, where they stand least densely: 1 to most_per_cell.
+    int per_cell = 1;
+    double speed = 0;        // of its fastest wave, m/s
     double diffusivity = 0;  // of a viscous gas, 4/3 mu/rho, m^2/s
     bool segments = false;   // of a chain: strain is the stretch between neighbouring points
     bool free_edge =

@@ -36,9 +36,7 @@ struct Found {
 };
 
 Found look(const StabilityProblem& problem, const Settings& settings) {
-  Scan scan = problem.scan(settings);
-  scan.first_limit_only = true;
-  scan.steps = std::min(scan.steps, 8);
+  const Scan scan = scan_of_first_limit(problem, settings);
   try {
     const Prediction prediction = problem.predicted(settings, scan, width);
     const Growth& first = prediction.growth.front();

@@ -1,5 +1,6 @@
 // A gas around the axis.
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 #include "cases/harness/schemes.hpp"
@@ -135,12 +136,13 @@ class AxisymmetricGas final : public StabilityProblem {
     watch.grown_slowly = 1e3;
     return watch;
   }
-  std::vector<std::vector<Override>> listed() const override { return {{{"geometry", "axis"}}}; }
+  std::vector<std::vector<Override>> listed() const override { return {{{"width", 1.0 * narrow}}}; }
   std::vector<Occurrence> occurrences(const SceneContents& scene) const override {
     std::vector<Occurrence> all;
     if (!scene.axisymmetric) return all;
     for (const SceneContents::Part& gas : scene.of(SceneContents::Matter::gas)) {
-      all.push_back({{{"ppc", 1.0 * gas.per_cell * gas.per_cell}}});
+      const int across = std::min(gas.per_cell, 2);  // more cost much
+      all.push_back({{{"ppc", 1.0 * across * across}, {"width", 1.0 * narrow}}});
     }
     return all;
   }
@@ -158,6 +160,9 @@ class AxisymmetricGas final : public StabilityProblem {
     }
     return all;
   }
+
+ private:
+  static constexpr int narrow = 2;  // cells in radius: most of the can is next to the axis, and costs least
 };
 
 PLUMBLINE_STABILITY_PROBLEM(AxisymmetricGas);

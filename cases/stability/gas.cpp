@@ -109,7 +109,7 @@ class Gas final : public StabilityProblem {
     return ClosedForm{reference::frozen_courant_limit(*update, place).value * std::sqrt(gas_gamma / (gas_gamma - 1)),
                       "reference bar-stability over the speed of a gas whose points' pushes follow their energy alone"};
   }
-  std::vector<std::vector<Override>> listed() const override { return {{{"offset", 0.0}}}; }
+  std::vector<std::vector<Override>> listed() const override { return {{{"ppc", 4.0}, {"offset", 0.0}}}; }
   // On a line; each further direction adds at most the same stiffness once more, and the same viscosity. A run's step is
   // bounded by its viscosity, too.
   std::vector<Occurrence> occurrences(const SceneContents& scene) const override {

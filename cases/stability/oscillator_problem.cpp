@@ -63,6 +63,7 @@ class OscillatorProblem final : public StabilityProblem {
   Scan scan(const Settings&) const override { return {0.1, 8, 64}; }
   std::string unit() const override { return "1/omega"; }
   std::vector<std::vector<Override>> concessions() const override { return {}; }
+  bool quickly_listed(bool) const override { return true; }
   std::vector<std::vector<Override>> listed() const override { return {{}}; }
 
   std::optional<ClosedForm> closed_form(const Settings& settings) const override {

@@ -72,18 +72,20 @@ class Plane final : public StabilityProblem {
     experiment.least_reach = settings.text("shape") == "linear" ? 3 : 5;
     return predict(experiment, scan, std::max(width, 1e-6));
   }
+  bool quickly_listed(bool explicit_step) const override { return explicit_step; }
   std::vector<std::vector<Override>> listed() const override {
     return {{{"place_x", 0.5}, {"place_y", 0.5}},
             {{"place_x", sampled_places.back()}, {"place_y", sampled_places.back()}}};
   }
-  // In space a wave has a third direction: at most half as much stiffness again.
+  // Of one point a cell: more cost too much, and `bar` says what is safe. In space a wave has a third direction: at most half
+  // as much stiffness again.
   std::vector<Occurrence> occurrences(const SceneContents& scene) const override {
     std::vector<Occurrence> all;
     if (scene.dim < 2) return all;
     for (const SceneContents::Part& solid : scene.of(SceneContents::Matter::solid)) {
+      if (solid.per_cell > 1) continue;
       for (const double place : sampled_places) {
-        all.push_back(
-            {{{"place_x", place}, {"place_y", place}, {"ppc", 1.0 * solid.per_cell}}, std::sqrt(2.0 / scene.dim)});
+        all.push_back({{{"place_x", place}, {"place_y", place}, {"ppc", 1.0}}, std::sqrt(2.0 / scene.dim)});
       }
     }
     return all;

@@ -63,6 +63,15 @@ TEST(SceneContents, ABlockIsSolidWithItsSpeedAndPoints) {
   EXPECT_TRUE(found.couplings.empty());
 }
 
+TEST(SceneContents, DensePointsAreSampledAsFew) {
+  const auto per_cell = [](double ppc) {
+    return contents_of_case("bar-vibration", {{"ppc", ppc}}).parts.at(0).per_cell;
+  };
+  EXPECT_EQ(per_cell(1), 1);
+  EXPECT_EQ(per_cell(2), 2);
+  EXPECT_EQ(per_cell(7), SceneContents::most_per_cell);
+}
+
 TEST(SceneContents, EdgesAreFreeWhereNoWallIs) {
   Scene scene = block(5, 5);
   move(scene, -1);  // fills the grid
