@@ -13,6 +13,7 @@ RED = ("FAIL", "INVALID", "XPASS")
 # The families of gates that judge an integrator. Identities hold for wrong physics, too: they alone prove nothing.
 FAMILIES = ("consistency", "order", "stability", "energy", "invariance", "jumps", "identities")
 PROVING = FAMILIES[:-1]
+UNTIL_RED, CORE = ("--until-red",), ("--core",)  # no gate after one that is red; those that take seconds
 SECONDS = 1800  # of the processor: many times what the whole set takes
 
 
@@ -67,7 +68,7 @@ class Program:
         return {entry["name"]: entry for entry in json.loads(listed.stdout)["integrators"]}
 
     def judge(self, integrator, options=(), settings=()):
-        """options: --until-red, or --core for the gates that take seconds; without, the scorecard comes with all gates."""
+        """options: UNTIL_RED or CORE; without, all gates and their scorecard."""
         with tempfile.TemporaryDirectory(prefix="plumbline-judge-") as folder:
             command = [self.executable, "verify", "--integrator", integrator, *options, *self.options, "--json", "verify.json"]
             command += [word for setting in settings for word in ("--set", setting)]
@@ -78,6 +79,13 @@ class Program:
         judgement.seconds = round(seconds, 2)
         if why or status not in (0, 1) or "gates" not in document:
             judgement.stopped = why or f"exit status {status}: {last_line(output)}"
+        return judgement
+
+    def judge_whole(self, integrator):
+        """All gates, with the scorecard of the core set: to that of all gates belong timings, which take as long again."""
+        judgement, core = self.judge(integrator, UNTIL_RED), self.judge(integrator, CORE)
+        judgement.card, judgement.seconds = core.card, round(judgement.seconds + core.seconds, 2)
+        judgement.stopped = judgement.stopped or core.stopped
         return judgement
 
 
