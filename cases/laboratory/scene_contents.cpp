@@ -15,7 +15,7 @@ using Place = std::array<double, 3>;  // in cells from the lowest node lines
 constexpr double rounding = 1e-6;  // of a point's box, in shares of its width
 
 Matter matter_of(const Material& material) {
-  if (material.isotropic()) return Matter::gas;
+  if (material.has_density()) return Matter::gas;
   return material.chain() ? Matter::chain : Matter::solid;
 }
 

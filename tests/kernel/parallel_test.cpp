@@ -119,9 +119,9 @@ TEST_P(Threads, NeighboursInAPackDoNotMeet) {
         }
       }
       Ledger ledger;
-      const auto integrator = find_integrator(c.integrator)->make();
-      const auto engine = make_engine(own, ledger,
-                                      {integrator->returns_transfer_loss(), integrator->evaluates_stress_first()});
+      const IntegratorEntry& entry = *find_integrator(c.integrator);
+      const auto integrator = entry.make();
+      const auto engine = make_engine(own, ledger, engine_options(entry));
       engine->initialise();
       for (int k = 0; k < 2; ++k) integrator->step(*engine, 0.01);
       return own.bodies[0];
