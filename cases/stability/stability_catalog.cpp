@@ -42,18 +42,14 @@ const std::vector<Entry>& entries() {
        "string-vibration",
        "default",
        "default scheme of membranes",
-       {{"cells", 20.0}},
-       "its points keep to the centres of their shares of a cell, and the free end of a bar, where the limit is least, "
-       "it "
-       "has not"},
+       {{"cells", 20.0}}},
       {"sod",
        "sod",
        "default",
        "default scheme of gases",
        {{"cells", 50.0}},
        "the limit is that of gas at rest with sound of the fastest speed everywhere; here that is a part of the tube, "
-       "for "
-       "27 steps, and what grows there becomes heat: the step cannot gain energy"}};
+       "for 27 steps, and what grows there becomes heat: the step cannot gain energy"}};
   return all;
 }
 

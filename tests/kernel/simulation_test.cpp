@@ -58,20 +58,23 @@ TEST(Simulation, RefusesUnknownNamesAndImpossibleCombinations) {
   EXPECT_THROW(Simulation(scenes::rough_gas(1, "quintic", "apic"), "musl", {}), std::invalid_argument);
   EXPECT_THROW(Simulation(scenes::rough_gas(1, "quadratic", "tpic"), "musl", {}), std::invalid_argument);
   for (const char* integrator : {"energy", "leapfrog"}) {
-    for (const auto& [shape, transfer] : {std::pair{"linear", "apic"},
-                                          {"quadratic", "flip"},
-                                          {"linear", "flip"},
-                                          {"gimp", "apic"},
-                                          {"contiguous-gimp", "pic"},
-                                          {"cubic", "xpic"},
-                                          {"quadratic", "fmpm"}}) {
+    struct Refused {
+      const char *shape, *transfer;
+      std::vector<const char*> named;  // what lacks a trait
+    };
+    for (const Refused& c : {Refused{"linear", "apic", {"linear"}},
+                             {"quadratic", "flip", {"flip"}},
+                             {"linear", "flip", {"linear", "flip"}},
+                             {"gimp", "apic", {"gimp"}},
+                             {"contiguous-gimp", "pic", {"contiguous-gimp"}},
+                             {"cubic", "xpic", {"xpic"}},
+                             {"quadratic", "fmpm", {"fmpm"}}}) {
       try {
-        Simulation(scenes::rough_gas(1, shape, transfer), integrator, {});
-        ADD_FAILURE() << shape << ' ' << transfer;
-      } catch (const std::invalid_argument& error) {  // naming both choices
+        Simulation(scenes::rough_gas(1, c.shape, c.transfer), integrator, {});
+        ADD_FAILURE() << c.shape << ' ' << c.transfer;
+      } catch (const CannotWork& error) {
         EXPECT_THAT(error.what(), HasSubstr(integrator));
-        EXPECT_THAT(error.what(), HasSubstr(shape));
-        EXPECT_THAT(error.what(), HasSubstr(transfer));
+        for (const char* name : c.named) EXPECT_THAT(error.what(), HasSubstr(name));
       }
     }
   }
