@@ -19,7 +19,7 @@ class RecordedStages final : public Stages {
 
   void begin_step() {
     stress_is_fresh_ = false;
-    force_evaluations_ = 0;
+    force_evaluations_ = maps_ = 0;
   }
 
   void locate_points() override { to_.locate_points(); }
@@ -30,9 +30,18 @@ class RecordedStages final : public Stages {
     to_.map_forces();
   }
   void advance_momentum(double dt) override { to_.advance_momentum(over(dt)); }
-  void move_points(double dt, NodalVelocity carrying) override { to_.move_points(over(dt), carrying); }
-  void drift_points(double dt) override { to_.drift_points(over(dt)); }
-  void kick_points(double dt) override { to_.kick_points(over(dt)); }
+  void move_points(double dt, NodalVelocity carrying) override {
+    count_maps();
+    to_.move_points(over(dt), carrying);
+  }
+  void drift_points(double dt) override {
+    traits_.drifts = true;
+    to_.drift_points(over(dt));
+  }
+  void kick_points(double dt) override {
+    count_maps();
+    to_.kick_points(over(dt));
+  }
   void map_momentum() override { to_.map_momentum(); }
   void strain_points(double dt, NodalVelocity velocity) override {
     use_stress();  // its power is what strains store
@@ -74,12 +83,13 @@ class RecordedStages final : public Stages {
     if (!stress_is_fresh_) traits_.evaluates_stress_first = false;
   }
 
+  void count_maps() { traits_.maps = std::max(traits_.maps, ++maps_); }
   void count_forces() { traits_.force_evaluations = std::max(traits_.force_evaluations, ++force_evaluations_); }
 
   Stages& to_;
   IntegratorTraits& traits_;
   bool stress_is_fresh_ = false;
-  int force_evaluations_ = 0;
+  int force_evaluations_ = 0, maps_ = 0;
 };
 
 // Gas between two walls, in slow motion.

@@ -15,6 +15,8 @@ struct IntegratorTraits {
   // In every step, before anything uses it: stresses need not follow sorted points.
   bool evaluates_stress_first = false;
   int force_evaluations = 0;  // of one step, the most of those tried
+  int maps = 0;               // how often a step takes velocities from the grid to the points, the most of those tried
+  bool drifts = false;        // points move with velocities of their own, not the grid's
   std::string failure;        // what the integrator threw when it was tried; else empty
 };
 

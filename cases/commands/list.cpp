@@ -1,6 +1,7 @@
 #include "cases/commands/command.hpp"
 #include "cases/exchange/final_state.hpp"
 #include "cases/laboratory/problem.hpp"
+#include "cases/laboratory/claims.hpp"
 #include "kernel/materials/material.hpp"
 #include "reference/registry.hpp"
 
@@ -45,7 +46,8 @@ Json document() {
   Json all{{"cases", case_entries()}, {"schemes", scheme_entries()}};
   all["integrators"] = Json::array();
   for (const IntegratorEntry& i : integrators()) {
-    all["integrators"].push_back({{"name", i.name}, {"title", i.title}, {"source", i.source}});
+    all["integrators"].push_back(
+        {{"name", i.name}, {"title", i.title}, {"source", i.source}, {"claims", claims_in_words(claims_of({i.name}))}});
   }
   all["shapes"] = choices(shapes());
   all["transfers"] = choices(transfers());
@@ -77,6 +79,13 @@ void print(const Output& out, const Json& all) {
         for (const auto& key : e.at("keys")) keys += " " + key.get<std::string>();
         out.line("  {:18} cells along {}; own keys:{}{}", "", e.at("cells_along").get<std::string>(), keys,
                  e.at("scored").get<bool>() ? "; scored" : "");
+      }
+      if (e.contains("claims") && !e.at("claims").empty()) {
+        std::string claims;
+        for (const auto& [family, text] : e.at("claims").items()) {
+          claims += fmt::format("{}{} {}", claims.empty() ? "" : "; ", family, text.template get<std::string>());
+        }
+        out.line("  {:18} claims {}", "", claims);
       }
       if (group == "schemes") {
         for (const auto& [case_name, settings] : e.at("settings").items()) {

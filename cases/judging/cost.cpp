@@ -10,7 +10,7 @@ namespace plumbline {
 namespace {
 
 constexpr int repetitions = 3;
-constexpr int many_forces = 16;  // of a step: its runs are timed once
+constexpr int many_forces = 16;  // of a step: its runs are timed once, without the finest mesh
 
 struct Refinement {
   const char *case_name, *measure;
@@ -26,10 +26,10 @@ const std::vector<Refinement>& refinements() {
 }
 
 // Adds the seconds of one more repetition to a curve; the first fills in errors.
-void run_once(const Subject& subject, const Refinement& refinement, CostCurve& curve) {
+void run_once(const Subject& subject, const Refinement& refinement, std::size_t levels, CostCurve& curve) {
   const Case& entry = find_case(refinement.case_name);
   StudyPlan plan = integrator_plan(entry, subject.name());
-  plan.values = refinement.cells;
+  plan.values.assign(refinement.cells.begin(), refinement.cells.begin() + static_cast<std::ptrdiff_t>(levels));
   for (const auto& [key, value] : subject.choice().parameters) plan.overrides.emplace_back(key, value);
   const StudyResult study = run_study(entry, plan, planned_runs(entry, plan, Tier::quick), 1);
   curve.levels.resize(study.levels.size());
@@ -98,7 +98,7 @@ std::vector<std::vector<CostCurve>> cost_curves(const std::vector<const Subject*
         CostCurve& curve = all[s][r];
         if (!curve.note.empty()) continue;
         try {
-          run_once(*subjects[s], refinements()[r], curve);
+          run_once(*subjects[s], refinements()[r], refinements()[r].cells.size() - (costly ? 1 : 0), curve);
         } catch (const MissingTraits& parts) {
           curve.note = CannotWork(parts.lacks).what();
         }

@@ -7,6 +7,8 @@
 
 #include "cases/judging/growth.hpp"
 #include "cases/judging/integrator_gates.hpp"
+#include "cases/judging/measured_limit.hpp"
+#include "cases/judging/small_scenes.hpp"
 #include "cases/stability/oscillator.hpp"
 #include "cases/stability/wave.hpp"
 #include "kernel/simulation.hpp"
@@ -106,6 +108,29 @@ Measured growth(const Peaks& peaks) {
                fmt::format("slope {:.3g} of the energy a period, standard error {:.2g}", trend.slope, trend.error));
 }
 
+// What a closed box of gas gains or loses, over its kinetic energy at the start, where losses of maps are given back as heat.
+Measured change_in_closed_box(const Subject& subject) {
+  if (subject.traits().offers.count(Trait::returned_loss) == 0) {
+    throw CannotWork({{Trait::returned_loss, "an energy that maps do not change", "integrator " + subject.name()}});
+  }
+  const SmallScene& small = small_scene("gas-filtered");
+  const Scene scene = workable(small, subject.name());
+  const Columns& points = scene.bodies[0].points;
+  double kinetic = 0;
+  for (int p = 0; p < points.points(); ++p) {
+    kinetic += 0.5 * points(column::mass)[p] * points(column::velocity)[p] * points(column::velocity)[p];
+  }
+  return measured_limit({8, 4, 8}, [&](int steps) {
+    StepControl control;
+    control.dt = small.end / steps;
+    control.parameters = subject.choice().parameters;
+    Simulation run(scene, subject.name(), control);
+    for (int k = 0; k < steps; ++k) run.step(small.end);
+    const auto& energy = run.ledger().energy;
+    return std::vector<double>{(energy.store() - energy.initial()) / kinetic};
+  });
+}
+
 IntegratorGate growth_row(const std::string& problem, const std::string& what,
                           std::function<Measured(const Subject&)> measure) {
   return {"energy",
@@ -135,7 +160,14 @@ std::vector<IntegratorGate> energy_gates(const Subject& subject) {
   std::vector<IntegratorGate> all{
       growth_row("oscillator", "one mass on a spring", [](const Subject& s) { return growth(peaks_on_oscillator(s)); }),
       growth_row("bar", "half a wave in a bar, positions held, nothing filtered",
-                 [](const Subject& s) { return growth(bar_peaks(s)); })};
+                 [](const Subject& s) { return growth(bar_peaks(s)); }),
+      {"energy",
+       gate_row("energy", "closed-box",
+                "change of the energy of gas between two walls, over its kinetic energy at the start, for dt -> 0",
+                {{}, most_left_over}, Origin::theory,
+                "walls do no work, and what maps take is given back as heat; 1e-5: a hundredth of one per mille"),
+       "losses of maps are given back more than once, or not in full", change_in_closed_box}};
+  all.back().gate.order = true;  // the extrapolation's interval is judged
   if (const auto claim = subject.claims().energy) {
     constexpr const char* names[] = {"conserved", "bounded", "decaying"};
     const std::string behaviour = names[static_cast<std::size_t>(*claim)];

@@ -13,13 +13,22 @@
 namespace plumbline {
 namespace {
 
-// Identities hold in every step: so many steps of each case at each level, and fewer where each of them costs many forces.
-long most_steps(const Subject& subject) {
-  constexpr long steps = 100, forces = 800, least = 5;
-  return std::clamp(forces / std::max(1, subject.traits().force_evaluations), least, steps);
+// Identities hold in every step: a few steps of each case at its coarsest levels will do, and fewer where each of them costs
+// many forces: then meshes of many cells are a quarter as fine.
+struct Extract {
+  long steps;
+  std::vector<double> cells;
+};
+Extract extract_for(const Subject& subject, const Case& entry) {
+  constexpr int many = 20;  // of forces in a step: an inner solver's, which takes more on larger scenes
+  constexpr double many_cells = 40;
+  const int forces = subject.traits().force_evaluations;
+  const std::vector<double> levels = entry.default_levels();
+  const double coarsest = levels.front();
+  if (forces > many) return {2, {coarsest >= many_cells ? std::floor(coarsest / 4) : coarsest}};
+  return {std::min(100, 800 / std::max(1, forces)),
+          {levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(2, levels.size()))}};
 }
-
-constexpr std::size_t levels = 2;
 
 // A case that integrators can step, and its geometry.
 struct Stepped {
@@ -52,7 +61,7 @@ RunResult first_steps(const Case& entry, const Subject& subject, const Settings&
   try {
     Simulation run(std::move(scene), subject.name(), control);
     const double end = problem->end_time();
-    const long steps = most_steps(subject);
+    const long steps = extract_for(subject, entry).steps;
     while (run.steps() < steps && end - run.time() > 1e-12 * end) {
       throw_if_interrupted();
       run.step(end - run.time());
@@ -76,8 +85,7 @@ const StudyResult& study_of(const Stepped& stepped, const Subject& subject) {
     StudyResult study;
     study.entry = stepped.entry;
     study.plan = integrator_plan(*stepped.entry, subject.name());
-    const std::vector<double> all = stepped.entry->default_levels();
-    study.plan.values.assign(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(levels, all.size())));
+    study.plan.values = extract_for(subject, *stepped.entry).cells;
     for (const PlannedRun& planned : planned_runs(*stepped.entry, study.plan, Tier::quick)) {
       study.levels.push_back({planned.value, 0, first_steps(*stepped.entry, subject, planned.settings), {}});
     }

@@ -1,7 +1,11 @@
 // Of which order the error falls with the step.
+#include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "cases/harness/errors.hpp"
 #include "cases/harness/order.hpp"
+#include "cases/harness/verification.hpp"
 #include "cases/judging/integrator_gates.hpp"
 #include "cases/judging/pairs.hpp"
 #include "cases/laboratory/problem.hpp"
@@ -51,7 +55,7 @@ Measured order_on(const std::string& problem, const std::string& field, const Su
 // How the difference from a consistent integrator falls: with the lower of the two orders.
 Measured order_of_difference(const Subject& subject) {
   std::vector<Level> levels;
-  const bool unfiltered = lacks(subject.entry(), "quadratic", "flip").empty();
+  const bool unfiltered = !subject.traits().drifts && lacks(subject.entry(), "quadratic", "flip").empty();
   const SmallScene& scene = small_scene(unfiltered ? "bar" : "bar-filtered");
   for (int k = 0, steps = 16; k < 6; ++k, steps *= 2) {
     double sum = 0;
@@ -74,12 +78,31 @@ IntegratorGate order_row(const std::string& name, const std::string& quantity, d
   return row;
 }
 
+// The case under FLIP, mesh and step refined together.
+Measured order_under_refinement(const std::string& case_name, const std::string& field, const Subject& subject) {
+  const Case& entry = find_case(case_name);
+  StudyPlan plan = integrator_plan(entry, subject.name());
+  plan.values = {16, 24, 32, 48, 64};
+  plan.overrides.emplace_back("transfer", "flip");
+  for (const auto& [key, value] : subject.choice().parameters) plan.overrides.emplace_back(key, value);
+  const StudyResult study = run_study(entry, plan, planned_runs(entry, plan, Tier::quick), 1);
+  const OrderFit* fit = study.fit(field + ".L2");
+  Measured measured = plain(fit ? fit->order : std::nan(""));
+  measured.invalid = !fit || fit->invalid;
+  if (fit) measured.interval = {fit->low, fit->high};
+  else measured.note = case_name + " measures no " + field;
+  return measured;
+}
+
 struct ClaimedProblem {
   const char *of, *problem;
+  Measured (*order_of)(const std::string& problem, const std::string& field, const Subject&);
   Effort effort;
 };
-constexpr ClaimedProblem claimed_problems[] = {{"oscillator", "oscillator", Effort::core},
-                                               {"fixed mesh", "wave", Effort::whole}};
+constexpr std::array<ClaimedProblem, 3> claimed_problems{
+    {{"oscillator", "oscillator", order_on, Effort::core},
+     {"fixed mesh", "wave", order_on, Effort::whole},
+     {"h and dt", "mms-bar", order_under_refinement, Effort::whole}}};
 
 }  // namespace
 
@@ -96,14 +119,19 @@ std::vector<IntegratorGate> order_gates(const Subject& subject) {
                 "differences of consistent schemes fall with order 1 at least; 0.1 for steps that are not yet small",
                 order_of_difference, Effort::whole));
   for (const OrderClaim& claim : subject.claims().orders) {
-    for (const ClaimedProblem& at : claimed_problems) {
-      if (claim.of != at.of) continue;
-      const std::string problem = at.problem, field = claim.field;
-      all.push_back(order_row(
-          "claimed/" + problem + "/" + field, "order in dt of the " + field + ", " + claim.of, claim.order - 0.1,
-          "claimed by the integrator, less 0.1",
-          [problem, field](const Subject& s) { return order_on(problem, field, s); }, at.effort));
+    const auto at = std::find_if(claimed_problems.begin(), claimed_problems.end(),
+                                 [&](const ClaimedProblem& one) { return claim.of == one.of; });
+    if (at == claimed_problems.end()) {
+      throw UsageError("orders", claim.of, "oscillator, fixed mesh, h and dt", {},
+                       "a claim of integrator " + subject.name() + " is of no class of orders: '" + claim.of +
+                           "' (known: oscillator, fixed mesh, h and dt)");
     }
+    const auto order_of = at->order_of;
+    const std::string problem = at->problem, field = claim.field;
+    all.push_back(order_row(
+        "claimed/" + problem + "/" + field, "order of the " + field + ", " + claim.of, claim.order - 0.1,
+        "claimed by the integrator, less 0.1",
+        [order_of, problem, field](const Subject& s) { return order_of(problem, field, s); }, at->effort));
   }
   return all;
 }

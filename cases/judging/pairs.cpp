@@ -16,6 +16,11 @@ double largest(std::vector<double>::const_iterator first, std::vector<double>::c
   return found;
 }
 
+const Choice& transfer_named(const std::string& name) {
+  const std::vector<Choice>& all = transfers();
+  return *std::find_if(all.begin(), all.end(), [&](const Choice& choice) { return choice.name == name; });
+}
+
 bool has_gas(const Scene& scene) {
   return std::any_of(scene.bodies.begin(), scene.bodies.end(),
                      [](const Body& body) { return body.material->takes_heat(); });
@@ -70,9 +75,17 @@ IntegratorChoice yardstick(const Subject& subject, const Scene& scene) {
 
 std::vector<double> difference_at(const Subject& subject, const SmallScene& small, int steps) {
   const Scene scene = workable(small, subject.name());
+  const Choice& transfer = transfer_named(scene.transfer);
+  const bool points_have_own_velocities = transfer.offers.count(Trait::returnable_loss) == 0;
+  if (subject.traits().drifts && points_have_own_velocities) {  // other motions than the grid's, however small the step
+    throw CannotWork({{Trait::returnable_loss, "the drift of points in integrator " + subject.name(),
+                       "transfer " + scene.transfer}});
+  }
   const IntegratorChoice other = yardstick(subject, scene);
+  const bool filters = transfer.offers.count(Trait::unfiltered_velocities) == 0;
   std::vector<double> mine = state_at_end(small, scene, subject.choice(), steps);
-  const std::vector<double> theirs = state_at_end(small, scene, other, steps);
+  const std::vector<double> theirs =
+      state_at_end(small, scene, other, filters ? steps * std::max(1, subject.traits().maps) : steps);
   const auto half = static_cast<std::ptrdiff_t>(theirs.size() / 2);
   const double distance = largest(theirs.begin(), theirs.begin() + half),
                speed = largest(theirs.begin() + half, theirs.end());

@@ -22,8 +22,8 @@ std::vector<double> column_by_number(const Scene& scene, const ColumnId& id);
 // never itself. Of methods that return losses the other one that does, where a gas would take them as heat.
 IntegratorChoice yardstick(const Subject& subject, const Scene& scene);
 
-// Differences of the integrator and its yardstick at each step size, from `first` steps on, in units of the largest
-// distance and speed.
+// Difference of the integrator, in so many steps, and its yardstick, in units of the largest distance and speed. Where the
+// transfer filters, the yardstick's steps are as many as the integrator's maps: both are filtered equally often.
 std::vector<double> difference_at(const Subject& subject, const SmallScene& small, int steps);
 
 }  // namespace plumbline

@@ -8,6 +8,7 @@
 
 #include "cases/judging/cost.hpp"
 #include "cases/judging/growth.hpp"
+#include "cases/laboratory/claims.hpp"
 #include "cases/laboratory/known_limits.hpp"
 #include "cases/laboratory/stability_documents.hpp"
 
@@ -15,11 +16,6 @@ namespace plumbline {
 namespace {
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-std::string limit_text(double limit) {
-  if (std::isinf(limit)) return "no limit";
-  return limit > 0 ? fmt::format("{:.4f}/omega", limit) : "no stable step";
-}
 
 const JudgedGate* find(const JudgedIntegrator& judged, const std::string& id) {
   for (const JudgedGate& gate : judged.gates) {
@@ -67,7 +63,7 @@ std::string measured_text(const std::string& family, const Subject& subject, con
     return fmt::format("displacement {}, velocity {}", order_text(judged, "displacement"),
                        order_text(judged, "velocity"));
   }
-  if (family == "stability") return fmt::format("{} on the oscillator", limit_text(limit_on_oscillator(subject)));
+  if (family == "stability") return fmt::format("{} on the oscillator", oscillator_limit_in_words(limit_on_oscillator(subject)));
   if (family == "energy") return energy_text(judged);
   if (family == "consistency") {
     double largest = 0;
@@ -76,22 +72,6 @@ std::string measured_text(const std::string& family, const Subject& subject, con
   }
   const auto met = std::count_if(gates.begin(), gates.end(), [](const JudgedGate* gate) { return !is_red(*gate); });
   return gates.empty() ? "not judged" : fmt::format("{} of {} gates met", met, gates.size());
-}
-
-std::string claimed_text(const std::string& family, const Claims& claims) {
-  std::string text;
-  if (family == "order") {
-    for (const OrderClaim& claim : claims.orders) {
-      text += fmt::format("{}{:.3g} of {} ({})", text.empty() ? "" : ", ", claim.order, claim.field, claim.of);
-    }
-  }
-  if (family == "stability" && claims.limit) text = limit_text(*claims.limit);
-  if (family == "energy" && claims.energy) {
-    constexpr const char* names[] = {"conserved", "bounded", "decaying"};
-    text = names[static_cast<std::size_t>(*claims.energy)];
-  }
-  if (family == "invariance" && claims.reversible) text = "reversible";
-  return text;
 }
 
 std::string sentence(const Subject& subject, const JudgedIntegrator& judged) {
@@ -110,15 +90,16 @@ std::string sentence(const Subject& subject, const JudgedIntegrator& judged) {
 
 Json family_rows(const Subject& subject, const JudgedIntegrator& judged) {
   Json rows = Json::array();
+  const std::map<std::string, std::string> claims = claims_in_words(subject.claims());
   for (const std::string& family : gate_families()) {
     const auto gates = of_family(judged, family);
     Json red = Json::array();
     for (const JudgedGate* gate : gates) {
       if (is_red(*gate)) red.push_back(gate->gate.id);
     }
-    const std::string claimed = claimed_text(family, subject.claims());
+    const auto claimed = claims.find(family);
     rows.push_back({{"family", family},
-                    {"claimed", claimed.empty() ? Json(nullptr) : Json(claimed)},
+                    {"claimed", claimed == claims.end() ? Json(nullptr) : Json(claimed->second)},
                     {"measured", gates.empty() ? "not judged" : measured_text(family, subject, judged)},
                     {"verdict", name(verdict_of(gates))},
                     {"gates", gates.size()},
@@ -129,10 +110,11 @@ Json family_rows(const Subject& subject, const JudgedIntegrator& judged) {
 
 Json limit_rows(const Subject& subject, const JudgingOptions& options) {
   constexpr std::array quick{"oscillator", "bar", "bar-edge"};  // of the core set
+  const bool whole = options.effort == Effort::whole, far = whole && reaches_far(subject.choice());
   std::vector<const StabilityProblem*> problems;
   for (const StabilityProblem* problem : stability_problems()) {
     const bool is_quick = std::find(quick.begin(), quick.end(), problem->name()) != quick.end();
-    if (options.effort == Effort::whole || is_quick) problems.push_back(problem);
+    if (is_quick || (whole && (!far || problem->quickly_listed(false)))) problems.push_back(problem);
   }
   Json rows = Json::array();
   for (const KnownLimit& row : limits_of(subject.choice(), options.threads, problems)) {

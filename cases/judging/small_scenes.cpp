@@ -93,10 +93,11 @@ Scene solid(const Space& in, double gravity) {
   return scene;
 }
 
-// Gas between walls, denser and hotter on one side, without any viscosity.
-Scene gas(const Space& in) {
+// Gas between walls, hotter on one side.
+Scene gas(const Space& in, double viscosity = 0) {
   auto law = std::make_shared<IdealGas>();
   law->gamma = 1.4;
+  law->viscosity = viscosity;
   Scene scene;
   scene.grid = corner(in, true);
   Body body = fill_solid("gas", std::move(law), filled(in), 1, points_per_cell, scene.grid);
@@ -249,6 +250,7 @@ const std::vector<SmallScene>& small_scenes() {
        unfiltered},
       {"block", "a neo-Hookean block in space", 1, [] { return solid<NeoHookean>(space, 0.01); }, unfiltered},
       {"gas", "gas between two walls", 2, [] { return gas(line); }, unfiltered},
+      {"gas-viscous", "viscous gas between two walls", 2, [] { return gas(line, 0.2); }, unfiltered},
       {"gas-plane", "gas in a box", 2, [] { return gas(plane); }, unfiltered},
       {"gas-rings", "gas in a can, axisymmetric", 2, [] { return gas(rings); }, unfiltered},
       {"bar-filtered", "half a wave in a bar between two walls, velocities filtered once a step", 8,

@@ -1,6 +1,7 @@
 #include "cases/judging/subject.hpp"
 
 #include "cases/harness/errors.hpp"
+#include "cases/laboratory/claims.hpp"
 
 namespace plumbline {
 namespace {
@@ -14,10 +15,7 @@ const IntegratorEntry& known(const std::string& name) {
 
 }  // namespace
 
-Subject::Subject(IntegratorChoice choice) : choice_(std::move(choice)), entry_(&known(choice_.name)) {
-  const auto integrator = entry_->make();
-  set_parameters(*integrator, choice_.parameters);
-  claims_ = integrator->claims();
-}
+Subject::Subject(IntegratorChoice choice)
+    : choice_(std::move(choice)), entry_(&known(choice_.name)), claims_(claims_of(choice_)) {}
 
 }  // namespace plumbline

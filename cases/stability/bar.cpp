@@ -4,6 +4,7 @@
 
 #include "cases/laboratory/bar_patch.hpp"
 #include "cases/laboratory/problem.hpp"
+#include "cases/stability/map_scheme.hpp"
 #include "reference/bar_stability.hpp"
 
 namespace plumbline {
@@ -13,14 +14,6 @@ std::vector<double> spread(double low, double high, int count) {
   std::vector<double> all;
   for (int k = 0; k < count; ++k) all.push_back(low + (high - low) * k / (count - 1));
   return all;
-}
-
-std::optional<reference::StressUpdate> stress_update(const std::string& integrator) {
-  if (integrator == "usf") return reference::StressUpdate::first;
-  if (integrator == "usl") return reference::StressUpdate::last;
-  if (integrator == "musl") return reference::StressUpdate::modified_last;
-  if (integrator == "usavg") return reference::StressUpdate::averaged;
-  return std::nullopt;
 }
 
 class Bar final : public StabilityProblem {

@@ -5,6 +5,7 @@
 
 #include "cases/laboratory/problem.hpp"
 #include "cases/stability/gas_patch.hpp"
+#include "cases/stability/map_scheme.hpp"
 #include "reference/bar_stability.hpp"
 
 namespace plumbline {
@@ -19,14 +20,6 @@ std::vector<double> spread(double low, double high, int count) {
 Side side_of(const Settings& s) {
   const std::string& side = s.text("side");
   return side == "both" ? Side::both : side == "closing" ? Side::closing : Side::opening;
-}
-
-std::optional<reference::StressUpdate> stress_update(const std::string& integrator) {
-  if (integrator == "usf") return reference::StressUpdate::first;
-  if (integrator == "usl") return reference::StressUpdate::last;
-  if (integrator == "musl") return reference::StressUpdate::modified_last;
-  if (integrator == "usavg") return reference::StressUpdate::averaged;
-  return std::nullopt;
 }
 
 bool viscous(const Settings& s) {

@@ -14,13 +14,18 @@ std::optional<Value> look_up(const std::map<std::string, Value>& known, const st
 
 }  // namespace
 
+std::optional<reference::StressUpdate> stress_update(const std::string& integrator) {
+  using reference::StressUpdate;
+  return look_up<StressUpdate>({{"usf", StressUpdate::first},
+                                {"usl", StressUpdate::last},
+                                {"musl", StressUpdate::modified_last},
+                                {"usavg", StressUpdate::averaged}},
+                               integrator);
+}
+
 std::optional<reference::MapScheme> map_scheme(const Settings& settings) {
-  using reference::GridShape, reference::GridTransfer, reference::StressUpdate;
-  const auto update = look_up<StressUpdate>({{"usf", StressUpdate::first},
-                                             {"usl", StressUpdate::last},
-                                             {"musl", StressUpdate::modified_last},
-                                             {"usavg", StressUpdate::averaged}},
-                                            settings.text("integrator"));
+  using reference::GridShape, reference::GridTransfer;
+  const auto update = stress_update(settings.text("integrator"));
   const auto shape = look_up<GridShape>({{"linear", GridShape::linear},
                                          {"gimp", GridShape::boxes},
                                          {"quadratic", GridShape::quadratic},

@@ -5,46 +5,6 @@
 #include "cases/harness/order.hpp"
 
 namespace plumbline {
-namespace {
-
-using Table = std::map<std::string, OrdersInTheory>;
-
-// Symplectic Euler, leapfrogs, Runge-Kutta methods. central-difference leaves velocities half a step behind: they are off by
-// dt/2 times the acceleration. energy holds the stress over a step.
-const Table& without_maps() {
-  static const Table table{{"usf", {1, 1}},
-                           {"usl", {1, 1}},
-                           {"musl", {1, 1}},
-                           {"energy", {1, 1}},
-                           {"usavg", {2, 2}},
-                           {"leapfrog", {2, 2}},
-                           {"midpoint", {2, 2}},
-                           {"central-difference", {2, 1}},
-                           {"ssp-rk3", {3, 3}},
-                           {"rk4", {4, 4}},
-                           {"generalized-alpha", {2, 2}},
-                           {"implicit-midpoint", {2, 2}}};
-  return table;
-}
-
-std::optional<OrdersInTheory> entry_of(const Table& table, const std::string& integrator) {
-  const auto found = table.find(integrator);
-  return found == table.end() ? std::nullopt : std::optional(found->second);
-}
-
-}  // namespace
-
-std::optional<OrdersInTheory> orders_on_oscillator(const std::string& integrator) {
-  return entry_of(without_maps(), integrator);
-}
-
-// FLIP changes orders where points strain with velocities of nodes that their own do not map to: those of the middle of a
-// step, off by dt/2 (1 - P) a. (usl is of first order anyway.) leapfrog and energy refuse FLIP.
-std::optional<OrdersInTheory> orders_on_wave(const std::string& integrator) {
-  if (integrator == "midpoint") return OrdersInTheory{1, 1};
-  if (integrator == "leapfrog" || integrator == "energy") return std::nullopt;
-  return orders_on_oscillator(integrator);
-}
 
 std::map<std::string, MeasuredOrder> orders_in_time(const std::vector<std::string>& quantities, double t, int steps,
                                                     int halvings, double bound,

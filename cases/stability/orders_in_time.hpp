@@ -3,22 +3,12 @@
 
 #include <functional>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "cases/laboratory/problem.hpp"
 
 namespace plumbline {
-
-// Orders that theory gives to an integrator, nullopt where it is not known.
-struct OrdersInTheory {
-  double displacement, velocity;  // displacement: or strain
-};
-// Without maps.
-std::optional<OrdersInTheory> orders_on_oscillator(const std::string& integrator);
-// On FLIP, the mesh held.
-std::optional<OrdersInTheory> orders_on_wave(const std::string& integrator);
 
 // Runs to time t in 2^k times `steps` steps, k = 0 ... halvings; error_of says how far off each quantity is then, of
 // numbers of order one. `bound`: of the exact solution.

@@ -1,36 +1,16 @@
 // A mass on a spring: what a time integrator alone bears.
 #include <cmath>
 
+#include "cases/laboratory/claims.hpp"
 #include "cases/laboratory/problem.hpp"
 #include "cases/stability/orders_in_time.hpp"
 #include "cases/stability/oscillator.hpp"
-#include "reference/oscillator_limits.hpp"
 
 namespace plumbline {
 namespace {
 
-using reference::OscillatorMethod;
-
 IntegratorChoice integrator_of(const Settings& settings) {
   return {settings.text("integrator"), integrator_parameters(settings)};
-}
-
-// What an integrator is when no maps filter velocities: which two velocities a strain is made of, and when.
-std::optional<OscillatorMethod> method_of(const std::string& integrator) {
-  static const std::map<std::string, OscillatorMethod> methods{
-      {"usf", OscillatorMethod::symplectic_euler},
-      {"usl", OscillatorMethod::symplectic_euler},
-      {"musl", OscillatorMethod::symplectic_euler},
-      {"usavg", OscillatorMethod::leapfrog},
-      {"leapfrog", OscillatorMethod::leapfrog},
-      {"central-difference", OscillatorMethod::leapfrog},
-      {"ssp-rk3", OscillatorMethod::ssp_rk3},
-      {"rk4", OscillatorMethod::rk4},
-      {"implicit-midpoint", OscillatorMethod::newmark_trapezoid},
-      {"generalized-alpha", OscillatorMethod::generalized_alpha},
-  };
-  const auto found = methods.find(integrator);
-  return found == methods.end() ? std::nullopt : std::optional(found->second);
 }
 
 class OscillatorProblem final : public StabilityProblem {
@@ -68,14 +48,9 @@ class OscillatorProblem final : public StabilityProblem {
 
   std::optional<ClosedForm> closed_form(const Settings& settings) const override {
     if (settings.number("damping") != 0) return std::nullopt;
-    const std::string& integrator = settings.text("integrator");
-    if (integrator == "energy") return ClosedForm{0, "kernel/README.md, \"The energy-conserving step\""};
-    if (integrator == "midpoint") return ClosedForm{2, "kernel/README.md, \"Midpoint\""};
-    const auto method = method_of(integrator);
-    if (!method) return std::nullopt;
-    const double rho_b = *method == OscillatorMethod::generalized_alpha ? settings.number("rho_b") : 1;
-    const double limit = reference::oscillator_limit(*method, rho_b).value;
-    return ClosedForm{limit, "reference oscillator-limits"};
+    const std::optional<double> limit = claims_of(integrator_of(settings)).limit;
+    if (!limit) return std::nullopt;
+    return ClosedForm{*limit, "claimed by the integrator"};
   }
 
   Prediction predicted(const Settings& settings, const Scan& scan, double width) const override {
@@ -109,10 +84,8 @@ class OscillatorProblem final : public StabilityProblem {
       }
       return {off.row(0).norm(), off.row(1).norm()};
     });
-    if (const auto theory = orders_on_oscillator(integrator.name)) {
-      orders["displacement"].theory = theory->displacement;
-      orders["velocity"].theory = theory->velocity;
-    }
+    const Claims claims = claims_of(integrator);
+    for (auto& [field, order] : orders) order.theory = claimed_order(claims, "oscillator", field);
     return orders;
   }
 };

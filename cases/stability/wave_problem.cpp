@@ -1,6 +1,7 @@
 // A standing wave: orders of integrators behind maps, at a fixed mesh.
 #include <cmath>
 
+#include "cases/laboratory/claims.hpp"
 #include "cases/laboratory/problem.hpp"
 #include "cases/stability/orders_in_time.hpp"
 #include "cases/stability/wave.hpp"
@@ -56,10 +57,8 @@ class Wave final : public StabilityProblem {
       const double n = static_cast<double>(points);
       return {std::sqrt(squares[0] / n), std::sqrt(squares[1] / n)};
     });
-    if (const auto theory = orders_on_wave(integrator.name)) {
-      orders["strain"].theory = theory->displacement;
-      orders["velocity"].theory = theory->velocity;
-    }
+    const Claims claims = claims_of(integrator);
+    for (auto& [field, order] : orders) order.theory = claimed_order(claims, "fixed mesh", field);
     return orders;
   }
 

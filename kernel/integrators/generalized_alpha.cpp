@@ -16,7 +16,7 @@ class GeneralizedAlpha final : public TimeIntegrator {
   std::vector<State*> memory() override { return {&acceleration_}; }
   Claims claims() const override {
     const double r = rho_b_;
-    return {.orders = {{2}, {2, "fixed mesh", "strain"}},
+    return {.orders = {{2}, {2, "oscillator", "velocity"}, {2, "fixed mesh", "strain"}, {2, "fixed mesh", "velocity"}},
             .energy = EnergyBehaviour::decaying,
             .limit = std::sqrt(12 * (1 + r) * (2 - r) / (10 - 5 * r + r * r))};
   }

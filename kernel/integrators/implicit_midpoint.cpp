@@ -91,7 +91,7 @@ class ImplicitMidpoint final : public TimeIntegrator {
   static constexpr double rounding = 1e-12;  // of forces that cancel, to the size of the state
 
   Claims claims() const override {
-    return {.orders = {{2}, {2, "fixed mesh", "strain"}},
+    return {.orders = {{2}, {2, "oscillator", "velocity"}, {2, "fixed mesh", "strain"}, {2, "fixed mesh", "velocity"}},
             .energy = EnergyBehaviour::conserved,
             .limit = std::numeric_limits<double>::infinity(),
             .reversible = true};

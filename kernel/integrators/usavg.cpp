@@ -5,7 +5,7 @@ namespace {
 
 class UpdateStressAveraged final : public TimeIntegrator {
   Claims claims() const override {
-    return {.orders = {{2}, {2, "fixed mesh", "strain"}},
+    return {.orders = {{2}, {2, "oscillator", "velocity"}, {2, "fixed mesh", "strain"}, {2, "fixed mesh", "velocity"}},
             .energy = EnergyBehaviour::bounded,
             .limit = 2,
             .reversible = true};

@@ -1,5 +1,6 @@
 """README's figures are what its own command prints (times apart)."""
 
+import json
 import os
 import pathlib
 import re
@@ -21,6 +22,18 @@ def test_the_table_is_what_the_command_prints(tmp_path):
     process = subprocess.run([PLUMBLINE, *arguments, "--results", str(tmp_path)], capture_output=True, text=True, check=True)
     printed = process.stdout.splitlines()[: len(shown)]
     assert [_without_time(line) for line in shown] == [_without_time(line) for line in printed]
+
+
+def test_the_table_of_claims_is_what_the_integrators_state():
+    listed = json.loads(subprocess.run([PLUMBLINE, "list", "--json", "-"], capture_output=True, text=True, check=True).stdout)
+    expected = []
+    for integrator in listed["integrators"]:
+        claims = integrator["claims"]
+        cells = [f"`{integrator['name']}`", *(claims.get(family, "") for family in ("order", "stability", "energy", "invariance"))]
+        expected.append("| " + " | ".join(cells) + " |")
+    lines = (ROOT / "kernel" / "README.md").read_text(encoding="utf-8").splitlines()
+    start = next(k for k, line in enumerate(lines) if line.startswith("| integrator | order in dt |"))
+    assert lines[start + 2 : start + 2 + len(expected)] == expected
 
 
 def _without_time(line):
