@@ -36,6 +36,7 @@ class RecordedStages final : public Stages {
   }
   void drift_points(double dt) override {
     traits_.drifts = true;
+    traits_.needs.insert(Trait::constant_inertia);  // where points have affine parts, these would change their energy
     to_.drift_points(over(dt));
   }
   void kick_points(double dt) override {

@@ -1,7 +1,7 @@
 #include "cases/commands/command.hpp"
 #include "cases/exchange/final_state.hpp"
-#include "cases/laboratory/problem.hpp"
 #include "cases/laboratory/claims.hpp"
+#include "cases/laboratory/problem.hpp"
 #include "kernel/materials/material.hpp"
 #include "reference/registry.hpp"
 

@@ -10,7 +10,6 @@ namespace plumbline {
 namespace {
 
 constexpr int repetitions = 3;
-constexpr int many_forces = 16;  // of a step: its runs are timed once, without the finest mesh
 
 struct Refinement {
   const char *case_name, *measure;
@@ -89,9 +88,9 @@ std::vector<std::vector<CostCurve>> cost_curves(const std::vector<const Subject*
   for (auto& curves : all) {
     for (const Refinement& refinement : refinements()) curves.push_back({refinement.case_name, refinement.measure});
   }
-  const bool costly = std::any_of(subjects.begin(), subjects.end(), [](const Subject* subject) {
-    return subject->traits().force_evaluations > many_forces;
-  });
+  // Of costly steps runs are timed once, without the finest mesh.
+  const bool costly = std::any_of(subjects.begin(), subjects.end(),
+                                  [](const Subject* subject) { return subject->has_inner_solver(); });
   for (int repetition = 0; repetition < (costly ? 1 : repetitions); ++repetition) {
     for (std::size_t r = 0; r < refinements().size(); ++r) {
       for (std::size_t s = 0; s < subjects.size(); ++s) {

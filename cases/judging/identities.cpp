@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "cases/harness/verification.hpp"
+#include "cases/judging/growth.hpp"
 #include "cases/judging/integrator_gates.hpp"
 #include "cases/judging/measured_limit.hpp"
 #include "cases/judging/pairs.hpp"
@@ -13,29 +14,29 @@
 namespace plumbline {
 namespace {
 
-// Identities hold in every step: a few steps of each case at its coarsest levels will do, and fewer where each of them costs
-// many forces: then meshes of many cells are a quarter as fine.
-struct Extract {
-  long steps;
-  std::vector<double> cells;
-};
-Extract extract_for(const Subject& subject, const Case& entry) {
-  constexpr int many = 20;  // of forces in a step: an inner solver's, which takes more on larger scenes
-  constexpr double many_cells = 40;
-  const int forces = subject.traits().force_evaluations;
-  const std::vector<double> levels = entry.default_levels();
-  const double coarsest = levels.front();
-  if (forces > many) return {2, {coarsest >= many_cells ? std::floor(coarsest / 4) : coarsest}};
-  return {std::min(100, 800 / std::max(1, forces)),
-          {levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(2, levels.size()))}};
-}
-
 // A case that integrators can step, and its geometry.
 struct Stepped {
   const Case* entry;
   int dim;
   bool axisymmetric;
 };
+
+// Identities hold in every step: a few steps of each case at its coarsest levels will do, and fewer where each of them costs
+// many forces: then meshes of many cells are a quarter as fine.
+struct Extract {
+  long steps;
+  std::vector<double> cells;
+};
+Extract extract_for(const Subject& subject, const Stepped& stepped) {
+  constexpr double many_cells = 40;
+  const std::vector<double> levels = stepped.entry->default_levels();
+  const double coarsest = levels.front();
+  if (subject.has_inner_solver())
+    return {2, {stepped.dim == 1 && coarsest >= many_cells ? std::floor(coarsest / 4) : coarsest}};
+  return {std::min(100, 800 / std::max(1, subject.traits().force_evaluations)),
+          {levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(2, levels.size()))}};
+}
+
 const std::vector<Stepped>& stepped_cases() {
   static const std::vector<Stepped> all = [] {
     std::vector<Stepped> found;
@@ -50,7 +51,8 @@ const std::vector<Stepped>& stepped_cases() {
   return all;
 }
 
-RunResult first_steps(const Case& entry, const Subject& subject, const Settings& settings) {
+RunResult first_steps(const Stepped& stepped, const Subject& subject, const Settings& settings) {
+  const Case& entry = *stepped.entry;
   RunResult result(entry.name(), subject.name(), settings);
   const auto problem = entry.problem(settings);
   Scene scene = problem->scene();
@@ -58,10 +60,15 @@ RunResult first_steps(const Case& entry, const Subject& subject, const Settings&
   result.axisymmetric = scene.grid.axisymmetric;
   StepControl control = step_control(settings);
   control.parameters = subject.choice().parameters;
+  if (const double limit = limit_on_oscillator(subject); limit > 0) {  // steps of cases are meant for York's limit
+    const double share = std::min(1.0, limit / limit_of_york);
+    control.cfl *= share;
+    if (control.dt) *control.dt *= share;
+  }
   try {
     Simulation run(std::move(scene), subject.name(), control);
     const double end = problem->end_time();
-    const long steps = extract_for(subject, entry).steps;
+    const long steps = extract_for(subject, stepped).steps;
     while (run.steps() < steps && end - run.time() > 1e-12 * end) {
       throw_if_interrupted();
       run.step(end - run.time());
@@ -85,9 +92,9 @@ const StudyResult& study_of(const Stepped& stepped, const Subject& subject) {
     StudyResult study;
     study.entry = stepped.entry;
     study.plan = integrator_plan(*stepped.entry, subject.name());
-    study.plan.values = extract_for(subject, *stepped.entry).cells;
+    study.plan.values = extract_for(subject, stepped).cells;
     for (const PlannedRun& planned : planned_runs(*stepped.entry, study.plan, Tier::quick)) {
-      study.levels.push_back({planned.value, 0, first_steps(*stepped.entry, subject, planned.settings), {}});
+      study.levels.push_back({planned.value, 0, first_steps(stepped, subject, planned.settings), {}});
     }
     return study;
   });

@@ -89,8 +89,10 @@ Measured order_under_refinement(const std::string& case_name, const std::string&
   const OrderFit* fit = study.fit(field + ".L2");
   Measured measured = plain(fit ? fit->order : std::nan(""));
   measured.invalid = !fit || fit->invalid;
-  if (fit) measured.interval = {fit->low, fit->high};
-  else measured.note = case_name + " measures no " + field;
+  if (fit)
+    measured.interval = {fit->low, fit->high};
+  else
+    measured.note = case_name + " measures no " + field;
   return measured;
 }
 

@@ -84,8 +84,8 @@ std::vector<double> difference_at(const Subject& subject, const SmallScene& smal
   const IntegratorChoice other = yardstick(subject, scene);
   const bool filters = transfer.offers.count(Trait::unfiltered_velocities) == 0;
   std::vector<double> mine = state_at_end(small, scene, subject.choice(), steps);
-  const std::vector<double> theirs =
-      state_at_end(small, scene, other, filters ? steps * std::max(1, subject.traits().maps) : steps);
+  const std::vector<double> theirs = state_at_end(small, scene, other,
+                                                  filters ? steps * std::max(1, subject.traits().maps) : steps);
   const auto half = static_cast<std::ptrdiff_t>(theirs.size() / 2);
   const double distance = largest(theirs.begin(), theirs.begin() + half),
                speed = largest(theirs.begin() + half, theirs.end());

@@ -63,7 +63,8 @@ std::string measured_text(const std::string& family, const Subject& subject, con
     return fmt::format("displacement {}, velocity {}", order_text(judged, "displacement"),
                        order_text(judged, "velocity"));
   }
-  if (family == "stability") return fmt::format("{} on the oscillator", oscillator_limit_in_words(limit_on_oscillator(subject)));
+  if (family == "stability")
+    return fmt::format("{} on the oscillator", oscillator_limit_in_words(limit_on_oscillator(subject)));
   if (family == "energy") return energy_text(judged);
   if (family == "consistency") {
     double largest = 0;

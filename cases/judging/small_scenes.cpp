@@ -295,10 +295,10 @@ Scene workable(const SmallScene& small, const std::string& integrator) {
 }
 
 SmallScene with_some_maps(SmallScene small, const std::string& integrator) {
-  for (const Maps& maps : {unfiltered, filtered}) {
-    small.maps = maps;
-    if (lacks(*find_integrator(integrator), maps.shape, maps.transfer).empty()) break;
-  }
+  const IntegratorEntry& entry = *find_integrator(integrator);
+  small.maps = filtered;  // under which points that drift move as the grid does
+  const bool can = lacks(entry, unfiltered.shape, unfiltered.transfer).empty();
+  if (can && !traits_of(entry).drifts) small.maps = unfiltered;
   return small;
 }
 

@@ -34,7 +34,7 @@ const SmallScene& small_scene(const std::string& name);  // std::out_of_range
 // The scene under its maps. Throws CannotWork where the integrator cannot work so.
 Scene workable(const SmallScene& scene, const std::string& integrator);
 
-// The scene without a filter, or with one where the integrator needs that: for what holds under either.
+// The scene without a filter, or with one where the integrator needs that or points drift: for what holds under either.
 SmallScene with_some_maps(SmallScene scene, const std::string& integrator);
 
 // What a plate of solid on the two walls of a corner looks like when the axes are exchanged, or mirrored at x = mirror.

@@ -16,6 +16,8 @@ const IntegratorEntry& known(const std::string& name) {
 }  // namespace
 
 Subject::Subject(IntegratorChoice choice)
-    : choice_(std::move(choice)), entry_(&known(choice_.name)), claims_(claims_of(choice_)) {}
+    : choice_(std::move(choice)),
+      entry_(&known(choice_.name)),
+      claims_(claims_of(choice_)) {}
 
 }  // namespace plumbline

@@ -23,6 +23,8 @@ class Subject {
   const IntegratorEntry& entry() const { return *entry_; }
   const IntegratorTraits& traits() const { return traits_of(*entry_); }
   const Claims& claims() const { return claims_; }
+  // Steps that iterate: each costs many forces, more on larger scenes.
+  bool has_inner_solver() const { return traits().force_evaluations > 8; }
 
   // What several gates read is found once: the first caller finds it, others wait.
   template <class Found>

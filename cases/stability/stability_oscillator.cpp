@@ -64,8 +64,8 @@ Findings limits() {
   Findings findings;
   for (const Member& m : limited()) {
     const Configuration found = examine(oscillator(), "default", settings_of(m.choice), false);
-    findings.measures.push_back(scalar_measure(m.label + ".limit", found.predicted.limit(), m.limit, 4e-16 * m.limit,
-                                               oscillator().unit()));
+    findings.measures.push_back(
+        scalar_measure(m.label + ".limit", found.predicted.limit(), m.limit, 4e-16 * m.limit, oscillator().unit()));
   }
   const Configuration implicit = examine(oscillator(), "default", settings_of({{"integrator", "implicit-midpoint"}}),
                                          false);
@@ -227,8 +227,7 @@ class StabilityOscillator final : public TrialCase {
     is_true("energy", "always_unstable", "its radius is above one at every step");
     is_true("energy", "seen_always_unstable", "the scan's smallest step already grows by 0.25 % a step");
     for (const Member& m : all_members()) {
-      for (const auto& [quantity, order] :
-           {std::pair{"displacement", m.displacement}, {"velocity", m.velocity}}) {
+      for (const auto& [quantity, order] : {std::pair{"displacement", m.displacement}, {"velocity", m.velocity}}) {
         const std::string measure = m.label + "." + quantity;
         all.push_back(value_gate("orders", measure, trial_level,
                                  declare("orders/" + measure, {order - 0.05, order + 0.05}, Origin::target,

@@ -7,7 +7,9 @@ namespace {
 // the mean of the last step and this one. Positions are of second order; velocities are those of half a step ago.
 class CentralDifference final : public TimeIntegrator {
   Claims claims() const override {
-    return {.orders = {{2}, {1, "oscillator", "velocity"}, {2, "fixed mesh", "strain"}, {1, "fixed mesh", "velocity"}}, .energy = EnergyBehaviour::bounded, .limit = 2};
+    return {.orders = {{2}, {1, "oscillator", "velocity"}, {2, "fixed mesh", "strain"}, {1, "fixed mesh", "velocity"}},
+            .energy = EnergyBehaviour::bounded,
+            .limit = 2};
   }
 
   void step(Stages& mpm, double dt) override {

@@ -8,7 +8,10 @@ namespace {
 // an elastic oscillation is neither damped nor amplified below omega dt = 2. Equations: kernel/README.md, "Leapfrog".
 class Leapfrog final : public TimeIntegrator {
   Claims claims() const override {
-    return {.orders = {{2}, {2, "oscillator", "velocity"}}, .energy = EnergyBehaviour::bounded, .limit = 2, .reversible = true};
+    return {.orders = {{2}, {2, "oscillator", "velocity"}},
+            .energy = EnergyBehaviour::bounded,
+            .limit = 2,
+            .reversible = true};
   }
 
   void step(Stages& mpm, double dt) override {

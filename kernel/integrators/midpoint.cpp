@@ -7,7 +7,11 @@ namespace {
 // midpoint velocity. Of linear elasticity no step raises the energy below w dt = 2, contact included.
 // Equations: kernel/README.md, "Midpoint".
 class Midpoint final : public TimeIntegrator {
-  Claims claims() const override { return {.orders = {{2}, {2, "oscillator", "velocity"}, {1, "fixed mesh", "strain"}, {1, "fixed mesh", "velocity"}}, .energy = EnergyBehaviour::decaying, .limit = 2}; }
+  Claims claims() const override {
+    return {.orders = {{2}, {2, "oscillator", "velocity"}, {1, "fixed mesh", "strain"}, {1, "fixed mesh", "velocity"}},
+            .energy = EnergyBehaviour::decaying,
+            .limit = 2};
+  }
 
   void step(Stages& mpm, double dt) override {
     mpm.locate_points();

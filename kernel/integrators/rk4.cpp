@@ -8,7 +8,9 @@ namespace {
 // Of an oscillator: damped and stable up to omega dt = sqrt(8).
 class RungeKutta4 final : public TimeIntegrator {
   Claims claims() const override {
-    return {.orders = {{4}, {4, "oscillator", "velocity"}, {4, "fixed mesh", "strain"}, {4, "fixed mesh", "velocity"}}, .energy = EnergyBehaviour::decaying, .limit = std::sqrt(8.0)};
+    return {.orders = {{4}, {4, "oscillator", "velocity"}, {4, "fixed mesh", "strain"}, {4, "fixed mesh", "velocity"}},
+            .energy = EnergyBehaviour::decaying,
+            .limit = std::sqrt(8.0)};
   }
 
   void step(Stages& mpm, double dt) override {

@@ -9,7 +9,9 @@ namespace {
 // omega dt = sqrt(3).
 class SspRungeKutta3 final : public TimeIntegrator {
   Claims claims() const override {
-    return {.orders = {{3}, {3, "oscillator", "velocity"}, {3, "fixed mesh", "strain"}, {3, "fixed mesh", "velocity"}}, .energy = EnergyBehaviour::decaying, .limit = std::sqrt(3.0)};
+    return {.orders = {{3}, {3, "oscillator", "velocity"}, {3, "fixed mesh", "strain"}, {3, "fixed mesh", "velocity"}},
+            .energy = EnergyBehaviour::decaying,
+            .limit = std::sqrt(3.0)};
   }
 
   void step(Stages& mpm, double dt) override {

@@ -5,7 +5,9 @@ namespace {
 
 class UpdateStressFirst final : public TimeIntegrator {
   Claims claims() const override {
-    return {.orders = {{1}, {1, "oscillator", "velocity"}, {1, "fixed mesh", "strain"}, {1, "fixed mesh", "velocity"}}, .energy = EnergyBehaviour::bounded, .limit = 2};
+    return {.orders = {{1}, {1, "oscillator", "velocity"}, {1, "fixed mesh", "strain"}, {1, "fixed mesh", "velocity"}},
+            .energy = EnergyBehaviour::bounded,
+            .limit = 2};
   }
 
   void step(Stages& mpm, double dt) override {

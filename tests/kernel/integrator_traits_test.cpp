@@ -82,6 +82,13 @@ TEST(IntegratorTraits, ForcesOfAStepAreCounted) {
   EXPECT_GT(traits_of(*find_integrator("implicit-midpoint")).force_evaluations, 4);
 }
 
+TEST(IntegratorTraits, MapsOfAStepAreCounted) {
+  EXPECT_EQ(traits_of(*find_integrator("musl")).maps, 1);
+  EXPECT_EQ(traits_of(entry_of<Backwards>("test_backwards")).maps, 2);
+  EXPECT_FALSE(traits_of(*find_integrator("usavg")).drifts);
+  EXPECT_TRUE(traits_of(*find_integrator("leapfrog")).drifts);
+}
+
 TEST(IntegratorTraits, WhatAStepThrowsIsKept) {
   EXPECT_EQ(traits_of(entry_of<Failing>("test_failing")).failure, "out of order");
 }

@@ -144,5 +144,17 @@ TEST(SceneContents, BodiesInContactHaveEdgesOfTheirOwn) {
   EXPECT_FALSE(contents_of_case("two-bar", {{"contact", "none"}}).contact);
 }
 
+// Per length the membrane of one cell weighs what a cell of gas does; its waves are faster by their stiffness. The gas of
+// York's scheme is viscous, and gas all the same.
+TEST(SceneContents, AMembraneInGasIsCoupledToIt) {
+  for (const char* scheme : {"default", "york1997"}) {
+    const SceneContents bag = contents_of_case("membrane-expansion", {{"cells", 32.0}}, scheme);
+    ASSERT_EQ(bag.couplings.size(), 1U) << scheme;
+    EXPECT_NEAR(bag.couplings[0].density_ratio, 1, 0.05) << scheme;
+    EXPECT_NEAR(bag.couplings[0].stiffness_ratio, 1.6e4, 0.05e4) << scheme;
+    EXPECT_EQ(bag.couplings[0].chain.segments, scheme == std::string("default"));
+  }
+}
+
 }  // namespace
 }  // namespace plumbline
