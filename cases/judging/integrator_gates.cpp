@@ -38,7 +38,7 @@ std::vector<IntegratorGate> integrator_gates(const Subject& subject, Effort effo
   add(invariance_gates(subject));
   if (effort == Effort::whole) {
     add(jump_gates());
-    add(identity_gates());
+    add(identity_gates(subject));
   }
   all.erase(std::remove_if(all.begin(), all.end(), [&](const IntegratorGate& row) { return row.effort > effort; }),
             all.end());

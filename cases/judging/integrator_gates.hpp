@@ -33,7 +33,7 @@ std::vector<IntegratorGate> stability_gates(const Subject& subject);
 std::vector<IntegratorGate> energy_gates(const Subject& subject);
 std::vector<IntegratorGate> invariance_gates(const Subject& subject);
 std::vector<IntegratorGate> jump_gates();
-std::vector<IntegratorGate> identity_gates();
+std::vector<IntegratorGate> identity_gates(const Subject& subject);
 
 // A gate of the family `family` with the id family/name; `value`: a plain number.
 Gate gate_row(const std::string& family, const std::string& name, const std::string& quantity, Range expected,
