@@ -230,9 +230,8 @@ std::vector<std::string> scorecard_lines(const Json& card) {
                               : row.at("limit").is_null()   ? "n/a: " + text(row.at("note"))
                               : row.at("limit").get<double>() == 0
                                   ? "no stable step"
-                                  : fmt::format("{:.6g}", row.at("limit").get<double>());
-    lines.push_back(fmt::format("    {:16} {} {} {}{}", text(row.at("problem")), limit, text(row.at("unit")),
-                                text(row.at("choices")),
+                                  : fmt::format("{:.6g} {}", row.at("limit").get<double>(), text(row.at("unit")));
+    lines.push_back(fmt::format("    {:16} {} {}{}", text(row.at("problem")), limit, text(row.at("choices")),
                                 row.at("smallest").get<bool>() ? "  (the smallest of these)" : ""));
   }
   if (!card.at("factors").empty()) {
