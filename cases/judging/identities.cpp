@@ -179,13 +179,13 @@ std::vector<IntegratorGate> identity_gates(const Subject& subject) {
                 {{}, most_left_over}, Origin::identity, "momentum changes by the impulse of the load alone"),
        beside, impulse}};
   all.back().gate.order = true;  // the extrapolation's interval is judged
-  const int forces = subject.traits().force_evaluations;
+  const int maps = subject.traits().maps;
   for (const Stepped& stepped : stepped_cases()) {
     const std::string id = "identities/" + stepped.entry->name();
     for (CaseGate& gate : generic_gates(id, stepped.dim, stepped.axisymmetric)) {
-      if (gate.gate.expected.high && forces > 1) {
-        *gate.gate.expected.high *= forces;
-        gate.gate.reason += "; times the forces of a step, for each adds its rounding";
+      if (gate.gate.expected.high && maps > 1) {
+        *gate.gate.expected.high *= maps;
+        gate.gate.reason += "; times the maps of a step, for each adds its rounding";
       }
       all.push_back(
           {"identities", std::move(gate.gate), beside,

@@ -50,13 +50,6 @@ constexpr int margin = 2;  // periods: enough to have every body
   throw CannotWork(lacks(subject.entry(), problem.patch(settings, {1, margin}).scene));
 }
 
-// Throws CannotWork where the integrator cannot step the problem.
-bool too_many_to_follow(const StabilityProblem& problem, const Subject& subject) {
-  const KnownLimit row = rows_of(subject.choice(), {&problem}).front();
-  if (!row.settings) say_what_is_missing(problem, subject);
-  return problem.patch(*row.settings, {1, margin}).directions > 1 && reaches_far(subject.choice());
-}
-
 // The largest growth among the waves that a run's core holds.
 double growth_in_core(const Experiment& experiment, const Patch& patch, const Watch& watch, double dt) {
   if (patch.directions != 1) return worst_growth(experiment, dt).per_step;
@@ -81,6 +74,12 @@ Measured distance_of_limits(const StabilityProblem& problem, const Subject& subj
     measured.inconclusive = true;
     return measured;
   };
+  const KnownLimit sought = rows_of(subject.choice(), {&problem}).front();
+  if (!sought.settings) say_what_is_missing(problem, subject);
+  const Patch patch = problem.patch(*sought.settings, {1, margin});
+  if (patch.directions > 1 && reaches_far(subject.choice())) {
+    return not_told("a point depends on all others, too many in two directions");
+  }
   const KnownLimit& row = limit_on(problem, subject);
   if (std::isnan(row.limit)) return not_told(row.note);
   if (row.no_stable_step()) {
@@ -88,31 +87,29 @@ Measured distance_of_limits(const StabilityProblem& problem, const Subject& subj
                                 row.growth.dt, row.unit));
   }
   const Experiment experiment = experiment_of(problem, *row.settings);
-  const Patch patch = problem.patch(*row.settings, {1, margin});
-  const Watch watch = problem.watch(*row.settings);
-  const auto is_stable_at = [&](double dt) {
-    const int reach = reach_of_step(experiment, dt);
-    Watch affordable = watch;
-    if (reach > far_reach) {  // an implicit step: patches are large and steps dear, and unstable ones easily seen
-      affordable.core = std::min(watch.core, 8);
-      affordable.steps = std::min(watch.steps, 150);
-    }
-    return !run_perturbed(experiment, affordable, reach, dt).unstable;
+  Watch watch = problem.watch(*row.settings);
+  watch.width = 1;  // two steps are asked about, none between
+  const auto seen_at = [&](double low, double high) {
+    return observe(experiment, {low, high, 2}, watch, reach_of_step(experiment, low));
   };
-  const std::string predicted = fmt::format("{:.4g} {} predicted, {}", row.limit, row.unit, row.words());
   if (!row.has_limit()) {
     constexpr double not_the_end = 0.98;  // of the scan, which may be the limit
-    return plain(is_stable_at(not_the_end * row.scanned) ? 0 : 1, "no limit was predicted, " + row.words());
+    const double high = not_the_end * row.scanned;
+    return plain(seen_at(high / 2, high).always_stable ? 0 : 1, "no limit was predicted, " + row.words());
   }
-  for (const double distance : {0.01, 0.05, 0.2}) {
-    if (!is_stable_at((1 - distance) * row.limit)) continue;
-    const double beyond = (1 + distance) * row.limit, growth = growth_in_core(experiment, patch, watch, beyond);
-    if (!shows(growth, watch)) {
+  const std::string predicted = fmt::format("{:.4g} {} predicted, {}", row.limit, row.unit, row.words());
+  constexpr double closest = 0.01;
+  for (const double distance : {closest, 0.05, 0.2}) {
+    const double beyond = (1 + distance) * row.limit;
+    const Observation seen = seen_at((1 - distance) * row.limit, beyond);
+    if (seen.always_stable) {
+      const double growth = growth_in_core(experiment, patch, watch, beyond);
+      if (shows(growth, watch)) continue;
       return not_told(fmt::format("{}; beyond, it grows by {:.6g} a step: runs do not show that", predicted, growth));
     }
-    if (is_stable_at(beyond)) continue;
+    if (seen.always_unstable || !seen.brackets.front().stable_below) continue;
     // Near its limit an inner solver ends early, in runs at other steps than in the matrix's small differences.
-    if (subject.has_inner_solver() && distance > 0.01) return not_told(predicted);
+    if (subject.has_inner_solver() && distance > closest) return not_told(predicted);
     return plain(distance, predicted);
   }
   return plain(1, predicted);
@@ -146,12 +143,7 @@ std::vector<IntegratorGate> stability_gates(const Subject& subject) {
                   "distance from the limit predicted by the step's matrix within which runs lose stability", {{}, 0.01},
                   Origin::theory, "a step's matrix says what perturbations do; 1 % for runs of finite length"),
          "the step keeps something that is no part of its state, or depends on what was done before",
-         [problem](const Subject& s) {
-           if (!too_many_to_follow(*problem, s)) return distance_of_limits(*problem, s);
-           Measured measured = plain(0, "a point depends on all others, too many in two directions");
-           measured.inconclusive = true;
-           return measured;
-         }});
+         [problem](const Subject& s) { return distance_of_limits(*problem, s); }});
   }
   return all;
 }

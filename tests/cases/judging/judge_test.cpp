@@ -169,6 +169,32 @@ TEST(IntegratorGates, AreDeclaredInFull) {
   EXPECT_EQ(std::adjacent_find(ids.begin(), ids.end()), ids.end());
 }
 
+// York's step, which claims what its parameters say.
+class Claiming final : public Scaled {
+ public:
+  std::vector<IntegratorParameter> parameters() override {
+    return {{"test_claim", &order, 0, 9, "order claimed of h and dt"},
+            {"test_known", &known, 0, 1, "1: of a known class"}};
+  }
+  Claims claims() const override { return {.orders = {{order, known > 0 ? "h and dt" : "anything", "displacement"}}}; }
+  double order = 1, known = 1;
+};
+PLUMBLINE_INTEGRATOR(Claiming, "test-claiming", "York's step with a claim", "this test");
+
+TEST(IntegratorGates, OrdersUnderRefinementAreJudgedAsClaimed) {
+  const auto judgement_of = [](double order) {
+    const Subject subject({"test-claiming", {{"test_claim", order}}});
+    for (const IntegratorGate& row : integrator_gates(subject, Effort::whole)) {
+      if (row.gate.id == "order/claimed/mms-bar/displacement") return judge(row.gate, row.measure(subject)).verdict;
+    }
+    return Verdict::invalid;
+  };
+  EXPECT_EQ(judgement_of(1), Verdict::pass);
+  EXPECT_EQ(judgement_of(5), Verdict::fail);
+  const Subject unknown({"test-claiming", {{"test_known", 0}}});
+  EXPECT_THROW(integrator_gates(unknown, Effort::whole), UsageError);
+}
+
 // No integrator is its own yardstick, and the two differ at a finite step.
 TEST(Pairs, YardsticksDiffer) {
   for (const IntegratorEntry& entry : integrators()) {

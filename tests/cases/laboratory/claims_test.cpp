@@ -4,38 +4,8 @@
 
 #include <cmath>
 
-#include "reference/oscillator_limits.hpp"
-
 namespace plumbline {
 namespace {
-
-using reference::OscillatorMethod;
-
-TEST(Claims, LimitsAndOrdersAreThoseOfTheReference) {
-  struct Known {
-    const char* integrator;
-    OscillatorMethod method;
-  };
-  for (const auto& [integrator, method] : {Known{"usf", OscillatorMethod::symplectic_euler},
-                                           {"usl", OscillatorMethod::symplectic_euler},
-                                           {"musl", OscillatorMethod::symplectic_euler},
-                                           {"usavg", OscillatorMethod::leapfrog},
-                                           {"leapfrog", OscillatorMethod::leapfrog},
-                                           {"central-difference", OscillatorMethod::leapfrog},
-                                           {"ssp-rk3", OscillatorMethod::ssp_rk3},
-                                           {"rk4", OscillatorMethod::rk4},
-                                           {"implicit-midpoint", OscillatorMethod::newmark_trapezoid}}) {
-    const Claims claims = claims_of({integrator});
-    const double limit = reference::oscillator_limit(method).value;
-    ASSERT_TRUE(claims.limit) << integrator;
-    EXPECT_TRUE(*claims.limit == limit || std::abs(*claims.limit / limit - 1) < 1e-15) << integrator;
-    EXPECT_EQ(claimed_order(claims, "oscillator", "displacement"), reference::oscillator_order(method)) << integrator;
-  }
-  for (const double rho_b : {0.0, 0.5, 1.0}) {
-    EXPECT_NEAR(claims_of({"generalized-alpha", {{"rho_b", rho_b}}}).limit.value(),
-                reference::generalized_alpha_stability_limit(rho_b).value, 1e-15);
-  }
-}
 
 TEST(Claims, InWords) {
   Claims claims;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cases/harness/errors.hpp"
+#include "cases/laboratory/claims.hpp"
 #include "cases/laboratory/problem.hpp"
 #include "cases/stability/orders_in_time.hpp"
 #include "reference/oscillator_limits.hpp"
@@ -101,23 +102,38 @@ double radius_by_gsl(const Eigen::MatrixXd& matrix) {
   return reference::spectral_radius(copy).value;
 }
 
+// What integrators are where no maps filter velocities.
+const struct {
+  const char* integrator;
+  OscillatorMethod method;
+} of_textbooks[] = {{"usf", OscillatorMethod::symplectic_euler},
+                    {"usl", OscillatorMethod::symplectic_euler},
+                    {"musl", OscillatorMethod::symplectic_euler},
+                    {"usavg", OscillatorMethod::leapfrog},
+                    {"leapfrog", OscillatorMethod::leapfrog},
+                    {"central-difference", OscillatorMethod::leapfrog},
+                    {"ssp-rk3", OscillatorMethod::ssp_rk3},
+                    {"rk4", OscillatorMethod::rk4},
+                    {"implicit-midpoint", OscillatorMethod::newmark_trapezoid}};
+
+TEST(Oscillator, ClaimsAreThoseOfTheTextbooks) {
+  for (const auto& [integrator, method] : of_textbooks) {
+    const Claims claims = claims_of({integrator});
+    ASSERT_TRUE(claims.limit) << integrator;
+    EXPECT_DOUBLE_EQ(*claims.limit, reference::oscillator_limit(method).value) << integrator;
+    EXPECT_EQ(claimed_order(claims, "oscillator", "displacement"), reference::oscillator_order(method)) << integrator;
+  }
+  for (const double rho_b : {0.0, 0.5, 1.0}) {
+    EXPECT_DOUBLE_EQ(claims_of({"generalized-alpha", {{"rho_b", rho_b}}}).limit.value(),
+                     reference::generalized_alpha_stability_limit(rho_b).value);
+  }
+}
+
 // Against GSL's eigenvalues of the textbooks' matrices, which know no stages. Numbers that are carried or remembered beside
 // these only add the eigenvalue 0 and, of generalized-alpha's zeros, -alpha_m/(1 - alpha_m), no larger than one. Where two
 // roots meet each is known to the root of the rounding.
 TEST(Oscillator, MatricesHaveTheRadiiOfTheTextbooks) {
-  const struct {
-    const char* integrator;
-    OscillatorMethod method;
-  } all[] = {{"usf", OscillatorMethod::symplectic_euler},
-             {"usl", OscillatorMethod::symplectic_euler},
-             {"musl", OscillatorMethod::symplectic_euler},
-             {"usavg", OscillatorMethod::leapfrog},
-             {"leapfrog", OscillatorMethod::leapfrog},
-             {"central-difference", OscillatorMethod::leapfrog},
-             {"ssp-rk3", OscillatorMethod::ssp_rk3},
-             {"rk4", OscillatorMethod::rk4},
-             {"implicit-midpoint", OscillatorMethod::newmark_trapezoid}};
-  for (const auto& [integrator, method] : all) {
+  for (const auto& [integrator, method] : of_textbooks) {
     for (const double dt : {0.1, 0.9, 1.8, 2.5, 3.5}) {
       const Eigen::MatrixXd matrix = step_matrix({integrator, {}}, 0, dt);
       const double expected = reference::spectral_radius(reference::oscillator_amplification(method, dt)).value;
