@@ -44,7 +44,9 @@ void Mechanics<G, S, T>::set_state(const State& state) {
     ledger_.momentum[d].book(Flow::integration, after.momentum[d] - before.momentum[d]);
     ledger_.angular_momentum[d].book(Flow::integration, after.angular_momentum[d] - before.angular_momentum[d]);
   }
-  ledger_.energy.book(Flow::integration, after.energy.total() - before.energy.total());
+  // Two terms: their sum is kept beyond double precision, which their difference, of states far from the last, is not.
+  ledger_.energy.book(Flow::integration, after.energy.total());
+  ledger_.energy.book(Flow::integration, -before.energy.total());
 }
 
 template <class G, class S, class T>
