@@ -4,6 +4,7 @@ A judge runs the program once, for one bug or for none, and says which verdicts 
 time by what the clean one took: other programs on the machine change nothing.
 """
 
+import ctypes
 import json
 import os
 import pathlib
@@ -20,6 +21,8 @@ RED = ("FAIL", "INVALID", "XPASS", "INCONCLUSIVE", "MISSING")
 SLOWER = 5  # times the clean processor time, and these seconds more
 MORE_SECONDS = 5
 IDLE_SECONDS = 120  # of the clock without one tick of the processor: waits for something that does not come
+PR_SET_PDEATHSIG = 1  # of <linux/prctl.h>
+LIBC = ctypes.CDLL(None)
 
 
 @dataclass
@@ -36,11 +39,17 @@ def limit_of(clean_seconds):
     return SLOWER * clean_seconds + MORE_SECONDS
 
 
+def end_with_parent():
+    """This process is killed as soon as the one that started it ends, however that ends."""
+    LIBC.prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+
+
 def run(command, environment, seconds, cwd=None):
     """(exit status, output, processor seconds, why it was stopped)."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
 
     def bound():
+        end_with_parent()
         whole = int(seconds) + 1
         resource.setrlimit(resource.RLIMIT_CPU, (whole, whole + 2))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))

@@ -6,7 +6,7 @@ import math
 import time
 from dataclasses import dataclass
 
-from .judges import RED, red_gates
+from .judges import RED, end_with_parent, red_gates
 
 MARKS = {"ran": "r", "unreached": "u", "not run": "n"}  # of a row's cells, a sign a column; "-": does not concern it
 DRIFT = "regression"  # the origin of gates that compare with a run of the same program
@@ -151,7 +151,7 @@ class Matrix:
             for number, (mutant, column) in enumerate(tasks, 1):
                 take(number, mutant, column, column.judge.judge(mutant, column.clean))
             return
-        with concurrent.futures.ProcessPoolExecutor(jobs) as pool:
+        with concurrent.futures.ProcessPoolExecutor(jobs, initializer=end_with_parent) as pool:
             futures = {pool.submit(column.judge.judge, mutant, column.clean): (mutant, column) for mutant, column in tasks}
             for number, future in enumerate(concurrent.futures.as_completed(futures), 1):
                 take(number, *futures[future], future.result())

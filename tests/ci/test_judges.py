@@ -3,8 +3,10 @@
 import json
 import os
 import pathlib
+import signal
 import subprocess
 import sys
+import time
 
 import pytest
 
@@ -84,6 +86,37 @@ def test_the_smallest_defect_is_that_of_each_gate_and_kind():
     assert tables.smallest(judge.read({"gates": [gate("consistency/a/x")]}), found) == [
         {"gate": "consistency/a/x", "strain": 1e-3, "force": None}, {"gate": "consistency/b/v", "strain": 1e-2, "force": 1e-3}]  # fmt: skip
     assert tables.smallest(judge.read({"gates": [one, two]}), found) == []
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL])
+def test_whatever_ends_it_ends_what_it_runs(tmp_path, number):
+    (tmp_path / "bin").mkdir()
+    program = tmp_path / "bin/plumbline"
+    listed = json.dumps({"integrators": [{"name": name, "title": name} for name in ("weak-one", "weak-two")]})
+    program.write_text(f"#!/bin/sh\ncase $1 in list) echo '{listed}' ;; *) echo $$ > {tmp_path}/$$.pid; exec sleep 600 ;; esac\n")
+    program.chmod(0o755)
+    judges = subprocess.Popen([sys.executable, ROOT / "ci/judges", "--no-build", "--build", tmp_path, "--only", "weak-one", "weak-two"],
+                              stdout=subprocess.DEVNULL)  # fmt: skip
+    until(lambda: len([*tmp_path.glob("*.pid")]) == 2)
+    started = [path.stem for path in tmp_path.glob("*.pid")]
+    judges.send_signal(number)
+    judges.wait(10)
+    until(lambda: not any(b"sleep" in command_of(pid) for pid in started))
+
+
+def until(holds, seconds=10):
+    end = time.monotonic() + seconds
+    while not holds():
+        assert time.monotonic() < end
+        time.sleep(0.05)
+
+
+def command_of(pid):
+    """Empty once it has ended."""
+    try:
+        return pathlib.Path(f"/proc/{pid}/cmdline").read_bytes()
+    except OSError:
+        return b""
 
 
 # --- the changes of a source ---
