@@ -60,5 +60,12 @@ TEST(MeasuredLimit, OfWhatDoesNotFall) {
   EXPECT_GT(jumps.interval->first, most_left_over);
 }
 
+// Of less than first order, as no integrator may be: never green.
+TEST(MeasuredLimit, OfHalfOrderIsNotMet) {
+  const Measured slow = measured_limit({8, 4, 8},
+                                       [](int steps) { return std::vector<double>{0.1 / std::sqrt(steps)}; });
+  EXPECT_GT(slow.interval->second, most_left_over);
+}
+
 }  // namespace
 }  // namespace plumbline
