@@ -5,6 +5,7 @@
 #include <csignal>
 
 #include "cases/harness/errors.hpp"
+#include "kernel/inadmissible.hpp"
 
 namespace plumbline {
 namespace {
@@ -97,6 +98,30 @@ class LedgerRecorder {
   std::vector<std::vector<double>> rows_;
 };
 
+// Ends a run whose step falls until the run would never come to its end, as that of a gas does which an unstable step heats:
+// many times the steps that it has taken and those that its first step foretold are still to come.
+class StepWatch {
+ public:
+  explicit StepWatch(double end_time) : end_(end_time) {}
+
+  // Throws InadmissibleState. `now`: after one step at least.
+  void look(const Simulation& now) {
+    const double dt = now.last_dt(), steps = static_cast<double>(now.steps());
+    if (foretold_ == 0) foretold_ = end_ / dt;
+    const double left = (end_ - now.time()) / dt;
+    if (left <= few + many * (steps + foretold_)) return;
+    InadmissibleState stop("the step has become so short that the end will not be reached", "all", 0, "dt", dt);
+    stop.step = now.steps();
+    stop.time = now.time();
+    throw stop;
+  }
+
+ private:
+  static constexpr double few = 1e5,
+                          many = 1000;  // no case comes within a tenth: the steps of a run differ by less than 100
+  double end_, foretold_ = 0;
+};
+
 }  // namespace
 
 const Measure* RunResult::find(const std::string& measure) const {
@@ -143,6 +168,7 @@ RunResult run_experiment(const Case& entry, const std::string& scheme, const Set
     LedgerRecorder recorder(result.dim, result.axisymmetric);
     FrameRecorder pictures(frames, simulation.scene(), result.end_time);
     pictures.look(simulation);
+    StepWatch steps(result.end_time);
     double looking_s = 0;
     const auto start = std::chrono::steady_clock::now();
     const auto finish = [&] {
@@ -157,6 +183,7 @@ RunResult run_experiment(const Case& entry, const std::string& scheme, const Set
     };
     try {
       simulation.run_until(result.end_time, [&](const Simulation& now) {
+        steps.look(now);
         problem->observe(now);
         recorder.record(now);
         throw_if_interrupted();

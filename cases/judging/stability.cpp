@@ -77,8 +77,8 @@ Measured distance_of_limits(const StabilityProblem& problem, const Subject& subj
   const KnownLimit sought = rows_of(subject.choice(), {&problem}).front();
   if (!sought.settings) say_what_is_missing(problem, subject);
   const Patch patch = problem.patch(*sought.settings, {1, margin});
-  if (patch.directions > 1 && reaches_far(subject.choice())) {
-    return not_told("a point depends on all others, too many in two directions");
+  if (patch.directions > 1 && (subject.has_inner_solver() || reaches_far(subject.choice()))) {
+    return not_told("a step of an inner solver makes a point depend on too many others in two directions");
   }
   const KnownLimit& row = limit_on(problem, subject);
   if (std::isnan(row.limit)) return not_told(row.note);

@@ -52,6 +52,32 @@ TEST(Experiment, RunsToItsEndAndSaysWhatItDid) {
   EXPECT_GT(result.ledger.energy.initial(), 0);
 }
 
+// The energy-conserving step with a force that is forgotten: the gas heats without end, and steps become ever shorter.
+class Heating final : public TimeIntegrator {
+  void step(Stages& mpm, double dt) override {
+    mpm.locate_points();
+    mpm.map_mass_and_momentum();
+    mpm.evaluate_stress(NodalVelocity::start);
+    mpm.map_forces();
+    mpm.advance_momentum(dt);
+    if (mpm.reverse_cooling()) mpm.advance_momentum(dt);
+    mpm.move_and_heat_points(dt);
+  }
+};
+PLUMBLINE_INTEGRATOR(Heating, "test-heating", "forgets a force", "this test");
+
+TEST(Experiment, ARunWhoseStepsBecomeTooShortEnds) {
+  const Case& sod = find_case("sod");
+  const RunResult result = run_experiment(
+      sod, "default", sod.settings("default", {{"cells", 20.0}, {"integrator", std::string("test-heating")}}));
+  ASSERT_TRUE(result.stop);
+  EXPECT_EQ(result.stop->field, "dt");
+  EXPECT_GT(result.stop->value, 0);
+  EXPECT_EQ(result.stop->step, result.steps);
+  EXPECT_LT(result.steps, 100000);
+  EXPECT_LT(result.stop->time, result.end_time);
+}
+
 TEST(Experiment, TakesTheStepFromTheSettings) {
   const ToyCase entry;
   const auto control = [&](const std::vector<std::string>& typed) {
