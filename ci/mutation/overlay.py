@@ -9,6 +9,7 @@ switches, so that the kernel is compiled once and not once a bug.
 import json
 import os
 import pathlib
+import re
 import shlex
 import shutil
 import subprocess
@@ -206,7 +207,7 @@ class _Recipe:
         place = {"lib": "lib", "reference": "lib"}.get(output.split("/")[0], "bin")
         here = self.folder / (as_name or f"{place}/{pathlib.Path(output).name}")
         words = [str(here) if word == output else self.new.get(word, word) for word in words]
-        inputs = [word for word in map(str, words) if word in set(map(str, self.new.values()))]
+        inputs = self._parts(words, here)
         if words[1] == "qc":
             words = ["sh", "-c", f"rm -f {here} && {shlex.join(map(str, words))} && ranlib {here}"]
         if also:
@@ -214,6 +215,12 @@ class _Recipe:
         self._edge(here, words, inputs)
         self.new[output] = here
         return here
+
+    def _parts(self, words, output):
+        """What a link takes in: new parts, and those of the finished build, which may have been made again since."""
+        new = set(map(str, self.new.values()))
+        parts = [self.base.build / word for word in map(str, words[1:]) if word != str(output)]  # a new one's path is whole
+        return [part for part in parts if str(part) in new or (re.search(r"\.(o|a|so)(\.|$)", part.name) and part.is_file())]
 
     def test(self, path):
         """An executable of one file of tests, with what the executable of its whole part is linked to."""
