@@ -34,7 +34,8 @@ class Stages {
  public:
   virtual ~Stages() = default;
 
-  // Cell and shape weights N_ip, grad N_ip of every point, once per step.
+  // Cell and shape weights N_ip, grad N_ip of every point, once per step. Whatever maps them wants it first, else throws
+  // std::logic_error.
   virtual void locate_points() = 0;
 
   // M_i = sum_p m_p N_ip, M_i v_i = sum_p m_p N_ip v_p (with C_p (x_i - x_p) where the transfer is affine).

@@ -303,6 +303,7 @@ void Mechanics<G, S, T>::locate_points() {
   }
   for (Field& field : fields_) walls_.include_mirrors(field.touched);
   pending_ = Pending{};
+  places_known_ = true;
   moved_ = forces_mapped_ = false;
   load_ahead_ = 0;
   tangents_.find(scene_.grid, scene_.bodies);

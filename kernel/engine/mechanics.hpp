@@ -299,6 +299,7 @@ class Mechanics final : public Engine {
   Pending pending_;
   NodalVelocity current_ = NodalVelocity::start;
   std::unique_ptr<Contact<dim>> contact_;  // null: none
+  bool places_known_ = false;              // located since points were last set or added
   bool moved_ = true, forces_mapped_ = false, sorting_ = true, loaded_ = false, contact_decided_ = false;
   double time_ = 0, load_ahead_ = 0;  // of the step's start; how far after it the loads are wanted, s
   double drifted_ = 0;                // how far after it points stand by drift_points() alone, s

@@ -142,6 +142,7 @@ double Mechanics<G, S, T>::step_limit() const {
 template <class G, class S, class T>
 void Mechanics<G, S, T>::points_added() {
   survey_.reset();
+  places_known_ = false;
   for (std::size_t b = 0; b < located_.size(); ++b) {
     Located& at = located_[b];
     const auto points = static_cast<std::size_t>(scene_.bodies[b].points.points());

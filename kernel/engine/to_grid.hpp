@@ -1,6 +1,8 @@
 // Points to grid, and the momentum equation on the grid.
 #pragma once
 
+#include <stdexcept>
+
 #include "kernel/engine/chunks.hpp"
 
 namespace plumbline {
@@ -65,6 +67,8 @@ double Mechanics<G, S, T>::drive(const Field& field, std::vector<Vec>& velocity,
 
 template <class G, class S, class T>
 void Mechanics<G, S, T>::map_mass_and_momentum() {
+  if (!places_known_)
+    throw std::logic_error("map_mass_and_momentum wants the points located: locate_points comes first");
   grid_mass_ = 0;
   pending_.map_wall = {};
   pending_.map_loss = pending_.map_wall_work = 0;

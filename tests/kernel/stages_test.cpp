@@ -173,6 +173,18 @@ TEST(Stages, RateOfAFreeFall) {
   }
 }
 
+// Masses mapped from where nobody has looked would be written anywhere.
+TEST(Stages, MapsWantThePointsLocated) {
+  Scene scene = scenes::rough_gas(1, "quadratic", "apic");
+  Ledger ledger;
+  const auto engine = make_engine(scene, ledger, {});
+  engine->initialise();
+  engine->points_changed(0);
+  EXPECT_THROW(engine->map_mass_and_momentum(), std::logic_error);
+  engine->locate_points();
+  EXPECT_NO_THROW(engine->map_mass_and_momentum());
+}
+
 TEST(Stages, RatesWantFlip) {
   Scene scene = scenes::rough_gas(1, "quadratic", "apic");
   Ledger ledger;
