@@ -85,6 +85,14 @@ std::vector<Measure> measures_at_end(const Problem& problem, const Simulation& s
   return all;
 }
 
+std::vector<Measure> measures_of_start(const Problem& problem, const Settings& settings) {
+  Simulation simulation(problem.scene(), settings.text("integrator"), step_control(settings));
+  Checkpoint state = simulation.save();
+  state.time = problem.end_time();
+  simulation.restore(state);
+  return measures_at_end(problem, simulation);
+}
+
 std::vector<Measure> measures_to_be_judged(const Problem& problem, const Settings& settings) {
   std::vector<HandedIn> own;
   const Scene scene = problem.scene();

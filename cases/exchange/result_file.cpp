@@ -141,6 +141,20 @@ bool contains(const std::vector<std::string>& names, const char* name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+// No point leaves the grid by more than a cell: rounding and walls that give way a little are all that may.
+void require_inside(const ForeignFile& file, const std::string& body, const GridSpec& grid, const Columns& points) {
+  for (int d = 0; d < grid.dim; ++d) {
+    const auto k = static_cast<std::size_t>(d);
+    const double low = grid.origin[k] - grid.h, high = grid.origin[k] + (grid.cells[k] + 1) * grid.h;
+    for (int p = 0; p < points.points(); ++p) {
+      const double x = points(column::position, d)[p];
+      if (x >= low && x <= high) continue;
+      refuse(file, fmt::format("/bodies/{}/position is {} in row {}; the grid reaches from {} to {} in {}", body, x, p,
+                               low + grid.h, high - grid.h, "xyz"[d]));
+    }
+  }
+}
+
 // What the file gives stays as it is; of a gas the other half follows from the mass and the equation of state.
 void complete_gas(const IdealGas& gas, const std::vector<std::string>& found, Columns& points) {
   for (const ColumnId& id : {column::density, column::volume, column::energy, column::pressure}) points.add(id);
@@ -216,6 +230,7 @@ HandedIn ResultFile::points_of(const Body& body, const GridSpec& grid) const {
   }
   HandedIn in{static_cast<int>(rows), Columns(static_cast<int>(rows))};
   const std::vector<std::string> found = reader.read(rows, in.columns);
+  require_inside(reader_, body.name, grid, in.columns);
   if (const auto* gas = dynamic_cast<const IdealGas*>(body.material.get())) complete_gas(*gas, found, in.columns);
   if (const auto* elastic = dynamic_cast<const LinearElastic*>(body.material.get())) {
     complete_elastic(*elastic, grid, in.columns);

@@ -65,6 +65,7 @@ struct Balance {
 struct Judged {
   RunResult run;
   Balance balance;
+  std::vector<Measure> idle;  // the measures of the start, had nothing been done
 };
 
 // Mass alone is booked; all else of the ledger is not known of a final state, and not a number.
@@ -122,7 +123,7 @@ Judged judge_file(const Case& entry, const ResultFile& file, const std::vector<s
   for (const Body& body : scene.bodies) start.add(body.points, scene.grid.dim);
   for (const HandedIn& body : bodies) end.add(body.columns, scene.grid.dim);
   const auto simulation = simulation_of(*problem, settings, bodies, problem->end_time());
-  Judged judged{RunResult(entry.name(), "foreign:" + file.program, physics_of(entry, settings)), {}};
+  Judged judged{RunResult(entry.name(), "foreign:" + file.program, physics_of(entry, settings)), {}, {}};
   RunResult& run = judged.run;
   run.dim = scene.grid.dim;
   run.axisymmetric = scene.grid.axisymmetric;
@@ -138,6 +139,7 @@ Judged judge_file(const Case& entry, const ResultFile& file, const std::vector<s
   if (run.profile.kind != "space") run.profile = {};
   run.finished = true;
   run.file = ResultsFolder::run_name(run);
+  judged.idle = measures_of_start(*entry.problem(settings), settings);
   judged.balance.mass = std::abs(end.mass / start.mass - 1);
   for (const int d : free_directions(scene)) {
     const auto k = static_cast<std::size_t>(d);
@@ -160,14 +162,60 @@ std::optional<StudyPlan> declared_plan(const Case& entry, int cells, const std::
   return std::nullopt;
 }
 
-CaseGate kept_gate(const std::string& id, const std::string& what, std::optional<double> value) {
-  Gate gate = declare(id, {{}, kept}, Origin::identity, kept_reason);
-  gate.quantity = what;
+CaseGate measured_gate(Gate gate, std::optional<double> value) {
   return study_gate("", std::move(gate), [value](const StudyResult&) {
     Measured measured;
     measured.value = value;
     return measured;
   });
+}
+
+CaseGate kept_gate(const std::string& id, const std::string& what, std::optional<double> value) {
+  Gate gate = declare(id, {{}, kept}, Origin::identity, kept_reason);
+  gate.quantity = what;
+  return measured_gate(std::move(gate), value);
+}
+
+// Of a field's mean error, over the mean size of its reference: what any mesh that resolves the case at all stays below.
+// Half of what doing nothing leaves is the least that a computation has to achieve; below 30 % that asks more of a field that
+// hardly changes than a coarse mesh has, above 50 % a field of zeros would do.
+constexpr double least_bound = 0.3, largest_bound = 0.5;
+constexpr const char* computed_reason =
+    "half of the error of the start handed back, at least 30 % and at most 50 % of the field's own size: more is left "
+    "by doing "
+    "nothing, by zeros and by wrong units";
+
+// The largest mean error of a field over its bound, over all meshes; NaN if there is none to be had. Nothing: on some mesh the
+// reference vanishes.
+std::optional<double> error_over_bound(const std::string& name, const StudyResult& study,
+                                       const std::vector<std::vector<Measure>>& idle) {
+  double worst = 0;
+  for (std::size_t k = 0; k < study.levels.size(); ++k) {
+    const Measure* const own = study.levels[k].run.find(name);
+    const auto start = std::find_if(idle[k].begin(), idle[k].end(), [&](const Measure& m) { return m.name == name; });
+    if (!own || start == idle[k].end() || own->scale <= own->reference_bound) return std::nullopt;
+    // The start may have no point where the end is judged, and then no error.
+    const double far = std::isfinite(start->error) ? start->error / own->scale : HUGE_VAL;
+    worst = larger(worst, own->error / (own->scale * std::clamp(far / 2, least_bound, largest_bound)));
+  }
+  return worst;
+}
+
+// A program that computed something: each field is nearer to its reference than the start is.
+void judge_fields(const StudyResult& study, const std::vector<std::vector<Measure>>& idle, Score& score) {
+  std::vector<CaseGate> gates;
+  for (const Measure& measure : study.levels.front().run.measures) {
+    if (!measure.name.ends_with(".L1")) continue;
+    const std::string id = study.plan.id + "/foreign-" + measure.name;
+    if (const auto value = error_over_bound(measure.name, study, idle)) {
+      Gate gate = declare(id, {{}, 1.0}, Origin::theory, computed_reason);
+      gate.quantity = "error of " + measure.name + " over its bound";
+      gates.push_back(measured_gate(std::move(gate), value));
+    } else {
+      score.not_judged.push_back({id, "the reference vanishes at the end"});
+    }
+  }
+  for (JudgedGate& gate : judge_gates(gates, study)) score.gates.push_back(std::move(gate));
 }
 
 // Gates that hold for any program.
@@ -208,6 +256,18 @@ std::string why_not(const CaseGate& gate, const StudyResult& study) {
   return "";
 }
 
+// An order that is a target of Plumbline's own scheme binds others no further than theory does.
+Gate for_any_program(Gate gate) {
+  constexpr double least_order = 0.4;
+  const bool of_order = gate.order || gate.quantity.starts_with("fitted order of ");  // see fitted_order_gate
+  if (of_order && gate.origin == Origin::target && gate.expected.low) {
+    gate.expected.low = std::min(*gate.expected.low, least_order);
+    gate.origin = Origin::theory;
+    gate.reason = "what converges is at least of order 1/2, as schemes of first order at a contact; 0.1 for the fit";
+  }
+  return gate;
+}
+
 bool all_measures_finite(const StudyResult& study) {
   for (const StudyLevel& at : study.levels) {
     for (const Measure& m : at.run.measures) {
@@ -219,8 +279,9 @@ bool all_measures_finite(const StudyResult& study) {
 
 void judge_declared(const Case& entry, const StudyResult& study, Score& score) {
   const bool finite = all_measures_finite(study);
-  for (const CaseGate& gate : entry.gates()) {
+  for (CaseGate gate : entry.gates()) {
     if (gate.study != study.plan.id) continue;
+    gate.gate = for_any_program(std::move(gate.gate));
     std::string reason = why_not(gate, study);
     std::vector<JudgedGate> judged;
     if (reason.empty()) judged = judge_gates({gate}, study);
@@ -267,8 +328,10 @@ Score score(const Case& entry, const std::vector<std::string>& names, const std:
   std::vector<PlannedRun> planned;
   std::vector<RunResult> runs;
   std::vector<Balance> balances;
+  std::vector<std::vector<Measure>> idle;
   for (const auto& file : files) {
     Judged judged = judge_file(entry, *file, typed);
+    idle.push_back(std::move(judged.idle));
     planned.push_back({static_cast<double>(file->cells), judged.run.settings});
     balances.push_back(judged.balance);
     runs.push_back(std::move(judged.run));
@@ -285,6 +348,7 @@ Score score(const Case& entry, const std::vector<std::string>& names, const std:
   for (const auto& file : files) plan.values.push_back(file->cells);
   score.study = assemble_study(entry, plan, planned, std::move(runs));
   judge_generic(balances, score.study, score);
+  judge_fields(score.study, idle, score);
   judge_declared(entry, score.study, score);
   return score;
 }

@@ -12,9 +12,9 @@ namespace plumbline {
 namespace {
 
 // Rigid ends at y = 0 and y = height hold the sliding gas up; what they send comes with the speed of sound, 1.19 m/s,
-// by 0.24 m until the end, spread by viscosity over sqrt(4/3 nu t) = 0.16 m. Judged is a strip in the middle, 0.9 m from
-// either end: the front of the sound, and four of those lengths beyond it.
-constexpr double height = 2, half_strip = 0.1;  // m
+// by 0.24 m until the end, spread by viscosity over sqrt(4/3 nu t) = 0.2 m. Judged is a strip in the middle, 1.4 m from
+// either end: the front of the sound, and five of those lengths beyond it.
+constexpr double height = 3, half_strip = 0.1;  // m
 
 constexpr const char* sketch =
     R"svg(<svg viewBox="0 0 360 110" role="img" aria-label="Gas sliding up at the left wall and down at the right wall, half a cosine between">
@@ -67,20 +67,21 @@ class ShearDecayCase final : public Case {
   Kind kind() const override { return Kind::gas; }
 
   std::vector<Key> keys() const override {
-    return {{.name = "amplitude",
-             .value = 0.01,
-             .unit = "m/s",
-             .low = -0.1,
-             .high = 0.1,
-             .description = "U, largest velocity at t = 0"},
-            {.name = "viscosity", .value = 0.1, .unit = "Pa s", .low = 0, .high = 0.15, .description = "mu [York 4.1]"},
-            {.name = "t_end",
-             .value = 0.2,
-             .unit = "s",
-             .low = 0,
-             .high = 0.2,
-             .low_open = true,
-             .description = "end time"}};
+    return {
+        {.name = "amplitude",
+         .value = 0.01,
+         .unit = "m/s",
+         .low = -0.1,
+         .high = 0.1,
+         .description = "U, largest velocity at t = 0"},
+        {.name = "viscosity", .value = 0.15, .unit = "Pa s", .low = 0, .high = 0.15, .description = "mu [York 4.1]"},
+        {.name = "t_end",
+         .value = 0.2,
+         .unit = "s",
+         .low = 0,
+         .high = 0.2,
+         .low_open = true,
+         .description = "end time"}};
   }
 
   std::vector<Override> points_and_end(const std::string& scheme) const override { return york_points(scheme); }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -115,6 +116,8 @@ class Case {
   virtual std::vector<double> default_levels() const = 0;  // of `converge` without --cells
   // What an integrator must offer for a run to arrive at its end, beside what the scene needs of it.
   virtual Traits needs() const { return {}; }
+  // Measures that some runs of the case do not have, with the reason: they may be no numbers. All others have to be.
+  virtual std::map<std::string, std::string> may_be_undefined() const { return {}; }
   // Run with a study in cells of the default scheme, at its levels, for the problem that the settings describe.
   virtual std::vector<Comparator> comparators(const Settings& /*settings*/,
                                               const std::vector<double>& /*cells*/) const {

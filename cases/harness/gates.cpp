@@ -210,6 +210,15 @@ CaseGate identity(const std::string& study, const std::string& id, const std::st
 
 }  // namespace
 
+// The first measure of a run that is no number though the case gives no reason why it may be none; empty if there is none.
+std::string undefined_measure(const Case& entry, const RunResult& run) {
+  const auto allowed = entry.may_be_undefined();
+  for (const Measure& m : run.measures) {
+    if (!std::isfinite(m.error) && allowed.count(m.name) == 0) return m.name;
+  }
+  return "";
+}
+
 // 1e-12: a sum over n points has a relative rounding of about sqrt(n) 1e-16, and no run here has above 1e7 of them;
 // flows carry a correction, so their sums over steps add nothing. The points' velocities do: each step rounds them once, by
 // 2^-53, which is 2^-52 of kinetic energy, and steps that add the same, as in free fall, round alike. So n steps may add
@@ -222,17 +231,23 @@ std::vector<CaseGate> generic_gates(const std::string& study, int dim, bool axis
   finite.quantity = "runs that stopped";
   finite.expected = {0.0, 0.0};
   finite.origin = Origin::identity;
-  finite.reason = "every run arrives at its end with admissible values";
+  finite.reason = "every run arrives at its end with admissible values, and its measures are numbers";
   gates.push_back(study_gate(study, finite, [](const StudyResult& s) {
     if (s.levels.empty()) return failed("the study has no runs");
     Measured measured;
     double stopped = 0;
+    const auto look = [&](const RunResult& run) {
+      stopped += run.finished ? 0 : 1;
+      if (run.stop) {
+        measured.note = fmt::format("stopped at step {} in {}: {}", run.stop->step, run.stop->field, run.stop->reason);
+      } else if (const std::string name = undefined_measure(*s.entry, run); !name.empty()) {
+        measured.invalid = true;
+        measured.note = fmt::format("{} is not a number at {} cells", name, run.settings.number("cells"));
+      }
+    };
     for (const StudyLevel& at : s.levels) {
-      stopped += at.run.finished ? 0 : 1;
-      for (const RunResult& other : at.offsets) stopped += other.finished ? 0 : 1;
-      if (at.run.stop)
-        measured.note = fmt::format("stopped at step {} in {}: {}", at.run.stop->step, at.run.stop->field,
-                                    at.run.stop->reason);
+      look(at.run);
+      for (const RunResult& other : at.offsets) look(other);
     }
     measured.value = stopped;
     return measured;
@@ -275,14 +290,14 @@ std::vector<JudgedGate> judge_gates(const std::vector<CaseGate>& gates, const St
     bool complete = true;
     for (const double level : declared.levels) complete = complete && study.level(level);
     for (const std::string& other : declared.also) complete = complete && study.sibling(other);
-    if (!complete) continue;
+    if (!complete && study.failure.empty()) continue;
     JudgedGate result;
     result.gate = declared.gate;
     result.case_name = study.entry->name();
     result.scheme = study.scheme;
     result.study = study.plan.id;
     try {
-      result.measured = declared.measure(study);
+      result.measured = study.failure.empty() ? declared.measure(study) : failed(study.failure);
     } catch (const std::exception& error) {
       result.measured = failed(error.what());
     }

@@ -28,6 +28,7 @@ struct StudyResult {
   std::vector<std::pair<std::string, OrderFit>> fits;  // by measure
   std::string file;
   const StudySet* siblings = nullptr;  // the studies of the same case, while gates are judged
+  std::string failure = {};            // what an exception said that left the study without levels
 
   const StudyResult* sibling(const std::string& id) const;
   const StudyLevel* level(double value) const;

@@ -133,6 +133,18 @@ Plans selected_plans(const Case& entry, Tier tier, const Selection& selection) {
   return plans;
 }
 
+// Dimension, and whether it is axisymmetric. Of a study that failed, those of its first scene, which may be what failed.
+std::pair<int, bool> geometry_of(const StudyResult& study) {
+  if (!study.levels.empty()) return {study.levels.front().run.dim, study.levels.front().run.axisymmetric};
+  try {
+    const PlannedRun first = planned_runs(*study.entry, study.plan, Tier::quick).front();
+    const GridSpec grid = study.entry->problem(first.settings)->scene().grid;
+    return {grid.dim, grid.axisymmetric};
+  } catch (const std::exception&) {
+    return {1, false};
+  }
+}
+
 // The gates on one study: the case's own, then the generic ones that it does not declare itself as expected to fail.
 std::vector<CaseGate> gates_on(const StudyResult& study, const std::vector<CaseGate>& declared) {
   std::vector<CaseGate> gates;
@@ -140,14 +152,35 @@ std::vector<CaseGate> gates_on(const StudyResult& study, const std::vector<CaseG
     if (gate.study == study.plan.id) gates.push_back(gate);
   }
   const std::size_t own = gates.size();
-  const bool empty = study.levels.empty();
-  const bool axisymmetric = !empty && study.levels.front().run.axisymmetric;
-  for (CaseGate& gate : generic_gates(study.plan.id, empty ? 1 : study.levels.front().run.dim, axisymmetric)) {
+  const auto [dim, axisymmetric] = geometry_of(study);
+  for (CaseGate& gate : generic_gates(study.plan.id, dim, axisymmetric)) {
     const bool declared_already = std::any_of(gates.begin(), gates.begin() + static_cast<std::ptrdiff_t>(own),
                                               [&](const CaseGate& g) { return g.gate.id == gate.gate.id; });
     if (!declared_already) gates.push_back(std::move(gate));
   }
   return gates;
+}
+
+// Cases fail alone: what throws leaves a study without levels, whose gates are all invalid. What no other case would survive
+// either is passed on: a signal, a folder that cannot be written, a wrong call.
+StudyResult run_or_fail(const Case& entry, const StudyPlan& plan, const std::vector<PlannedRun>& planned, int threads,
+                        const Progress& progress, RunStore& store) {
+  try {
+    return run_study(entry, plan, planned, threads, progress, &store);
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const FileError&) {
+    throw;
+  } catch (const UsageError&) {
+    throw;
+  } catch (const std::exception& error) {
+    StudyResult study;
+    study.entry = &entry;
+    study.plan = plan;
+    study.scheme = result_scheme(entry, plan.scheme, planned.front().settings);
+    study.failure = error.what();
+    return study;
+  }
 }
 
 }  // namespace
@@ -167,7 +200,7 @@ void verify_case(const Case& entry, Tier tier, const Selection& selection, int t
   for (const StudyPlan& plan : plans.all) planned.push_back(planned_runs(entry, plan, tier, selection.settings));
   StudySet studies;
   for (std::size_t k = 0; k < plans.all.size(); ++k)
-    studies.push_back(run_study(entry, plans.all[k], planned[k], threads, progress, &store));
+    studies.push_back(run_or_fail(entry, plans.all[k], planned[k], threads, progress, store));
   std::vector<CaseGate> declared;
   for (CaseGate& gate : entry.gates()) {
     if (in_tier(gate.tier, tier) && selection.settings.empty()) declared.push_back(std::move(gate));
@@ -180,7 +213,7 @@ void verify_case(const Case& entry, Tier tier, const Selection& selection, int t
     expected_here += static_cast<int>(gates.size());
     if (k >= plans.own) of_integrators += static_cast<int>(gates.size());
     const std::vector<JudgedGate> judged = judge_gates(gates, study);
-    store.folder().write_study(study, judged, store.provenance(entry));
+    if (study.failure.empty()) store.folder().write_study(study, judged, store.provenance(entry));
     verification.gates.insert(verification.gates.end(), judged.begin(), judged.end());
   }
   const GateCount count = entry.gate_count();

@@ -213,6 +213,9 @@ class BallNetCase final : public Case {
   }
 
   Kind kind() const override { return Kind::solid; }
+  std::map<std::string, std::string> may_be_undefined() const override {
+    return {{"turn_time", "a ball that the net does not turn round has none"}};
+  }
 
   std::vector<Key> keys() const override {
     return {{.name = "ball",

@@ -49,7 +49,7 @@ class BarVibrationCase final : public Case {
     s.physics =
         "A bar, E = 100, ρ = 1, L = 25, fixed at x = 0 and free at x = L, starts unstretched with v = v₀ sin(πx/2L) "
         "and "
-        "vibrates in its first mode, period 4L/c = 10 s, for five periods.\n\n"
+        "vibrates in its first mode, period 4L/c = 10 s, for 5.3 periods, so that it does not end where it began.\n\n"
         "At the published v₀ = 0.1 it strains by 1 %: the ends of MPM's bar move, and its strain is the logarithm of "
         "the stretch; the linear reference knows neither. The refinement study therefore has v₀ = 1e-5; there the "
         "share is 1e-6.";
@@ -61,7 +61,7 @@ class BarVibrationCase final : public Case {
     s.reference_bound = "Rounding, carried through.";
     s.theory_orders = {
         {"period", 2, "shapes, maps and step are of second order"},
-        {"displacement.worst", 2, "the same, over five periods"},
+        {"displacement.worst", 2, "the same, over all of them"},
         {"energy_lost", 3, "what is not affine over a kernel is lost once a step: (kh)⁴ a step, h⁻¹ steps"}};
     s.known_limits = {"At v₀ = 0.1 the reference is wrong by the share of the strain, 1 %.",
                       "The free end is as sharp as a box: the end of the outermost point's box is the end of the bar."};
@@ -77,7 +77,7 @@ class BarVibrationCase final : public Case {
             positive_key("length", bar.length, "m", "length of the bar"),
             positive_key("velocity", bar.velocity, "m/s", "largest velocity at the start"),
             {.name = "mode", .value = 1.0, .low = 1, .high = 20, .integer = true, .description = "number of the mode"},
-            positive_key("t_end", 50, "s", "end time")};
+            positive_key("t_end", 53, "s", "end time")};
   }
 
   std::vector<Override> points_and_end(const std::string&) const override { return {{"cells", 25.0}}; }

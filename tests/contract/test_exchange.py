@@ -1,11 +1,13 @@
 """`export` and `score`: what the files hold, and every way in which a handed-in file can be wrong."""
 import json
 import os
+import subprocess
+import sys
 
 import h5py
 import numpy
 import pytest
-from contract import exported, hand_in, validate
+from contract import ROOT, Plumbline, exported, hand_in, validate
 
 
 def replaced(dataset, values):
@@ -177,7 +179,6 @@ def test_lost_mass_and_space_are_red_by_name(plumbline):
         result = plumbline("score", "sod", "--result", path.name, json=True)
         gates = {gate["id"]: gate["verdict"] for gate in result.json("score")["gates"]}
         assert (gates["default/foreign-mass"], gates["default/foreign-coverage"]) == wanted, name
-        assert result.code == (0 if name == "whole" else 1)
 
 
 def test_gates_that_say_nothing_of_another_program_are_listed_with_the_reason(plumbline):
@@ -190,11 +191,54 @@ def test_gates_that_say_nothing_of_another_program_are_listed_with_the_reason(pl
     left_out = {gate["id"]: gate["reason"] for gate in document["not_judged"]}
     assert not judged.keys() & left_out.keys()
     assert judged["default/density-100"] == "FAIL" and judged["default/order"] == "INCONCLUSIVE"
+    gate = next(gate for gate in document["gates"] if gate["id"] == "default/order")
+    assert gate["expected"]["low"] == 0.4 and gate["origin"] == "theory", "a target of Plumbline's own scheme binds nobody else"
     assert "a run of Plumbline's own scheme" in left_out["default/density-400"]
     assert "expected to miss" in left_out["default/stick-density-100"]
     assert "ledger" in left_out["default/drift"]
     assert "1600 cells" in left_out["default/density-1600"]
     assert "pushes" in left_out["default/foreign-momentum"]
+
+
+def verdict(plumbline, case, path):
+    result = plumbline("score", case, "--result", path.name, json=True)
+    return result, (result.json("score")["verdict"] if result.code in (0, 1) else None)
+
+
+def test_the_start_handed_back_is_green_nowhere(plumbline):
+    scored = [entry["name"] for entry in plumbline("list", json=True).json("list")["cases"] if entry["scored"]]
+    assert len(scored) > 25
+    for case in scored:
+        for cells in (12, 24):
+            _, start = exported(plumbline, case, "--cells", cells)
+            result, said = verdict(plumbline, case, hand_in(plumbline, start))
+            assert result.code == 1 and said in ("FAIL", "INVALID"), (case, cells, result.text)
+
+
+@pytest.fixture(scope="module")
+def right_result(tmp_path_factory):
+    """A tube at its end by a program that is right, green: what is changed in it is what a gate sees."""
+    plumbline = Plumbline(tmp_path_factory.mktemp("right"))
+    _, start = exported(plumbline, "sod", "--cells", "90", "--set", "ppc=4")  # no gate asks for this mesh
+    path = plumbline.folder / "right.h5"
+    subprocess.run([sys.executable, ROOT / "tests/stranger/adapter.py", start, path], check=True)
+    assert verdict(plumbline, "sod", path)[1] == "PASS"
+    return path
+
+
+@pytest.mark.parametrize("dataset, values, code", [
+    ("position", put(-5.0), 4), ("position", put(1e9), 4), ("position", put(1e300), 4),
+    ("velocity", put(1e200), 1), ("velocity", lambda old: 0 * old, 1), ("velocity", lambda old: -old, 1),
+    ("pressure", lambda old: 1e-5 * old, 1), ("pressure", lambda old: 1e308 + 0 * old, 1), ("energy", lambda old: 1e3 * old, 1),
+    ("density", lambda old: 1e-3 * old, 1), ("velocity", lambda old: 3.6 * old, 1),
+])
+def test_a_right_result_that_is_tampered_with_is_not_green(plumbline, right_result, dataset, values, code):
+    path = plumbline.folder / "changed.h5"
+    path.write_bytes(right_result.read_bytes())
+    with h5py.File(path, "r+") as file:
+        replaced(dataset, values)(file)
+    result, said = verdict(plumbline, "sod", path)
+    assert result.code == code and said in (None, "FAIL", "INVALID"), result.text
 
 
 def test_solids_are_judged_particle_by_particle(plumbline):

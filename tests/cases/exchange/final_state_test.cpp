@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "cases/harness/experiment.hpp"
@@ -72,6 +73,22 @@ TEST(FinalState, MeasuresThatNeedNoWayAreTheSameForAProblemThatSawNone) {
     }
   }
   EXPECT_GT(judged, 20);
+}
+
+// No case ends where it begins: the start handed back is far from the end in some field, or nowhere near the place where it is
+// judged, so that doing nothing is seen.
+TEST(FinalState, TheStartIsNoEnd) {
+  constexpr double far = 0.3;  // of the field's size
+  for (const Case* entry : cases()) {
+    const Settings settings = coarse(*entry);
+    if (!why_not_scored(*entry, settings).empty()) continue;
+    double furthest = 0;
+    for (const Measure& m : measures_of_start(*entry->problem(settings), settings)) {
+      if (!m.name.ends_with(".L1") || m.scale <= m.reference_bound) continue;
+      furthest = std::isfinite(m.error) ? std::max(furthest, m.error / m.scale) : HUGE_VAL;
+    }
+    EXPECT_GT(furthest, far) << entry->name();
+  }
 }
 
 TEST(FinalState, HandedInPointsAreMeasuredAsTheRunTheyCameFrom) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -29,6 +30,7 @@ struct Toy {
   std::vector<StudyPlan> studies = {};
   std::vector<CaseGate> gates = {};
   GateCount count = {};
+  std::map<std::string, std::string> may_be_undefined = {};
   bool any_integrator = false;
   std::vector<double> levels = {4, 8};
   std::function<std::vector<Comparator>(const Settings&, const std::vector<double>&)> comparators = {};
@@ -103,6 +105,7 @@ class ToyCase final : public Case {
   std::vector<StudyPlan> studies() const override { return toy_.studies; }
   std::vector<CaseGate> gates() const override { return toy_.gates; }
   GateCount gate_count() const override { return toy_.count; }
+  std::map<std::string, std::string> may_be_undefined() const override { return toy_.may_be_undefined; }
   bool any_integrator() const override { return toy_.any_integrator; }
   std::vector<double> default_levels() const override { return toy_.levels; }
   std::vector<Comparator> comparators(const Settings& settings, const std::vector<double>& cells) const override {

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
+#include <stdexcept>
+#include <utility>
 
 #include "tests/cases/harness/temporary_folder.hpp"
 #include "tests/cases/harness/toy_case.hpp"
@@ -63,6 +66,43 @@ TEST(VerifyCase, TheFullTierAddsItsStudiesAndGates) {
   EXPECT_EQ(executed(v), 15u);
   EXPECT_TRUE(ids(v).count("default/late"));
   EXPECT_TRUE(ids(v).count("late/ledger"));
+}
+
+// A study that throws is invalid, with what was said; the other study of the case keeps its verdicts, and nothing is skipped.
+TEST(VerifyCase, WhatThrowsFailsAlone) {
+  Toy toy = described();
+  toy.measures = [](const Settings& s, const Simulation&) {
+    if (s.number("cells") == 8) throw std::runtime_error("no root in [0, 1]");
+    return power_law_error(1 / s.number("cells"), 1, 1);
+  };
+  const Verification v = verified(ToyCase(toy));
+  EXPECT_TRUE(complete(v));
+  for (const JudgedGate& gate : v.gates) {
+    const Verdict expected = gate.study == "default"        ? Verdict::invalid
+                             : gate.gate.id == "york/error" ? Verdict::fail
+                                                            : Verdict::pass;
+    EXPECT_EQ(gate.judgement.verdict, expected) << gate.gate.id;
+    EXPECT_EQ(gate.measured.note, gate.study == "default" ? "no root in [0, 1]" : "") << gate.gate.id;
+  }
+}
+
+// A measure that is no number is never green, unless the case says why it may be none.
+TEST(VerifyCase, AMeasureThatIsNoNumberIsInvalid) {
+  Toy toy = described();
+  toy.measures = [](const Settings& s, const Simulation&) {
+    std::vector<Measure> all = power_law_error(1 / s.number("cells"), 1, 1);
+    all.push_back(scalar_measure("front", s.number("cells") == 8 ? std::nan("") : 1, 1, 0, "m"));
+    return all;
+  };
+  const auto finite = [](const Verification& v) {
+    const auto found = std::find_if(v.gates.begin(), v.gates.end(),
+                                    [](const JudgedGate& gate) { return gate.gate.id == "default/finite"; });
+    return std::pair{found->judgement.verdict, found->measured.note};
+  };
+  EXPECT_EQ(finite(verified(ToyCase(toy))),
+            (std::pair{Verdict::invalid, std::string("front is not a number at 8 cells")}));
+  toy.may_be_undefined = {{"front", "no front is found on few cells"}};
+  EXPECT_EQ(finite(verified(ToyCase(toy))).first, Verdict::pass);
 }
 
 // Whatever keeps a gate from being judged, the count tells: a wrong number, a misspelt study, a level that is not run.
