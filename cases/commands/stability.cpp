@@ -88,7 +88,7 @@ std::string text_of(const StableInterval& interval) {
 }
 
 // The known limits of every integrator that was asked for, found once each: on all problems, or on those where that is
-// quick.
+// quick, as always for implicit steps.
 class KnownLists {
  public:
   KnownLists(bool all, int threads) : all_(all), threads_(threads) {}
@@ -99,9 +99,10 @@ class KnownLists {
     });
     if (found != lists_.end()) return *found;
     KnownList list{integrator, {}, {}};
-    const bool explicit_step = all_ || !reaches_far(integrator);
+    const bool far = reaches_far(integrator);  // an implicit step: most problems take minutes
     for (const StabilityProblem* problem : stability_problems()) {
-      if (problem->listed().empty() || !(all_ || problem->quickly_listed(explicit_step))) continue;
+      const bool wanted = (all_ && !far) || problem->quickly_listed(!far);
+      if (problem->listed().empty() || !wanted) continue;
       list.problems.push_back(problem);
     }
     list.rows = limits_of(integrator, threads_, list.problems);
