@@ -42,7 +42,7 @@ class Nothing final : public TimeIntegrator {
 };
 PLUMBLINE_INTEGRATOR(Nothing, "test-nothing", "does nothing", "this test");
 
-// Right, of order two, written against rates alone, without a word of what it needs.
+// Right, of order four, written against rates alone, without a word of what it needs.
 class ThreeEighths final : public TimeIntegrator {
   void step(Stages& mpm, double dt) override {
     const State y = mpm.state(), k1 = mpm.rate();
@@ -193,6 +193,24 @@ TEST(IntegratorGates, OrdersUnderRefinementAreJudgedAsClaimed) {
   EXPECT_EQ(judgement_of(5), Verdict::fail);
   const Subject unknown({"test-claiming", {{"test_known", 0}}});
   EXPECT_THROW(integrator_gates(unknown, Effort::whole), UsageError);
+}
+
+// The step that it is compared with, brought once more: nothing differs, which is no defect.
+class SameAgain final : public TimeIntegrator {
+  void step(Stages& mpm, double dt) override { find_integrator("rk4")->make()->step(mpm, dt); }
+};
+PLUMBLINE_INTEGRATOR(SameAgain, "test-same-again", "rk4 once more", "this test");
+
+TEST(IntegratorGates, TheYardstickItselfIsNotRed) {
+  const Subject subject({"test-same-again", {}});
+  bool found = false;
+  for (const IntegratorGate& row : integrator_gates(subject, Effort::whole)) {
+    if (row.gate.id != "order/difference/bar" && row.gate.id != "consistency/difference-bar") continue;
+    found = true;
+    const Verdict verdict = judge(row.gate, row.measure(subject)).verdict;
+    EXPECT_TRUE(verdict == Verdict::pass || verdict == Verdict::inconclusive) << row.gate.id;
+  }
+  EXPECT_TRUE(found);
 }
 
 // No integrator is its own yardstick, and the two differ at a finite step.
