@@ -262,7 +262,7 @@ int execute(const Invocation& invocation, const StabilityOptions& own) {
   }
   for (const KnownList& list : known.lists()) {
     out.line("known limits of {}: those on {}{}", list.integrator.name, names_of(list.problems),
-             all ? "" : "; `stability all` has those on every problem");
+             all || reaches_far(list.integrator) ? "" : "; `stability all` has those on every problem");
   }
   Json document = problems.size() == 1 && !all ? documents.front() : Json{{"problems", documents}};
   document["known_limits"] = Json::array();

@@ -182,8 +182,7 @@ CaseGate kept_gate(const std::string& id, const std::string& what, std::optional
 constexpr double least_bound = 0.3, largest_bound = 0.5;
 constexpr const char* computed_reason =
     "half of the error of the start handed back, at least 30 % and at most 50 % of the field's own size: more is left "
-    "by doing "
-    "nothing, by zeros and by wrong units";
+    "by doing nothing, by zeros and by wrong units";
 
 // The largest mean error of a field over its bound, over all meshes; NaN if there is none to be had. Nothing: on some mesh the
 // reference vanishes.

@@ -99,7 +99,7 @@ class LedgerRecorder {
 };
 
 // Ends a run whose step falls until the run would never come to its end, as that of a gas does which an unstable step heats:
-// many times the steps that it has taken and those that its first step foretold are still to come.
+// many times the steps that it has taken and those that its first step was to lead to are still to come.
 class StepWatch {
  public:
   explicit StepWatch(double end_time) : end_(end_time) {}
@@ -107,9 +107,9 @@ class StepWatch {
   // Throws InadmissibleState. `now`: after one step at least.
   void look(const Simulation& now) {
     const double dt = now.last_dt(), steps = static_cast<double>(now.steps());
-    if (foretold_ == 0) foretold_ = end_ / dt;
+    if (first_estimate_ == 0) first_estimate_ = end_ / dt;
     const double left = (end_ - now.time()) / dt;
-    if (left <= few + many * (steps + foretold_)) return;
+    if (left <= few + many * (steps + first_estimate_)) return;
     InadmissibleState stop("the step has become so short that the end will not be reached", "all", 0, "dt", dt);
     stop.step = now.steps();
     stop.time = now.time();
@@ -117,9 +117,8 @@ class StepWatch {
   }
 
  private:
-  static constexpr double few = 1e5,
-                          many = 1000;  // no case comes within a tenth: the steps of a run differ by less than 100
-  double end_, foretold_ = 0;
+  static constexpr double few = 1e5, many = 1000;  // ends no run of the quick tier
+  double end_, first_estimate_ = 0;
 };
 
 }  // namespace
