@@ -3,18 +3,23 @@
 
 #include <algorithm>
 #include <clocale>
+#include <filesystem>
 
 #include "cases/commands/command.hpp"
+#include "cases/commands/standard_streams.hpp"
+#include "cases/harness/budget.hpp"
 #include "cases/harness/json_text.hpp"
+#include "cases/harness/signals.hpp"
+#include "cases/harness/text_file.hpp"
+#include "kernel/inadmissible.hpp"
 #include "reference/parameter.hpp"
 
 namespace plumbline {
 namespace {
 
 void report_error(const CommonOptions& options, const Json& document, const std::string& message) {
-  // Both may quote what the user gave, whatever bytes that is.
-  fmt::print(stderr, "plumbline: {}\n", valid_utf8(message));
-  if (options.json == "-") fmt::print("{}\n", document.dump(1, ' ', false, Json::error_handler_t::replace));
+  print_text(stderr, fmt::format("plumbline: {}\n", message));
+  if (options.json == "-") print_text(stdout, json_text(document, 1) + "\n");
 }
 
 std::vector<std::string> option_names(const CLI::App& app) {
@@ -48,13 +53,23 @@ std::string version_text() {
                      p.dirty ? ", modified" : "", p.compiler, p.flags, p.cpu, p.instruction_set, libraries);
 }
 
+// What is wrong with a call is said before any work.
+void refuse_wrong_options(const CLI::App& command, const CommonOptions& options) {
+  require_agreement(command, options);
+  const auto folder = std::filesystem::path(options.json).parent_path().lexically_normal();
+  const bool made_by_it = folder == std::filesystem::path(options.results).lexically_normal();
+  if (!options.json.empty() && options.json != "-" && !made_by_it) require_writable(options.json);
+  limit_memory();
+}
+
 int execute(const std::vector<Command>& commands, const CommonOptions& options) {
   try {
+    const auto chosen = std::find_if(commands.begin(), commands.end(),
+                                     [](const Command& command) { return command.app->parsed(); });
+    if (chosen == commands.end()) return exit_usage;
+    refuse_wrong_options(*chosen->app, options);
     load_plugins(options.plugins);
-    for (const Command& command : commands) {
-      if (command.app->parsed()) return command.execute();
-    }
-    return exit_usage;
+    return chosen->execute();
   } catch (const UsageError& error) {
     report_error(options, error_document(error), error.what());
     return exit_usage;
@@ -67,9 +82,35 @@ int execute(const std::vector<Command>& commands, const CommonOptions& options) 
     report_error(options, error_document(error.path, error.what()), error.what());
     return exit_files;
   } catch (const Interrupted& error) {
-    fmt::print(stderr, "plumbline: interrupted, nothing is left half-written\n");
+    print_text(stderr, "plumbline: interrupted, nothing is left half-written\n");
     return 128 + error.signal;
+  } catch (const InadmissibleState& state) {
+    const std::string message = fmt::format("stopped at step {}: {}", state.step, state.what());
+    report_error(options, error_document(state.field, message), message);
+    return exit_stopped;
+  } catch (const std::bad_alloc&) {
+    const UsageError error = beyond_memory();
+    report_error(options, error_document(error), error.what());
+    return exit_usage;
+  } catch (const std::exception& error) {
+    report_error(options, error_document("", error.what()), error.what());
+    return exit_red;
   }
+}
+
+// The options may not have been read when one of them is wrong.
+bool wants_json(int argc, char** argv) {
+  const std::vector<std::string> words(argv, argv + argc);
+  for (std::size_t k = 1; k < words.size(); ++k) {
+    if (words[k] == "--json=-" || (words[k - 1] == "--json" && words[k] == "-")) return true;
+  }
+  return false;
+}
+
+// The option or argument that a message of CLI11 begins with: "--cells: ...", "name is required".
+std::string option_in(const std::string& message) {
+  const bool named = message.rfind("--", 0) == 0 || message.find(" is required") != std::string::npos;
+  return named ? message.substr(0, message.find_first_of(": ")) : "";
 }
 
 int run(int argc, char** argv) {
@@ -92,15 +133,17 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
     refuse_extras(app, commands);
     if (app.get_subcommands().empty()) {
-      fmt::print(stderr, "{}", app.help());
+      print_text(stderr, app.help());
       return exit_usage;
     }
   } catch (const CLI::Success& done) {
     return app.exit(done);
   } catch (const CLI::ParseError& error) {
-    report_error(invocation.options, error_document("", error.what()), error.what());
+    if (wants_json(argc, argv)) invocation.options.json = "-";
+    report_error(invocation.options, error_document(option_in(error.what()), error.what()), error.what());
     return exit_usage;
   } catch (const UsageError& error) {
+    if (wants_json(argc, argv)) invocation.options.json = "-";
     report_error(invocation.options, error_document(error), error.what());
     return exit_usage;
   }
@@ -111,11 +154,7 @@ int run(int argc, char** argv) {
 }  // namespace plumbline
 
 int main(int argc, char** argv) {
+  plumbline::open_standard_streams();
   plumbline::end_runs_on_signals();
-  try {
-    return plumbline::run(argc, argv);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "plumbline: {}\n", error.what());
-    return plumbline::exit_red;
-  }
+  return plumbline::after_output(plumbline::run(argc, argv));
 }

@@ -258,7 +258,7 @@ Command add_bench(CLI::App& app, Invocation& invocation) {
       "--scheme, --integrator or --set: of these choices alone, on a small flow.");
   auto options = std::make_shared<BenchOptions>();
   sub->add_option("--points", options->points, "largest number of points; 1e7 takes some minutes and 5 GB")
-      ->check(CLI::Range(1e3, 1e8));
+      ->check(number_within(1e3, 1e8));
   sub->add_flag("--cases", options->of_cases,
                 "time the refinement studies of the cases instead: error against cost, on one thread, interleaved");
   sub->add_option("pattern", options->patterns, "with --cases: case names or patterns; all cases if none");

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cases/harness/hdf5_file.hpp"
+#include "cases/harness/signals.hpp"
 #include "cases/harness/verification.hpp"
 #include "kernel/time_integrator.hpp"
 

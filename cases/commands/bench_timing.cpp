@@ -5,8 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "cases/harness/experiment.hpp"
 #include "cases/harness/machine.hpp"
+#include "cases/harness/signals.hpp"
+#include "kernel/simulation.hpp"
 
 namespace plumbline {
 namespace {

@@ -15,7 +15,8 @@
 #include <thread>
 #include <utility>
 
-#include "cases/harness/experiment.hpp"
+#include "cases/harness/errors.hpp"
+#include "cases/harness/signals.hpp"
 
 extern char** environ;
 
@@ -85,6 +86,7 @@ class Group {
   }
 
  private:
+  HasChildren that_end_first_;
   pid_t leader_;
 };
 

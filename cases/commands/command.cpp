@@ -5,10 +5,13 @@
 #include <fnmatch.h>
 #include <unistd.h>
 
+#include <charconv>
 #include <cstdlib>
-#include <iostream>
+#include <map>
 
+#include "cases/harness/budget.hpp"
 #include "cases/harness/fingerprint.hpp"
+#include "cases/harness/json_text.hpp"
 #include "cases/harness/text_file.hpp"
 
 namespace plumbline {
@@ -21,8 +24,67 @@ Provenance Invocation::provenance() const {
   return p;
 }
 
+CLI::Validator whole_number() {
+  const auto check = [](const std::string& text) {
+    long value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool whole = error == std::errc() && end == text.data() + text.size() && std::abs(value) <= 1'000'000'000;
+    return whole ? "" : fmt::format("'{}' is not allowed: a whole number of digits alone, such as 100", text);
+  };
+  return CLI::Validator(check, "", "");
+}
+
+CLI::Validator number_within(double low, double high) {
+  const auto check = [=](const std::string& text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool inside = error == std::errc() && end == text.data() + text.size() && value >= low && value <= high;
+    return inside ? "" : fmt::format("'{}' is not allowed: a number in [{:g}, {:g}]", text, low, high);
+  };
+  return CLI::Validator(check, "", "");
+}
+
+CLI::Validator not_empty() {
+  return CLI::Validator(
+      [](const std::string& text) { return text.empty() ? "'' is not allowed: a name is wanted" : ""; }, "", "");
+}
+
+void require_agreement(const CLI::App& command, const CommonOptions& options) {
+  std::map<std::string, std::string> given;  // a key, and how it was given
+  const auto take = [&](const std::string& key, const std::string& how) {
+    const auto [at, is_new] = given.emplace(key, how);
+    if (is_new) return;
+    throw UsageError(key, how, "one of the two", {}, fmt::format("{} and {}: give {} once", at->second, how, key));
+  };
+  if (const CLI::Option* cells = command.get_option_no_throw("--cells"); cells && cells->count() > 0) {
+    take("cells", "--cells " + cells->results().front());
+  }
+  if (!options.integrators.empty()) take("integrator", "--integrator " + options.integrators.front());
+  for (const std::string& assignment : options.settings) {
+    take(assignment.substr(0, assignment.find('=')), "--set " + assignment);
+  }
+  // Either may be switched off beside the other.
+  if (given.count("dt") > 0 && given.count("cfl") > 0 && given["dt"] != "--set dt=none" &&
+      given["cfl"] != "--set cfl=none") {
+    throw UsageError("dt", given["dt"], "dt or cfl", {}, given["cfl"] + " and " + given["dt"] + ": give one of them");
+  }
+}
+
+void add_limits(CLI::App& app) {
+  // A smaller budget than the first is not enough for the program and its libraries.
+  const auto memory = [](const std::uint64_t& bytes) { budget().memory = static_cast<double>(bytes); };
+  app.add_option_function<std::uint64_t>(
+         "--max-memory", memory,
+         "memory that may be used, as 500MB or 2GB; nine tenths of the machine's if not "
+         "given")
+      ->transform(CLI::AsSizeValue(true))
+      ->check(CLI::Range(std::uint64_t{100'000'000}, std::uint64_t{1} << 50));
+  app.add_option("--max-steps", budget().steps, "steps that a run may take; 1e9 if not given")
+      ->check(number_within(1, 1e15));
+}
+
 void add_json(CLI::App& app, CommonOptions& options) {
-  app.add_option("--json", options.json, "write JSON to a file, or - for standard output");
+  app.add_option("--json", options.json, "write JSON to a file, or - for standard output")->check(not_empty());
   app.add_option("--plugin", options.plugins, "shared library that registers integrators (repeatable)")
       ->allow_extra_args(false);
 }
@@ -41,7 +103,8 @@ void add_run_options(CLI::App& app, CommonOptions& options) {
   app.add_option("--threads", options.threads,
                  "threads: of the loops over points in run and bench, for runs side by side elsewhere")
       ->check(CLI::Range(1, 1024));
-  app.add_option("--results", options.results, "results folder");
+  app.add_option("--results", options.results, "results folder")->check(not_empty());
+  add_limits(app);
   app.add_flag("--allow-inconclusive", options.allow_inconclusive, "INCONCLUSIVE does not make the exit status red");
 }
 
@@ -106,12 +169,12 @@ void print_reused(const Output& out, const RunStore& store) {
 
 void write_json(const CommonOptions& options, const Json& document) {
   if (options.json.empty()) return;
-  const std::string text = document.dump(1);
+  const std::string text = json_text(document, 1) + "\n";
   if (options.json == "-") {
-    fmt::print("{}\n", text);
+    print_text(stdout, text);
     return;
   }
-  write_text_file(options.json, text + "\n");
+  write_text_file(options.json, text);
 }
 
 Progress terminal_progress(const std::string& what) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/commands/standard_streams.hpp"
 #include "cases/harness/documents.hpp"
 #include "cases/harness/verification.hpp"
 
@@ -47,6 +48,17 @@ Command add_scoreboard(CLI::App& app, Invocation& invocation);
 Command add_diff(CLI::App& app, Invocation& invocation);
 Command add_tolerances(CLI::App& app, Invocation& invocation);
 
+// Throws UsageError where a key is given twice, or by an option and by --set, with two values or one.
+void require_agreement(const CLI::App& command, const CommonOptions& options);
+
+// Checks of options: what is typed is a whole number; a number within a range; not empty.
+CLI::Validator whole_number();
+CLI::Validator number_within(double low, double high);
+CLI::Validator not_empty();
+
+// --max-memory and --max-steps.
+void add_limits(CLI::App& app);
+
 // Adds --json (and, where asked, the options of commands that run something).
 void add_json(CLI::App& app, CommonOptions& options);
 void add_run_options(CLI::App& app, CommonOptions& options);
@@ -70,7 +82,7 @@ class Output {
   explicit Output(const CommonOptions& options) : to_error_(options.json == "-") {}
   template <class... Args>
   void line(fmt::format_string<Args...> text, Args&&... args) const {
-    fmt::print(to_error_ ? stderr : stdout, "{}\n", fmt::format(text, std::forward<Args>(args)...));
+    print_text(to_error_ ? stderr : stdout, fmt::format(text, std::forward<Args>(args)...) + "\n");
   }
   void gates(const std::vector<JudgedGate>& gates) const;
 

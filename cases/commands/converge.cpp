@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include "cases/commands/command.hpp"
+#include "cases/harness/undeclared.hpp"
 
 namespace plumbline {
 namespace {
@@ -36,6 +39,12 @@ ChosenPlan plan_for(const Case& entry, const SchemeChoice& choice, Vary vary, co
                  .overrides = choice.overrides,
                  .vary = vary,
                  .values = levels(entry, vary, options.cells)};
+  std::vector<double> sorted = plan.values;
+  std::sort(sorted.begin(), sorted.end());
+  if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end()) {
+    throw UsageError("--cells", fmt::format("{}", *twice), "each mesh once", {},
+                     fmt::format("--cells names {} twice: each mesh is wanted once", *twice));
+  }
   if (vary != Vary::cells && options.cells.size() > 1) {
     throw UsageError("--cells", fmt::format("{} meshes", options.cells.size()), "one mesh", {},
                      "--vary " + name(vary) + " refines on one mesh: give --cells one number");
@@ -121,6 +130,9 @@ int execute(const Invocation& invocation, const ConvergeOptions& options) {
     }
     for (CaseGate& gate : generic_gates(plan.id, study.levels.front().run.dim, study.levels.front().run.axisymmetric))
       gates.push_back(std::move(gate));
+    if (!declared) {
+      for (CaseGate& gate : undeclared_gates(plan.id)) gates.push_back(std::move(gate));
+    }
     const auto judged = judge_gates(gates, study);
     folder.write_study(study, judged, provenance);
     print(out, study, judged, declared);
@@ -140,7 +152,7 @@ Command add_converge(CLI::App& app, Invocation& invocation) {
   sub->footer("Example: plumbline converge sod --cells 100,200,400,800,1600 --scheme default --scheme york1997");
   auto options = std::make_shared<ConvergeOptions>();
   sub->add_option("case", options->case_name, "the case")->required();
-  sub->add_option("--cells", options->cells, "meshes, separated by commas")->delimiter(',');
+  sub->add_option("--cells", options->cells, "meshes, separated by commas")->delimiter(',')->check(whole_number());
   sub->add_option("--vary", options->vary, "what is refined: cells, dt, ppc or offset");
   add_run_options(*sub, invocation.options);
   add_reuse(*sub, invocation.options);

@@ -46,10 +46,11 @@ Command add_export(CLI::App& app, Invocation& invocation) {
       "Example: plumbline export sod --cells 100 --output sod.h5\nWhat the file holds: cases/exchange/README.md");
   auto options = std::make_shared<ExportOptions>();
   sub->add_option("case", options->case_name, "the case")->required();
-  sub->add_option("--cells", options->cells, "cells along the case's reference length");
+  sub->add_option("--cells", options->cells, "cells along the case's reference length")->check(whole_number());
   sub->add_option("--output", options->output, "the file; its description stands beside it, ending in .json")
       ->required();
   add_scheme_options(*sub, invocation.options);
+  add_limits(*sub);
   return {sub, [&invocation, options] { return execute(invocation, *options); }};
 }
 

@@ -1,5 +1,6 @@
 #include "cases/commands/command.hpp"
 #include "cases/exchange/final_state.hpp"
+#include "cases/harness/json_text.hpp"
 #include "cases/laboratory/claims.hpp"
 #include "cases/laboratory/problem.hpp"
 #include "kernel/materials/material.hpp"
@@ -95,7 +96,7 @@ void print(const Output& out, const Json& all) {
             if (settings.contains(key))
               text += fmt::format(" {}={}", key,
                                   settings.at(key).is_string() ? settings.at(key).template get<std::string>()
-                                                               : settings.at(key).dump());
+                                                               : json_text(settings.at(key)));
           }
           out.line("  {:18} {}:{}", "", case_name, text);
         }

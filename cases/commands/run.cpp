@@ -3,6 +3,7 @@
 #include "cases/commands/command.hpp"
 #include "cases/harness/estimate.hpp"
 #include "cases/harness/paraview_files.hpp"
+#include "cases/harness/undeclared.hpp"
 
 namespace plumbline {
 namespace {
@@ -43,6 +44,9 @@ std::vector<JudgedGate> judge_run(const Case& entry, const RunResult& run, const
       gates.push_back(std::move(gate));
   }
   for (CaseGate& gate : generic_gates(plan.id, run.dim, run.axisymmetric)) gates.push_back(std::move(gate));
+  if (!declared) {
+    for (CaseGate& gate : undeclared_gates(plan.id)) gates.push_back(std::move(gate));
+  }
   return judge_gates(gates, study);
 }
 
@@ -149,10 +153,11 @@ Command add_run(CLI::App& app, Invocation& invocation) {
   sub->footer("Example: plumbline run sod --cells 200 --scheme york1997 --set gamma=1.67");
   auto options = std::make_shared<RunOptions>();
   sub->add_option("case", options->case_name, "the case")->required();
-  sub->add_option("--cells", options->cells, "cells along the case's reference length");
+  sub->add_option("--cells", options->cells, "cells along the case's reference length")->check(whole_number());
   sub->add_option("--frames", options->frames,
                   "keep so many snapshots of all points, evenly spaced in time: in the result file, and as files that "
-                  "ParaView opens, in the folder named after it");
+                  "ParaView opens, in the folder named after it")
+      ->check(whole_number());
   sub->add_flag("--dry-run", options->dry, "print points, cells, steps, memory and estimated time only");
   add_run_options(*sub, invocation.options);
   return {sub, [&invocation, options, sub] {

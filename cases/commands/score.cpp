@@ -82,7 +82,8 @@ Command add_score(CLI::App& app, Invocation& invocation) {
   add_json(*sub, invocation.options);
   sub->add_option("--set", invocation.options.settings, "key=value as given to export (repeatable)")
       ->allow_extra_args(false);
-  sub->add_option("--results", invocation.options.results, "results folder");
+  sub->add_option("--results", invocation.options.results, "results folder")->check(not_empty());
+  add_limits(*sub);
   sub->add_flag("--allow-inconclusive", invocation.options.allow_inconclusive,
                 "INCONCLUSIVE does not make the exit status red");
   return {sub, [&invocation, options] { return execute(invocation, *options); }};

@@ -1,6 +1,7 @@
 #include "cases/exchange/scoreboard.hpp"
 #include "cases/commands/adapters.hpp"
 #include "cases/commands/child_process.hpp"
+#include "cases/harness/json_text.hpp"
 #include "cases/harness/text_file.hpp"
 
 namespace plumbline {
@@ -115,7 +116,7 @@ int execute(const Invocation& invocation, const ScoreboardOptions& options) {
   print(out, board);
   const Json document = scoreboard_document(board, invocation.provenance());
   const std::string file = options.folder + "/scoreboard.json";
-  write_text_file(file, document.dump(1) + "\n");
+  write_text_file(file, json_text(document, 1) + "\n");
   out.line("{}; `python3 reports/scoreboard.py {}` makes a page of it", file, options.folder);
   write_json(common, document);
   return exit_status(verdicts(board), common.allow_inconclusive);

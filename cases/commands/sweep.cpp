@@ -6,7 +6,9 @@
 #include "cases/commands/child_process.hpp"
 #include "cases/commands/command.hpp"
 #include "cases/commands/sweep_pool.hpp"
+#include "cases/harness/budget.hpp"
 #include "cases/harness/hdf5_file.hpp"
+#include "cases/harness/json_text.hpp"
 #include "cases/harness/plan.hpp"
 #include "cases/harness/text_file.hpp"
 
@@ -138,7 +140,7 @@ Json document_of(const Outcome& outcome, const std::vector<PlanRun>& runs, const
 }
 
 void write_summary(const ResultsFolder& folder, const Json& document) {
-  write_text_file(folder.path() + "/sweep.json", document.dump(1) + "\n");
+  write_text_file(folder.path() + "/sweep.json", json_text(document, 1) + "\n");
 }
 
 // Makes the missing runs of some batches here and now. A run that fails does not keep the others from being made.
@@ -193,7 +195,9 @@ PoolOptions pool_options(const CommonOptions& common, const SweepOptions& option
   PoolOptions pool;
   const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   pool.jobs = options.jobs > 0 ? options.jobs : cores;
-  pool.words = {"--results", common.results};
+  pool.words = {"--results",    common.results,
+                "--max-memory", fmt::format("{:.0f}", budget().memory),
+                "--max-steps",  fmt::format("{}", budget().steps)};
   for (const std::string& plugin : common.plugins) pool.words.insert(pool.words.end(), {"--plugin", plugin});
   return pool;
 }
@@ -246,7 +250,8 @@ Command add_sweep(CLI::App& app, Invocation& invocation) {
   sub->add_option("--from", options->from, "the runs of this plan (- for standard input) instead of a tier's");
   sub->add_option("--batch", options->batches, "this batch of the plan alone, in this process (repeatable)")
       ->allow_extra_args(false);
-  sub->add_option("--results", invocation.options.results, "results folder");
+  sub->add_option("--results", invocation.options.results, "results folder")->check(not_empty());
+  add_limits(*sub);
   sub->add_option("--only", options->only, "of the batch this run alone")->group("");
   sub->add_option("--pool", options->pool, "the process that this one belongs to")->group("");
   add_json(*sub, invocation.options);

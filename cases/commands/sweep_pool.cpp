@@ -13,6 +13,8 @@
 
 #include "cases/commands/child_process.hpp"
 #include "cases/harness/errors.hpp"
+#include "cases/harness/json_text.hpp"
+#include "cases/harness/signals.hpp"
 
 namespace plumbline {
 namespace {
@@ -21,7 +23,7 @@ namespace {
 class HandedPlan {
  public:
   explicit HandedPlan(const Plan& plan) : file_(std::tmpfile()) {
-    const std::string text = to_json(plan).dump();
+    const std::string text = json_text(to_json(plan));
     const bool written = file_ && std::fwrite(text.data(), 1, text.size(), file_) == text.size();
     if (!written || std::fflush(file_) != 0) throw FileError("plan", "the plan cannot be written to a temporary file");
   }
@@ -211,6 +213,7 @@ class Pool {
   }
 
   const Plan& plan_;
+  HasChildren that_end_first_;
   PoolOptions options_;
   HandedPlan handed_;
   std::list<Worker> workers_;

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "cases/commands/command.hpp"
+#include "cases/harness/json_text.hpp"
 #include "cases/harness/text_file.hpp"
 #include "cases/judging/judge.hpp"
 #include "cases/judging/scorecard.hpp"
@@ -125,7 +126,7 @@ Json judge_integrators(const CommonOptions& common, const VerifyOptions& options
       scorecards.push_back(scorecard(std::move(half), against, judged));
       scorecards.back()["gates"] = to_json(judged.gates);
       scorecards.back()["not_applicable"] = to_json(judged.not_applicable);
-      write_text_file(folder.path() + "/scorecard-" + name + ".json", scorecards.back().dump(1) + "\n");
+      write_text_file(folder.path() + "/scorecard-" + name + ".json", json_text(scorecards.back(), 1) + "\n");
     }
     verification.declared += judged.declared;
     std::move(judged.gates.begin(), judged.gates.end(), std::back_inserter(verification.gates));
@@ -162,6 +163,7 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
   const CommonOptions& common = invocation.options;
   const std::vector<std::string> tiers{"quick", "full"};
   if (options.tier != tiers[0] && options.tier != tiers[1]) throw unknown_name("--tier", options.tier, tiers);
+  if (!options.junit.empty()) require_writable(options.junit);
   const ResultsFolder folder(common.results);
   const Provenance provenance = invocation.provenance();
   RunStore store(folder, provenance, common.reuse);

@@ -1,4 +1,5 @@
 #include "cases/comparison/finding.hpp"
+#include "cases/harness/json_text.hpp"
 
 #include <fmt/format.h>
 
@@ -19,7 +20,7 @@ Json end(double value) { return std::isfinite(value) ? Json(value) : Json(nullpt
 std::string word(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number()) return fmt::format("{:.5g}", value.get<double>());
-  if (!value.is_object()) return value.is_null() ? "-" : value.dump();
+  if (!value.is_object()) return value.is_null() ? "-" : json_text(value);
   return "[" + word(value.at("low")) + ", " + word(value.at("high")) + "]";
 }
 

@@ -206,7 +206,7 @@ void take_study(const Json& study, const std::string& file, Snapshot& snapshot) 
   record.file = file;
   record.started = text(member(study, "provenance"), "started");
   for (const auto& [key, value] : study.at("settings").items()) {
-    if (key != "cells" && key != "h" && key != record.vary) record.settings[key] = value.dump();
+    if (key != "cells" && key != "h" && key != record.vary) record.settings[key] = json_text(value);
   }
   for (const Json& level : study.at("levels")) record.levels.push_back(level_record(level));
   for (const auto& [measure, fit] : study.at("measures").items()) record.fits[measure] = fit_record(fit);
@@ -233,7 +233,7 @@ void take_stability(const Json& document, Snapshot& snapshot) {
       record.scheme = text(found, "scheme");
       for (const auto& [key, value] : found.at("settings").items())
         record.settings += (record.settings.empty() ? "" : " ") + key + "=" +
-                           (value.is_string() ? value.get<std::string>() : value.dump());
+                           (value.is_string() ? value.get<std::string>() : json_text(value));
       record.unit = text(found, "unit");
       record.always = text(found, "always");
       record.predicted = ranges(found.at("predicted"));

@@ -182,7 +182,7 @@ std::vector<LedgerLine> read_ledger(const std::string& file) {
 void write_ledger(const std::string& file, const std::vector<LedgerLine>& lines) {
   std::string text = fmt::format("{{\"format\": {}, \"gates\": [\n", ledger_format);
   for (std::size_t k = 0; k < lines.size(); ++k)
-    text += "  " + to_json(lines[k]).dump() + (k + 1 < lines.size() ? ",\n" : "\n");
+    text += "  " + json_text(to_json(lines[k])) + (k + 1 < lines.size() ? ",\n" : "\n");
   text += "]}\n";
   const std::string temporary = fmt::format("{}.{}.part", file, ::getpid());
   std::ofstream out(temporary, std::ios::binary);

@@ -8,6 +8,10 @@ std::string problem_id(const Case& entry, const Settings& settings) {
   return short_hash(text);
 }
 
+std::string start_id(const Case& entry, const Settings& settings) {
+  return short_hash(problem_id(entry, settings) + "\ncells=" + to_text(settings["cells"]));
+}
+
 std::string axis_name(int direction) { return std::string(1, "xyz"[direction]); }
 
 bool any_points_will_do(const Material& material) { return material.has_density(); }

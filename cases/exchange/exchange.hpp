@@ -13,6 +13,9 @@ inline constexpr int exchange_format = 1;
 // 12 hex digits: the case and the values of its own keys, whatever the mesh and the scheme.
 std::string problem_id(const Case& entry, const Settings& settings);
 
+// 12 hex digits: the problem on one mesh. A final state hands on that of its start, so that its `cells` cannot be mistaken.
+std::string start_id(const Case& entry, const Settings& settings);
+
 // "x", "y", "z"; of an axisymmetric scene too, where x is the radius.
 std::string axis_name(int direction);
 

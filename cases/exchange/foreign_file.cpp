@@ -13,6 +13,7 @@ namespace {
 
 constexpr hsize_t most_values = hsize_t{1} << 27;
 constexpr std::size_t longest_text = 4096;
+constexpr double most_compressed = 1032;
 
 bool is_number(hid_t type) {
   const H5T_class_t kind = H5Tget_class(type);
@@ -112,6 +113,12 @@ ForeignFile::Table ForeignFile::numbers(const std::string& dataset) const {
   if (extent[0] > most_values || extent[1] > most_values || extent[0] * extent[1] > most_values) {
     impl_->refuse(
         fmt::format("{} has {} x {} values; at most {} are read", dataset, extent[0], extent[1], most_values));
+  }
+  // What deflate makes of zeros; more is a size without content.
+  const double bytes = static_cast<double>(extent[0] * extent[1]) * static_cast<double>(H5Tget_size(type));
+  if (bytes > most_compressed * static_cast<double>(H5Dget_storage_size(data))) {
+    impl_->refuse(fmt::format("{} says that it has {} x {} values, more than what is stored of it can hold", dataset,
+                              extent[0], extent[1]));
   }
   Table table;
   for (int d = 0; d < rank; ++d) table.shape.push_back(static_cast<std::size_t>(extent[d]));

@@ -9,6 +9,7 @@
 #include "cases/exchange/exchange.hpp"
 #include "cases/exchange/final_state.hpp"
 #include "cases/harness/hdf5_file.hpp"
+#include "cases/harness/json_text.hpp"
 #include "cases/harness/text_file.hpp"
 #include "kernel/materials/parameters.hpp"
 #include "kernel/materials/segment_membrane.hpp"
@@ -269,6 +270,7 @@ Json describe(const Case& entry, const std::string& scheme, const Settings& sett
                    {"physics", statement.physics},
                    {"equations", statement.equations},
                    {"problem", problem_id(entry, settings)},
+                   {"start", start_id(entry, settings)},
                    {"cells", settings.integer("cells")},
                    {"end_time", problem.end_time()},
                    {"grid", grid_json(scene.grid)},
@@ -301,13 +303,14 @@ Json write_initial_state(const Case& entry, const std::string& scheme, const Set
   out.attribute("/", "kind", "initial-state");
   out.attribute("/", "case", entry.name());
   out.attribute("/", "problem", problem_id(entry, settings));
+  out.attribute("/", "start", start_id(entry, settings));
   out.attribute("/", "cells", static_cast<std::int64_t>(settings.integer("cells")));
   out.real_attribute("/", "end_time", problem->end_time());
   const Writer writer(scene, problem->end_time(), out);
   for (const Body& body : scene.bodies) description["bodies"].push_back(writer.body(body));
-  out.text("/description", description.dump(1));
+  out.text("/description", json_text(description, 1));
   out.commit();
-  write_text_file(description_beside(file), description.dump(1) + "\n");
+  write_text_file(description_beside(file), json_text(description, 1) + "\n");
   return description;
 }
 

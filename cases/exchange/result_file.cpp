@@ -195,6 +195,7 @@ ResultFile::ResultFile(const std::string& path) : reader_(path) {
   const std::string kind = wanted_text(reader_, "kind");
   if (kind != "final-state") refuse(reader_, "the attribute kind is " + kind + "; final-state is wanted");
   case_name = wanted_text(reader_, "case");
+  start = wanted_text(reader_, "start");
   time = wanted_number(reader_, "time");
   const double mesh = wanted_number(reader_, "cells");
   if (!(mesh >= 1) || mesh > 1e9 || mesh != std::floor(mesh)) {

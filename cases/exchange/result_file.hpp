@@ -16,6 +16,7 @@ class ResultFile {
 
   const std::string& path() const { return reader_.path(); }
   std::string case_name, program, version;
+  std::string start;    // start_id of the export
   std::string problem;  // problem_id of the export, if the program handed it on
   int cells = 0;        // > 0
   double time = 0;      // s

@@ -108,6 +108,9 @@ void require_fit(const ResultFile& file, const Case& entry, const Settings& sett
   if (!file.problem.empty() && file.problem != id) {
     throw does_not_fit(file, "problem", file.problem, id + ", that of the case's own keys with this --set");
   }
+  if (const std::string start = start_id(entry, settings); file.start != start) {
+    throw does_not_fit(file, "start", file.start, fmt::format("{}, that of the start at {} cells", start, file.cells));
+  }
   if (!(std::abs(file.time - end_time) <= same_time * end_time)) {
     throw does_not_fit(file, "time", fmt::format("{} s", file.time), fmt::format("{} s", end_time));
   }

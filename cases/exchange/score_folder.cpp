@@ -99,7 +99,7 @@ void ScoreFolder::clear(const std::string& program, const std::string& start) co
 void ScoreFolder::write_end(const std::string& program, const std::string& start, const AdapterEnd& ended) const {
   const Json document{
       {"end", ways[static_cast<std::size_t>(ended.how)]}, {"reason", ended.reason}, {"seconds", ended.seconds}};
-  write_text_file(end(program, start), document.dump(1) + "\n");
+  write_text_file(end(program, start), json_text(document, 1) + "\n");
 }
 
 std::optional<AdapterEnd> ScoreFolder::read_end(const std::string& program, const std::string& start) const {

@@ -117,6 +117,11 @@ Settings Case::settings(const std::string& scheme, const std::vector<Override>& 
   }
   if (const IntegratorEntry* entry = find_integrator(settings.text("integrator"))) refuse_lacks(*entry, settings);
   if (settings.has("split") && settings.number("split") > 0) {
+    constexpr double least = 0.1;  // of a cell: points that are split until they are smaller are without end
+    if (settings.number("split") < least) {
+      throw UsageError("split", to_text(settings["split"]), "0, or at least 0.1", {},
+                       "split = " + to_text(settings["split"]) + " is not allowed: 0, or at least 0.1");
+    }
     const std::string &shape = settings.text("shape"), &transfer = settings.text("transfer");
     if (const std::string why = splitting_refusal(shape, transfer); !why.empty()) {
       throw UsageError("split", to_text(settings["split"]), "0 with shape=" + shape + ", transfer=" + transfer, {},

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 
+#include "cases/harness/budget.hpp"
 #include "cases/harness/errors.hpp"
+#include "cases/harness/signals.hpp"
 #include "kernel/inadmissible.hpp"
 
 namespace plumbline {
@@ -13,9 +14,6 @@ namespace {
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
-
-volatile std::sig_atomic_t arrived_signal = 0;
-extern "C" void note_signal(int signal_number) { arrived_signal = signal_number; }
 
 // Keeps every k-th step's row, with k doubled whenever twice the allowed number has gathered, the extreme row and the
 // last one. The step that stopped a run has no row: its ledger may be half booked.
@@ -102,12 +100,16 @@ class LedgerRecorder {
 // many times the steps that it has taken and those that its first step was to lead to are still to come.
 class StepWatch {
  public:
-  explicit StepWatch(double end_time) : end_(end_time) {}
+  StepWatch(double end_time, const Settings& settings) : end_(end_time), settings_(settings) {}
 
-  // Throws InadmissibleState. `now`: after one step at least.
+  // Throws InadmissibleState; UsageError after a first step of which the run would need more than it may take. `now`: after
+  // one step at least.
   void look(const Simulation& now) {
     const double dt = now.last_dt(), steps = static_cast<double>(now.steps());
-    if (first_estimate_ == 0) first_estimate_ = end_ / dt;
+    if (first_estimate_ == 0) {
+      first_estimate_ = end_ / dt;
+      require_steps(end_, dt, settings_);
+    }
     const double left = (end_ - now.time()) / dt;
     if (left <= few + many * (steps + first_estimate_)) return;
     InadmissibleState stop("the step has become so short that the end will not be reached", "all", 0, "dt", dt);
@@ -119,6 +121,7 @@ class StepWatch {
  private:
   static constexpr double few = 1e5, many = 1000;  // ends no run of the quick tier
   double end_, first_estimate_ = 0;
+  const Settings& settings_;
 };
 
 }  // namespace
@@ -128,16 +131,6 @@ const Measure* RunResult::find(const std::string& measure) const {
     if (m.name == measure) return &m;
   }
   return nullptr;
-}
-
-void end_runs_on_signals() {
-  std::signal(SIGINT, note_signal);
-  std::signal(SIGTERM, note_signal);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file at its limit is then an error like a full disk, and is told
-}
-
-void throw_if_interrupted() {
-  if (arrived_signal != 0) throw Interrupted(arrived_signal);
 }
 
 StepControl step_control(const Settings& settings) {
@@ -154,7 +147,11 @@ StepControl step_control(const Settings& settings) {
 RunResult run_experiment(const Case& entry, const std::string& scheme, const Settings& settings, int threads,
                          const FrameRequest& frames) {
   const auto problem = entry.problem(settings);
+  if (settings.is_set("dt")) require_steps(problem->end_time(), settings.number("dt"), settings);
+  require_memory(foreseen_size(entry, settings), settings);
   Scene scene = problem->scene();
+  throw_if_interrupted();
+  require_memory(size_of(scene), settings);
   RunResult result(entry.name(), scheme, settings);
   result.dim = scene.grid.dim;
   result.axisymmetric = scene.grid.axisymmetric;
@@ -167,7 +164,7 @@ RunResult run_experiment(const Case& entry, const std::string& scheme, const Set
     LedgerRecorder recorder(result.dim, result.axisymmetric);
     FrameRecorder pictures(frames, simulation.scene(), result.end_time);
     pictures.look(simulation);
-    StepWatch steps(result.end_time);
+    StepWatch steps(result.end_time, settings);
     double looking_s = 0;
     const auto start = std::chrono::steady_clock::now();
     const auto finish = [&] {
@@ -199,6 +196,7 @@ RunResult run_experiment(const Case& entry, const std::string& scheme, const Set
     simulation.refresh_density();
     result.measures = problem->measures(simulation);
     result.profile = problem->profile(simulation);
+    throw_if_interrupted();  // one that came while they were worked out is not lost
     result.finished = true;
   } catch (const CannotWork& parts) {
     throw MissingTraits("integrator", settings.text("integrator"), "another integrator, or other choices",

@@ -1,4 +1,5 @@
 #include "cases/harness/frames_file.hpp"
+#include "cases/harness/json_text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -75,7 +76,7 @@ Json description(const FrameSet& set) {
 void write_frames(Hdf5Writer& file, const FrameSet& set) {
   if (set.frames.empty()) return;
   file.group("/frames");
-  file.text("/frames/description", description(set).dump());
+  file.text("/frames/description", json_text(description(set)));
   write_points(file, set);
 }
 

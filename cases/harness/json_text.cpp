@@ -12,8 +12,10 @@ Json parse_json(const std::string& text) {
   });
 }
 
-std::string valid_utf8(const std::string& text) {
-  return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
+std::string json_text(const Json& document, int indent) {
+  return document.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
+
+std::string valid_utf8(const std::string& text) { return Json::parse(json_text(text)).get<std::string>(); }
 
 }  // namespace plumbline

@@ -20,7 +20,7 @@ constexpr std::size_t most_runs = 100000;
 
 std::string shown(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
-  const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string text = json_text(value);
   return text.size() <= 60 ? text : text.substr(0, 57) + "...";
 }
 

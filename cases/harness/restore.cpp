@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "cases/harness/documents.hpp"
+#include "cases/harness/json_text.hpp"
 
 namespace plumbline {
 namespace {
@@ -179,7 +180,7 @@ void write_restore(Hdf5Writer& file, const RunResult& run, const std::string& fi
                       {"file", run.file},
                       {"names", named_parts(run)},
                       {"check", check_of(run)}};
-  file.text("/restore/run", document.dump());
+  file.text("/restore/run", json_text(document));
   file.numbers("/restore/numbers", loose_numbers(run));
   file.array("/restore/ledger", bytes_of(run.ledger));
 }

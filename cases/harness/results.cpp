@@ -7,6 +7,7 @@
 
 #include "cases/harness/frames_file.hpp"
 #include "cases/harness/hdf5_file.hpp"
+#include "cases/harness/json_text.hpp"
 #include "cases/harness/text_file.hpp"
 
 namespace plumbline {
@@ -15,7 +16,7 @@ namespace {
 void begin(Hdf5Writer& file, const std::string& kind, const Provenance& provenance) {
   file.attribute("/", "plumbline_format", std::int64_t{results_format});
   file.attribute("/", "kind", kind);
-  file.text("/provenance", to_json(provenance).dump());
+  file.text("/provenance", json_text(to_json(provenance)));
 }
 
 // /comparator/<name>: a table of levels.
@@ -78,10 +79,10 @@ void ResultsFolder::write_run(const RunResult& run, const std::vector<JudgedGate
                               const Making& making) const {
   Hdf5Writer file(path_ + "/" + run.file);
   begin(file, "run", provenance);
-  file.text("/run", run_document(run, gates, provenance).dump());
-  file.text("/measures", to_json(run.measures).dump());
-  file.text("/settings", to_json(run.settings).dump());
-  file.text("/gates", to_json(gates).dump());
+  file.text("/run", json_text(run_document(run, gates, provenance)));
+  file.text("/measures", json_text(to_json(run.measures)));
+  file.text("/settings", json_text(to_json(run.settings)));
+  file.text("/gates", json_text(to_json(gates)));
   std::string quantity;
   for (const LedgerHistory::Series& series : run.history.series) {
     if (series.quantity != quantity) {
@@ -138,10 +139,10 @@ void ResultsFolder::write_study(StudyResult& study, const std::vector<JudgedGate
   begin(file, "study", provenance);
   Json document = study_document(study, gates, provenance);
   document["case"] = study.entry->name();
-  file.text("/study", document.dump());
-  file.text("/fit", document["measures"].dump());
-  file.text("/gates", document["gates"].dump());
-  file.text("/catalog", catalog_entry(*study.entry).dump());
+  file.text("/study", json_text(document));
+  file.text("/fit", json_text(document["measures"]));
+  file.text("/gates", json_text(document["gates"]));
+  file.text("/catalog", json_text(catalog_entry(*study.entry)));
   for (const Comparator& comparator : comparators_of(study)) write_comparator(file, comparator);
   file.commit();
 }
@@ -156,9 +157,9 @@ void ResultsFolder::write_verdicts(const Json& document, const std::vector<const
   }
   Hdf5Writer file(fmt::format("{}/verdicts-{}-{}.h5", path_, tier, short_hash(names)));
   begin(file, "verdicts", provenance);
-  file.text("/verdicts", document.dump());
-  file.text("/gates", document.at("gates").dump());
-  file.text("/catalog", catalog.dump());
+  file.text("/verdicts", json_text(document));
+  file.text("/gates", json_text(document.at("gates")));
+  file.text("/catalog", json_text(catalog));
   file.commit();
 }
 

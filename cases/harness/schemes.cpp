@@ -102,7 +102,7 @@ void add_gas_keys(Kind kind, std::vector<Key>& keys) {
                         "kappa: how fast points of a gas under compression share their heat"));
   if (kind == Kind::gas) {
     keys.push_back(number("split", 1.3, "1", 0, infinite, false,
-                          "points that have grown to more cells than this are split in two; 0: none"));
+                          "points that have grown to more cells than this are split in two, 0.1 at least; 0: none"));
   }
   keys.push_back(number("viscosity.linear", 0.0, "1", 0, infinite, false, "c_L of the artificial viscosity"));
   keys.push_back(number("viscosity.quadratic", 0.5, "1", 0, infinite, false, "c_Q of the artificial viscosity"));

@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "cases/harness/errors.hpp"
+#include "cases/harness/signals.hpp"
 
 namespace plumbline {
 namespace {
@@ -48,8 +49,10 @@ void write_whole(const std::string& path, const std::string& content, bool flush
     return;
   }
   const std::string temporary = temporary_name(path);
+  being_written(temporary.c_str());
   int error = write_new(temporary, content, O_CREAT | O_TRUNC, flush);
   if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
+  being_written("");
   if (error == 0) return;
   std::filesystem::remove(temporary, ignored);
   fail(path, error);
@@ -62,6 +65,16 @@ std::string host() {
 }
 
 }  // namespace
+
+void require_writable(const std::string& path) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (std::filesystem::is_directory(status)) fail(path, EISDIR);
+  const bool as_it_is = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+  const std::string folder = std::filesystem::path(path).parent_path();
+  const std::string written = as_it_is ? path : folder.empty() ? "." : folder;
+  if (::access(written.c_str(), W_OK) != 0) fail(path, errno);
+}
 
 std::string temporary_name(const std::string& path) { return fmt::format("{}.{}-{}.part", path, host(), ::getpid()); }
 

@@ -10,6 +10,10 @@ namespace plumbline {
 // device) is written to as it is. Throws FileError with the system's reason.
 void write_text_file(const std::string& path, const std::string& text);
 
+// Before work of which the file is to tell: throws FileError where it could not be written, by what the system says of folders
+// and permissions. Writes nothing.
+void require_writable(const std::string& path);
+
 // The same for a sealed file, of which a sweep writes thousands: it need not be on disk when this returns. Should the power
 // fail before it is, its seal tells.
 void write_sealed_file(const std::string& path, const std::string& content);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cases/harness/signals.hpp"
 #include "cases/harness/verification.hpp"
 #include "cases/judging/growth.hpp"
 #include "cases/judging/integrator_gates.hpp"

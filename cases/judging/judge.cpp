@@ -9,6 +9,7 @@
 #include "cases/harness/errors.hpp"
 #include "cases/harness/experiment.hpp"
 #include "cases/harness/pool.hpp"
+#include "cases/harness/signals.hpp"
 #include "kernel/inadmissible.hpp"
 
 namespace plumbline {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "cases/harness/experiment.hpp"
+#include "cases/harness/signals.hpp"
 #include "kernel/integrator_traits.hpp"
 
 namespace plumbline {

@@ -143,7 +143,7 @@ def hand_in(plumbline, start, name="result.h5", time=None, change=None, attribut
     path = plumbline.folder / name
     with h5py.File(start) as source, h5py.File(path, "w") as file:
         file.attrs.update(exchange_format=1, kind="final-state", case=source.attrs["case"], cells=source.attrs["cells"],
-                          problem=source.attrs["problem"], program="a b/c", version="1.2",
+                          problem=source.attrs["problem"], start=source.attrs["start"], program="a b/c", version="1.2",
                           time=source.attrs["end_time"] if time is None else time)
         for key, value in (attributes or {}).items():
             if value is None:

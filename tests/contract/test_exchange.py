@@ -32,7 +32,7 @@ def test_export_writes_the_same_description_beside_and_inside(plumbline):
     assert json.loads(path.with_suffix(".json").read_text()) == description
     with h5py.File(path) as file:
         assert json.loads(file["description"].asstr()[()]) == description
-        assert dict(file.attrs).keys() == {"exchange_format", "kind", "case", "problem", "cells", "end_time"}
+        assert dict(file.attrs).keys() == {"exchange_format", "kind", "case", "problem", "start", "cells", "end_time"}
         body = description["bodies"][0]
         assert set(file["bodies/gas"]) == set(body["datasets"])
         for name, about in body["datasets"].items():

@@ -71,7 +71,7 @@ DOCUMENTS = {
     "sweep": {"tier": "none", "wanted": 2, "made": 1, "kept": 0, "runs": [{key: RUN[key] for key in (
         "file", "case", "scheme", "settings", "steps", "points", "wall_s", "stop", "measures")}],
               "failed": [{"file": "sod-default-200-0123456789ab.h5", "case": "sod", "error": "signal 6 (Aborted)"}]},
-    "export": {"exchange_format": 1, "kind": "initial-state", "case": "sod", "problem": "0123456789ab", "cells": 100, "end_time": 0.143,
+    "export": {"exchange_format": 1, "kind": "initial-state", "case": "sod", "problem": "0123456789ab", "start": "0123456789ab", "cells": 100, "end_time": 0.143,
                "grid": {"dim": 1, "axisymmetric": False, "h": 0.01, "low": [0], "high": [1], "cells": [100], "walls": {"x": ["symmetry", "free"]}},
                "pistons": [{"direction": "x", "scene_lies": "above", "position": 0, "velocity": 1}], "gravity": [0], "contact": "none",
                "scheme": "default", "settings": {"cells": 100}, "scored": True, "why_not_scored": None, "version": "0.5.0",

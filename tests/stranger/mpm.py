@@ -176,7 +176,7 @@ class Mpm:
     def write(self, path, **attributes):
         with h5py.File(path, "w") as file:
             said = {"exchange_format": 1, "kind": "final-state", "case": self.about["case"], "cells": self.about["cells"],
-                    "problem": self.about["problem"], "time": self.time, "steps": self.steps, "wall_s": self.wall_s,
+                    "problem": self.about["problem"], "start": self.about["start"], "time": self.time, "steps": self.steps, "wall_s": self.wall_s,
                     "program": "stranger", "version": "1"}
             file.attrs.update({**said, **attributes})
             group = file.create_group(f"bodies/{self.body}")

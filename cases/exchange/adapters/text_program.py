@@ -97,7 +97,7 @@ def read_table(path, body):
 
 def write_result(path, about, bodies, wall_s, arguments):
     with h5py.File(path, "w") as file:
-        file.attrs.update(exchange_format=1, kind="final-state", case=about["case"], cells=about["cells"], problem=about["problem"],
+        file.attrs.update(exchange_format=1, kind="final-state", case=about["case"], cells=about["cells"], problem=about["problem"], start=about["start"],
                           time=about["end_time"], wall_s=wall_s, program=arguments.name, version=arguments.version)
         for body, datasets in bodies.items():
             for name, values in datasets.items():

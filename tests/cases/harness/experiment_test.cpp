@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "cases/harness/errors.hpp"
+#include "cases/harness/signals.hpp"
 #include "tests/cases/harness/toy_case.hpp"
 
 namespace plumbline {
