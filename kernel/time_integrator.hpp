@@ -62,6 +62,10 @@ class TimeIntegrator {
   // they are.
   virtual std::vector<State*> memory() { return {}; }
 
+  // Those numbers: what it keeps from step to step beside memory(), such as the size of the last step. A run that is resumed
+  // from a file gets memory(), these and the parameters back, and nothing else.
+  virtual std::vector<double*> kept() { return {}; }
+
   // What it promises, with its parameters as they are.
   virtual Claims claims() const { return {}; }
 };

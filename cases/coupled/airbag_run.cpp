@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "cases/harness/archive.hpp"
 #include "cases/harness/errors.hpp"
 #include "cases/solid/collision.hpp"
 #include "kernel/materials/linear_elastic.hpp"
@@ -89,6 +90,11 @@ class AirbagRun final : public Problem {
     history_.push_back({simulation.time(), start_height() + 0.5 * probe_height - probe.position[1], probe.velocity[1],
                         pressure - pressures_.outside, turn * volume, turn * stores.kinetic, turn * stores.elastic,
                         highest_point(bodies[1], 0)});
+  }
+  void history(Archive& archive) override {
+    archive("start_elastic", start_elastic_);
+    archive("meridian", meridian_);
+    archive("rows", history_);
   }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "cases/coupled/dog_bone.hpp"
+#include "cases/harness/archive.hpp"
 #include "cases/harness/case.hpp"
 #include "cases/harness/gates.hpp"
 #include "reference/membrane_equilibrium.hpp"
@@ -78,6 +79,14 @@ class MembraneExpansionRun final : public Problem {
     sums_.internal += simulation.ledger().stores.internal;
     sums_.virial += now.pressure * now.gas_volume;
     escaped_ = std::max(escaped_, now.escaped);
+  }
+  void history(Archive& archive) override {
+    archive("next_look", next_look_);
+    archive("next_row", next_row_);
+    archive("rows", rows_);
+    archive("sums", sums_);
+    archive("count", count_);
+    archive("escaped", escaped_);
   }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {
@@ -163,6 +172,17 @@ class MembraneExpansionRun final : public Problem {
   struct {
     double radius_0 = 0, radius_90 = 0, radius = 0, pressure = 0, hoop = 0, scatter = 0, volume_ratio = 0, internal = 0,
            virial = 0;
+    void history(Archive& archive) {
+      archive("radius_0", radius_0);
+      archive("radius_90", radius_90);
+      archive("radius", radius);
+      archive("pressure", pressure);
+      archive("hoop", hoop);
+      archive("scatter", scatter);
+      archive("volume_ratio", volume_ratio);
+      archive("internal", internal);
+      archive("virial", virial);
+    }
   } sums_;
   int count_ = 0, escaped_ = 0;
 };

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "cases/coupled/crossings.hpp"
+#include "cases/harness/archive.hpp"
 #include "cases/harness/extremes.hpp"
 #include "cases/harness/gates.hpp"
 #include "cases/membrane/string.hpp"
@@ -133,6 +134,11 @@ class PistonContainerRun final : public Problem {
     }
     times_.push_back(simulation.time());
     displacement_.push_back(spring(column::position)[0] - start_);
+  }
+  void history(Archive& archive) override {
+    archive("start", start_);
+    archive("times", times_);
+    archive("displacement", displacement_);
   }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "cases/coupled/ring.hpp"
+#include "cases/harness/archive.hpp"
 #include "cases/harness/case.hpp"
 #include "cases/harness/gates.hpp"
 
@@ -42,6 +43,16 @@ class RingAtRestRun final : public Problem {
     }
     time_ = time;
     rows_.push_back({time, hoop, stress_, growth, scatter});
+  }
+  void history(Archive& archive) override {
+    archive("area", area_);
+    archive("time", time_);
+    archive("hoop_drift", hoop_drift_);
+    archive("radius_drift", radius_drift_);
+    archive("hoop_scatter", hoop_scatter_);
+    archive("last_time", last_time_);
+    archive("last_drift", last_drift_);
+    archive("rows", rows_);
   }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/harness/archive.hpp"
 #include "cases/harness/gates.hpp"
 
 namespace plumbline {
@@ -30,6 +31,13 @@ void ExpansionWatch::observe(const Simulation& simulation) {
   }
 }
 
+void ExpansionWatch::history(Archive& archive) {
+  archive("start", start_);
+  archive("hottest", hottest_);
+  archive("ratio", ratio_);
+  archive("rise", rise_);
+}
+
 std::vector<Measure> ExpansionWatch::measures() const {
   return {scalar_measure("energy_ratio", ratio_, 1.0, 0.0, "1"), scalar_measure("energy_rise", rise_, 0.0, 0.0, "1")};
 }
@@ -43,6 +51,7 @@ std::shared_ptr<ExpansionWatch> watch_expansion(GasFlow& flow) {
     return body;
   };
   flow.observe = [watch](const Simulation& simulation) { watch->observe(simulation); };
+  flow.history = [watch](Archive& archive) { watch->history(archive); };
   for (const Measure& m : watch->measures()) flow.seen_on_the_way.push_back(m.name);
   return watch;
 }

@@ -12,6 +12,7 @@ class ExpansionWatch {
  public:
   void start(const Body& body);                // remembers e_p(0) by the points' numbers
   void observe(const Simulation& simulation);  // after each step
+  void history(Archive& archive);
 
   // e_p(0) of a point that came by splitting: that of the point it was part of.
   // energy_ratio: largest e_p(t)/e_p(0) of all points after all steps.

@@ -63,6 +63,7 @@ struct GasFlow {
   // Fills the scene with gas. Default: the whole box, as `initial` says.
   std::function<Body(std::shared_ptr<const IdealGas>, const PointRule&, const GridSpec&)> fill;
   std::function<void(const Simulation&)> observe;  // after each step
+  std::function<void(Archive&)> history;           // of what `observe` saw; see Problem
   std::vector<std::string> seen_on_the_way;        // names of further measures that are made of what `observe` saw
   // Measures beside the norms, of the points where they are judged.
   std::function<std::vector<Measure>(const std::vector<GasSample>& points, double time)> further;
@@ -82,6 +83,9 @@ class GasProblem final : public Problem, public JudgedAtEnd {
   Scene scene() const override;
   void observe(const Simulation& simulation) override {
     if (flow_.observe) flow_.observe(simulation);
+  }
+  void history(Archive& archive) override {
+    if (flow_.history) flow_.history(archive);
   }
   std::vector<std::string> seen_on_the_way() const override { return flow_.seen_on_the_way; }
   std::vector<Measure> measures(const Simulation& simulation) const override;

@@ -18,6 +18,8 @@
 
 namespace plumbline {
 
+class Archive;
+
 enum class Tier { quick, full };
 
 // What the report says of a case before any number.
@@ -45,6 +47,9 @@ class Problem {
   virtual Scene scene() const = 0;
   virtual double end_time() const = 0;
   virtual void observe(const Simulation&) {}  // after each step
+  // All that observe() has changed, by name, for a run that is taken up again (archive.hpp). What the settings and the scene
+  // determine is made anew and has no place here.
+  virtual void history(Archive&) {}
   // After the run; densities are fresh.
   virtual std::vector<Measure> measures(const Simulation& simulation) const = 0;
   virtual Profile profile(const Simulation& simulation) const = 0;

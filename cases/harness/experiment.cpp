@@ -6,6 +6,7 @@
 #include "cases/harness/budget.hpp"
 #include "cases/harness/errors.hpp"
 #include "cases/harness/signals.hpp"
+#include "cases/harness/simulation_state.hpp"
 #include "kernel/inadmissible.hpp"
 
 namespace plumbline {
@@ -32,6 +33,18 @@ class LedgerRecorder {
       extreme_row_ = row(simulation);
     }
     last_step_ = simulation.steps();
+  }
+
+  void history(Archive& archive) {
+    archive("stride", stride_);
+    archive("last_step", last_step_);
+    archive("extreme", extreme_);
+    archive("extreme_row", extreme_row_);
+    archive("rows", rows_);
+    const std::size_t width = 2 + columns().size();
+    const auto fits = [&](const std::vector<double>& row) { return row.size() == width; };
+    if (!std::all_of(rows_.begin(), rows_.end(), fits) || !(extreme_row_.empty() || fits(extreme_row_)))
+      throw ArchiveError("rows of the ledger are not as long as the ledger has accounts");
   }
 
   LedgerHistory history(const Simulation& simulation) {
@@ -118,11 +131,21 @@ class StepWatch {
     throw stop;
   }
 
+  void history(Archive& archive) { archive("first_estimate", first_estimate_); }
+
  private:
   static constexpr double few = 1e5, many = 1000;  // ends no run of the quick tier
   double end_, first_estimate_ = 0;
   const Settings& settings_;
 };
+
+// Gives what a run consists of the state that was kept; `history` names all of it.
+template <class History>
+void take_up(const RunState& state, const History& history) {
+  Archive archive(state.numbers);
+  history(archive);
+  archive.require_all_read();
+}
 
 }  // namespace
 
@@ -145,7 +168,7 @@ StepControl step_control(const Settings& settings) {
 }
 
 RunResult run_experiment(const Case& entry, const std::string& scheme, const Settings& settings, int threads,
-                         const FrameRequest& frames) {
+                         const FrameRequest& frames, const RunStates& states) {
   const auto problem = entry.problem(settings);
   if (settings.is_set("dt")) require_steps(problem->end_time(), settings.number("dt"), settings);
   require_memory(foreseen_size(entry, settings), settings);
@@ -165,10 +188,28 @@ RunResult run_experiment(const Case& entry, const std::string& scheme, const Set
     FrameRecorder pictures(frames, simulation.scene(), result.end_time);
     pictures.look(simulation);
     StepWatch steps(result.end_time, settings);
-    double looking_s = 0;
+    const auto history = [&](Archive& archive) {
+      archive_simulation(archive, simulation, settings.text("integrator"));
+      archive("ledger_rows", recorder);
+      archive("frames", pictures);
+      archive("step_watch", steps);
+      archive("problem", *problem);
+    };
+    if (states.from) take_up(*states.from, history);
+    double looking_s = states.from ? -states.from->wall_s : 0;
     const auto start = std::chrono::steady_clock::now();
+    const auto stepping_s = [&] { return seconds_since(start) - looking_s; };
+    const auto offer_state = [&] {
+      if (!states.wanted || !states.wanted(simulation)) return;
+      const auto before = std::chrono::steady_clock::now();
+      const double wall_s = stepping_s();
+      Archive archive;
+      history(archive);
+      states.keep({simulation.steps(), simulation.time(), wall_s, archive.take()});
+      looking_s += seconds_since(before);
+    };
     const auto finish = [&] {
-      result.wall_s = seconds_since(start) - looking_s;
+      result.wall_s = stepping_s();
       result.steps = simulation.steps();
       result.points = simulation.points();
       result.doubles_per_point = simulation.scene().bodies.front().points.doubles_per_point();
@@ -177,16 +218,21 @@ RunResult run_experiment(const Case& entry, const std::string& scheme, const Set
       result.history = recorder.history(simulation);
       result.frames = pictures.take();
     };
+    const auto look = [&](const Simulation& now) {
+      if (frames.count == 0) return;
+      const auto before = std::chrono::steady_clock::now();
+      pictures.look(now);
+      looking_s += seconds_since(before);
+    };
     try {
+      offer_state();
       simulation.run_until(result.end_time, [&](const Simulation& now) {
         steps.look(now);
         problem->observe(now);
         recorder.record(now);
         throw_if_interrupted();
-        if (frames.count == 0) return;
-        const auto before = std::chrono::steady_clock::now();
-        pictures.look(now);
-        looking_s += seconds_since(before);
+        look(now);
+        offer_state();
       });
       finish();
     } catch (const InadmissibleState&) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/harness/archive.hpp"
 #include "cases/harness/case.hpp"
 #include "cases/harness/frames.hpp"
 
@@ -60,13 +61,29 @@ struct RunResult {
   }
 };
 
+// A run under way: all that makes it go on to the same bits, for the same settings under the same code.
+struct RunState {
+  long step = 0;
+  double time = 0;    // s
+  double wall_s = 0;  // stepping until then
+  Archive::Table numbers;
+};
+
+// States that a run is asked for on its way, and the one from which it goes on.
+struct RunStates {
+  const RunState* from = nullptr;                      // null: the start
+  std::function<bool(const Simulation&)> wanted = {};  // before the first step and after each one
+  std::function<void(const RunState&)> keep = {};      // each that is wanted
+};
+
 // The step control that the settings ask for; one of dt and cfl is set.
 StepControl step_control(const Settings& settings);
 
 // Runs it, the loops over points on `threads` threads. A stop on an inadmissible state is a result; throws Interrupted if
-// a signal arrives. No number depends on the frames that are asked for.
+// a signal arrives, ArchiveError if it cannot go on from the state given. No number depends on the frames and states that
+// are asked for.
 RunResult run_experiment(const Case& entry, const std::string& scheme, const Settings& settings, int threads = 1,
-                         const FrameRequest& frames = {});
+                         const FrameRequest& frames = {}, const RunStates& states = {});
 
 // SIGINT and SIGTERM end the runs under way at their next step: installs the handlers.
 void end_runs_on_signals();

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "cases/harness/archive.hpp"
 #include "kernel/materials/segment_membrane.hpp"
 #include "kernel/materials/uniaxial_membrane.hpp"
 
@@ -156,6 +157,35 @@ void FrameRecorder::look(const Simulation& simulation) {
   }
   set_.frames.push_back(std::move(frame));
   while (next_ <= last && due()) ++next_;
+}
+
+namespace {
+
+// One part of all frames, in a vector of its own.
+template <class T>
+void archive_part(Archive& archive, const std::string& name, T Frame::*part, std::vector<Frame>& frames) {
+  std::vector<T> all;
+  for (const Frame& frame : frames) all.push_back(frame.*part);
+  archive(name, all);
+  if (archive.reads() && all.size() != frames.size()) throw ArchiveError(name + " is not there for each frame");
+  for (std::size_t k = 0; archive.reads() && k < all.size(); ++k) frames[k].*part = std::move(all[k]);
+}
+
+}  // namespace
+
+void FrameRecorder::history(Archive& archive) {
+  auto count = static_cast<int>(set_.frames.size());
+  archive("next", next_);
+  archive("count", count);
+  if (count < 0 || count > request_.count) throw ArchiveError("there are more frames than were asked for");
+  set_.frames.resize(static_cast<std::size_t>(count));
+  archive_part(archive, "time", &Frame::time, set_.frames);
+  archive_part(archive, "points", &Frame::points, set_.frames);
+  archive_part(archive, "id", &Frame::id, set_.frames);
+  archive_part(archive, "position", &Frame::position, set_.frames);
+  archive_part(archive, "velocity", &Frame::velocity, set_.frames);
+  archive_part(archive, "pressure", &Frame::pressure, set_.frames);
+  archive_part(archive, "stress", &Frame::stress, set_.frames);
 }
 
 }  // namespace plumbline

@@ -8,6 +8,8 @@
 
 namespace plumbline {
 
+class Archive;
+
 inline constexpr int most_frames = 1000;
 
 // What is wanted of a run.
@@ -48,6 +50,7 @@ class FrameRecorder {
   // Call before the first step and after each one. One frame a step at most: a run of few steps has fewer frames.
   void look(const Simulation& simulation);
   FrameSet take() { return std::move(set_); }
+  void history(Archive& archive);
 
  private:
   FrameRequest request_;

@@ -1,6 +1,7 @@
 // A heavy chain between two walls starts in its catenary, and must stay.
 #include <cmath>
 
+#include "cases/harness/archive.hpp"
 #include "cases/harness/gates.hpp"
 #include "cases/membrane/mode_watch.hpp"
 #include "cases/membrane/string.hpp"
@@ -65,6 +66,13 @@ class CatenaryProblemRun final : public Problem {
     departure_.push_back(departure);
     sag_.push_back(-y[points.points() / 2]);
     largest_ = larger(largest_, departure);
+  }
+  void history(Archive& archive) override {
+    archive("mean_strain", mean_strain_);
+    archive("times", times_);
+    archive("departure", departure_);
+    archive("sag", sag_);
+    archive("largest", largest_);
   }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {

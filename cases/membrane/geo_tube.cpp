@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/harness/archive.hpp"
 #include "cases/harness/gates.hpp"
 #include "cases/membrane/hydrostatic_load.hpp"
 #include "cases/membrane/string.hpp"
@@ -89,6 +90,12 @@ class GeoTubeRun final : public Problem {
     time_ = time;
     largest_ = larger(largest_, departure);
     rows_.push_back({time, departure / exact_.height().value, width, height, pull});
+  }
+  void history(Archive& archive) override {
+    archive("rows", rows_);
+    archive("sums", sums_);
+    archive("largest", largest_);
+    archive("time", time_);
   }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {

@@ -1,6 +1,7 @@
 // A heavy chain hangs from the top wall and swings in its first mode.
 #include <cmath>
 
+#include "cases/harness/archive.hpp"
 #include "cases/harness/gates.hpp"
 #include "cases/membrane/mode_watch.hpp"
 #include "cases/membrane/string.hpp"
@@ -45,6 +46,7 @@ class HangingChainProblemRun final : public Problem {
   }
 
   void observe(const Simulation& simulation) override { watch_.observe(simulation); }
+  void history(Archive& archive) override { watch_.history(archive); }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {
     const reference::Bounded period = exact_.period();

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "cases/harness/archive.hpp"
 #include "cases/harness/extremes.hpp"
 
 namespace plumbline {
@@ -24,6 +25,12 @@ void ModeWatch::observe(const Simulation& simulation) {
   times_.push_back(simulation.time());
   coordinate_.push_back(q);
   impurity_ = std::sqrt(rest / weight) / std::abs(coordinate_.front());
+}
+
+void ModeWatch::history(Archive& archive) {
+  archive("times", times_);
+  archive("coordinate", coordinate_);
+  archive("impurity", impurity_);
 }
 
 std::optional<double> ModeWatch::period() const {

@@ -8,6 +8,8 @@
 
 namespace plumbline {
 
+class Archive;
+
 // The coordinate q of a mode of shape phi: displacements u_p = q phi_p, weighted by mass,
 //   q = sum_p m_p u_p phi_p / sum_p m_p phi_p^2,
 // so that what other modes add counts as little as orthogonality allows.
@@ -23,6 +25,7 @@ class ModeWatch {
         coordinate_{start} {}
 
   void observe(const Simulation& simulation);  // the first body's points, in the order of `shape`
+  void history(Archive& archive);
 
   const std::vector<double>& times() const { return times_; }
   const std::vector<double>& coordinate() const { return coordinate_; }

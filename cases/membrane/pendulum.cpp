@@ -1,6 +1,7 @@
 // A heavy bob on a string of membrane points swings in the plane. [York section 5.7]
 #include <cmath>
 
+#include "cases/harness/archive.hpp"
 #include "cases/harness/extremes.hpp"
 #include "cases/harness/gates.hpp"
 #include "cases/membrane/string.hpp"
@@ -96,6 +97,14 @@ class PendulumProblem final : public Problem {
     misalignment_ = larger(misalignment_, misalignment(points));
     kinetic_.push_back(simulation.ledger().stores.kinetic);
     elastic_.push_back(simulation.ledger().stores.elastic);
+  }
+  void history(Archive& archive) override {
+    archive("times", times_);
+    archive("angle", angle_);
+    archive("length", length_);
+    archive("kinetic", kinetic_);
+    archive("elastic", elastic_);
+    archive("misalignment", misalignment_);
   }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {

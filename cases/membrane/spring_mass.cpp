@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 
+#include "cases/harness/archive.hpp"
 #include "cases/harness/extremes.hpp"
 #include "cases/harness/gates.hpp"
 #include "kernel/materials/uniaxial_membrane.hpp"
@@ -66,6 +67,13 @@ class SpringMassProblem final : public Problem {
     displacement_.push_back(rest_height_ - height);
     kinetic_.push_back(simulation.ledger().stores.kinetic);
     elastic_.push_back(simulation.ledger().stores.elastic);
+  }
+  void history(Archive& archive) override {
+    archive("rest_height", rest_height_);
+    archive("times", times_);
+    archive("displacement", displacement_);
+    archive("kinetic", kinetic_);
+    archive("elastic", elastic_);
   }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/harness/archive.hpp"
 #include "cases/harness/extremes.hpp"
 #include "cases/harness/gates.hpp"
 #include "cases/membrane/string.hpp"
@@ -108,6 +109,14 @@ class StringSlackProblem final : public Problem {
     impulse_.push_back(simulation.ledger().momentum[0].flow(Flow::walls));
     kinetic_.push_back(simulation.ledger().stores.kinetic);
     elastic_.push_back(simulation.ledger().stores.elastic);
+  }
+  void history(Archive& archive) override {
+    archive("start", start_);
+    archive("times", times_);
+    archive("displacement", displacement_);
+    archive("impulse", impulse_);
+    archive("kinetic", kinetic_);
+    archive("elastic", elastic_);
   }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {

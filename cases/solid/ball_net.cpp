@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "cases/harness/archive.hpp"
 #include "cases/harness/gates.hpp"
 #include "cases/solid/collision.hpp"
 #include "cases/solid/fill_solid.hpp"
@@ -61,6 +62,15 @@ class BallAndNet final : public Problem {
     const EnergyStores& stores = simulation.ledger().stores;
     history_.push_back({simulation.time(), ball.velocity[0], net.velocity[0], ball.position[0], net.position[0],
                         stores.kinetic, stores.elastic});
+  }
+  void history(Archive& archive) override {
+    archive("rows", history_);
+    if (history_.empty()) return;
+    if (!push_) push_.emplace(0, 0.0);
+    archive("push", *push_);
+    archive("energy", energy_);
+    archive("deepest", deepest_);
+    archive("fastest_back", fastest_back_);
   }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {

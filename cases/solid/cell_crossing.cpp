@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "cases/harness/archive.hpp"
 #include "cases/harness/gates.hpp"
 #include "cases/solid/collision.hpp"
 #include "cases/solid/manufactured_case.hpp"
@@ -170,6 +171,13 @@ class SpringProblem final : public Problem {
     times_.push_back(simulation.time());
     energies_.push_back(simulation.ledger().stores.total());
   }
+  void history(Archive& archive) override {
+    archive("energy", energy_);
+    archive("cell", cell_);
+    archive("crossings", crossings_);
+    archive("times", times_);
+    archive("energies", energies_);
+  }
   std::vector<Measure> measures(const Simulation& simulation) const override {
     const double start = simulation.ledger().initial_stores.total();
     double highest = energies_.empty() ? std::nan("") : energies_.front();
@@ -257,6 +265,12 @@ class DriftProblem final : public Problem {
       }
       before_[k] = v;
     }
+  }
+  void history(Archive& archive) override {
+    archive("before", before_);
+    archive("square", square_);
+    archive("peak", peak_);
+    archive("samples", samples_);
   }
   std::vector<Measure> measures(const Simulation&) const override {
     const double scale = stress() / (light * h_);

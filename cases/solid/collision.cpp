@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cases/harness/archive.hpp"
 #include "cases/harness/measures.hpp"
 
 namespace plumbline {
@@ -42,10 +43,20 @@ void EnergyWatch::observe(const Simulation& simulation) {
   last_ = energy;
 }
 
+void EnergyWatch::history(Archive& archive) {
+  archive("started", started_);
+  archive("start", start_);
+  archive("last", last_);
+  archive("rise", rise_);
+  archive("highest", highest_);
+}
+
 void MomentumWatch::observe(const Simulation& simulation) {
   const Account& account = simulation.ledger().momentum[d_];
   error_ = larger(error_, std::abs(account.store() - account.initial()) / account.scale());
 }
+
+void MomentumWatch::history(Archive& archive) { archive("error", error_); }
 
 void PushWatch::observe(const Body& body, int dim, double time) {
   const BodyMotion motion = motion_of(body, dim);
@@ -55,6 +66,11 @@ void PushWatch::observe(const Body& body, int dim, double time) {
 void PushWatch::observe(double time, double momentum) {
   times_.push_back(time);
   momenta_.push_back(momentum);
+}
+
+void PushWatch::history(Archive& archive) {
+  archive("times", times_);
+  archive("momenta", momenta_);
 }
 
 double PushWatch::time_of(double share) const {

@@ -9,6 +9,8 @@
 
 namespace plumbline {
 
+class Archive;
+
 // Mass (kg), place (m) and velocity (m/s) of a body's centre of mass; components beyond dim are 0.
 struct BodyMotion {
   double mass = 0;
@@ -25,6 +27,7 @@ double lowest_point(const Body& body, int d);
 class EnergyWatch {
  public:
   void observe(const Simulation& simulation);
+  void history(Archive& archive);
   double largest_rise() const { return rise_; }  // 0 if it never rose
   double highest() const { return highest_; }
   double kept() const { return last_ / start_; }
@@ -39,6 +42,7 @@ class MomentumWatch {
  public:
   explicit MomentumWatch(int d) : d_(static_cast<std::size_t>(d)) {}
   void observe(const Simulation& simulation);
+  void history(Archive& archive);
   double largest_error() const { return error_; }
 
  private:
@@ -54,6 +58,7 @@ class PushWatch {
   void observe(const Body& body, int dim, double time);
   // The same from a history of a momentum.
   void observe(double time, double momentum);
+  void history(Archive& archive);
 
   double start() const { return beyond(time_of(edge)); }  // NaN if nothing was given
   double end() const { return beyond(time_of(1 - edge)); }

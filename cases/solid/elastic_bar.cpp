@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cases/harness/archive.hpp"
 #include "cases/harness/judged_at_end.hpp"
 #include "cases/harness/schemes.hpp"
 #include "cases/solid/collision.hpp"
@@ -58,6 +59,14 @@ class ElasticBarProblem final : public Problem, public JudgedAtEnd {
     history_.mean_velocity.push_back(momentum / mass);
     history_.displacement_error.push_back(std::sqrt(square));
     history_.energy.push_back(simulation.ledger().stores.total());
+  }
+  void history(Archive& archive) override {
+    archive("energy", energy_);
+    archive("largest", largest_);
+    archive("time", history_.time);
+    archive("mean_velocity", history_.mean_velocity);
+    archive("displacement_error", history_.displacement_error);
+    archive("total_energy", history_.energy);
   }
 
   std::vector<std::string> seen_on_the_way() const override {

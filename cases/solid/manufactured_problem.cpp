@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/harness/archive.hpp"
 #include "cases/harness/judged_at_end.hpp"
 #include "cases/harness/schemes.hpp"
 
@@ -73,6 +74,14 @@ class ManufacturedProblem final : public Problem, public JudgedAtEnd {
       worst_ = error;
       worst_time_ = t;
     }
+  }
+  void history(Archive& archive) override {
+    archive("seen", seen_);
+    archive("worst", worst_);
+    archive("worst_time", worst_time_);
+    archive("largest", largest_);
+    archive("times", times_);
+    archive("errors", errors_);
   }
 
   std::vector<std::string> seen_on_the_way() const override { return {"displacement.worst"}; }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cases/harness/archive.hpp"
 #include "cases/harness/extremes.hpp"
 #include "cases/harness/gates.hpp"
 #include "cases/harness/judged_at_end.hpp"
@@ -71,6 +72,12 @@ class PlaneStressProblem final : public Problem, public JudgedAtEnd {
     times_.push_back(simulation.time());
     mean_velocity_.push_back(momentum / mass);
     if (sheet_) watch_ratio(body);
+  }
+  void history(Archive& archive) override {
+    archive("energy", energy_);
+    archive("times", times_);
+    archive("mean_velocity", mean_velocity_);
+    archive("across", across_);
   }
 
   std::vector<std::string> seen_on_the_way() const override { return {"period", "energy_rise", "across_error"}; }

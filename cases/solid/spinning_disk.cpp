@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "cases/harness/archive.hpp"
 #include "cases/harness/gates.hpp"
 #include "cases/harness/schemes.hpp"
 #include "cases/solid/annulus_points.hpp"
@@ -85,6 +86,13 @@ class SpinningDiskProblem final : public Problem {
     }
     times_.push_back(simulation.time());
     errors_.push_back(std::sqrt(error / scale));
+  }
+  void history(Archive& archive) override {
+    archive("energy", energy_);
+    archive("spin_change", spin_change_);
+    archive("seen", seen_);
+    archive("times", times_);
+    archive("errors", errors_);
   }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "cases/harness/archive.hpp"
 #include "cases/harness/gates.hpp"
 #include "cases/solid/collision.hpp"
 #include "cases/solid/fill_solid.hpp"
@@ -46,6 +47,14 @@ class TwoDisks final : public Problem {
     most_ = larger(most_, stores.elastic);
     const BodyMotion lower = motion_of(simulation.scene().bodies[0], 2);
     history_.push_back({simulation.time(), stores.kinetic, stores.elastic, lower.position[0], lower.velocity[0]});
+  }
+  void history(Archive& archive) override {
+    archive("energy", energy_);
+    archive("along_x", along_x_);
+    archive("along_y", along_y_);
+    archive("least", least_);
+    archive("most", most_);
+    archive("rows", history_);
   }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {

@@ -11,6 +11,7 @@ class CentralDifference final : public TimeIntegrator {
             .energy = EnergyBehaviour::bounded,
             .limit = 2};
   }
+  std::vector<double*> kept() override { return {&last_dt_}; }
 
   void step(Stages& mpm, double dt) override {
     mpm.locate_points();

@@ -5,6 +5,7 @@
 
 #include "kernel/pack.hpp"
 #include "kernel/parallel.hpp"
+#include "kernel/points/column_registry.hpp"
 
 namespace plumbline {
 namespace {
@@ -29,6 +30,12 @@ ColumnId::ColumnId(const char* name, const char* unit) {
 
 const std::string& ColumnId::name() const { return descriptions()[static_cast<std::size_t>(index_)].name; }
 const std::string& ColumnId::unit() const { return descriptions()[static_cast<std::size_t>(index_)].unit; }
+
+std::vector<ColumnId> registered_columns() {
+  std::vector<ColumnId> all;
+  for (const Description& d : descriptions()) all.emplace_back(d.name.c_str(), d.unit.c_str());
+  return all;
+}
 
 void Columns::add(const ColumnId& id, int components) {
   const auto index = static_cast<std::size_t>(id.index());
