@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include "cases/commands/command.hpp"
+#include "cases/commands/run_checkpoints.hpp"
 #include "cases/harness/estimate.hpp"
 #include "cases/harness/paraview_files.hpp"
 #include "cases/harness/undeclared.hpp"
@@ -9,11 +10,10 @@ namespace plumbline {
 namespace {
 
 struct RunOptions {
-  std::string case_name;
-  std::optional<int> cells;
+  std::optional<std::string> case_name;
+  std::optional<int> cells, frames;
   bool dry = false;
-  int frames = 0;
-  bool with_frames = false;
+  CheckpointOptions checkpoints = {};
 };
 
 // The declared study and level that these choices are one run of, if any.
@@ -99,15 +99,15 @@ int dry_run(const Output& out, const Invocation& invocation, const Case& entry, 
 }
 
 FrameRequest frames_of(const RunOptions& options) {
-  if (!options.with_frames) return {};
-  if (options.frames < 2 || options.frames > most_frames) {
-    const std::string given = std::to_string(options.frames), allowed = fmt::format("[2, {}]", most_frames);
+  if (!options.frames) return {};
+  if (*options.frames < 2 || *options.frames > most_frames) {
+    const std::string given = std::to_string(*options.frames), allowed = fmt::format("[2, {}]", most_frames);
     throw UsageError("--frames", given, allowed, {},
                      fmt::format("--frames {}: a number of snapshots in {} is wanted, the first and the last instant "
                                  "being two of them",
                                  given, allowed));
   }
-  return {options.frames, 0};
+  return {*options.frames, 0};
 }
 
 // The files for ParaView beside the run's own, and what its document says of them; nothing for a run without frames.
@@ -119,22 +119,57 @@ Json write_films(const Output& out, const ResultsFolder& folder, const RunResult
   return {{"count", run.frames.frames.size()}, {"series", fmt::format("{}/{}.hdf.series", films, name)}};
 }
 
-int execute(const Invocation& invocation, const RunOptions& options) {
-  const Case& entry = find_case(options.case_name);
+RunChoice chosen_run(const Invocation& invocation, const RunOptions& options) {
+  if (!options.case_name) {
+    throw UsageError("case", "", "a case, or --resume FILE", {},
+                     "run wants a case, as in `plumbline run sod`, or --resume FILE; `plumbline list` names the cases");
+  }
+  const Case& entry = find_case(*options.case_name);
   const auto chosen = chosen_schemes(invocation.options);
   if (chosen.size() > 1)
     throw UsageError("--scheme", chosen[1].scheme, "one scheme or integrator", {},
                      "run takes one scheme or integrator; converge takes several");
   std::vector<Override> overrides = chosen[0].overrides;
   if (options.cells) overrides.emplace_back("cells", static_cast<double>(*options.cells));
-  const Settings settings = entry.settings(chosen[0].scheme, overrides, invocation.options.settings);
-  const FrameRequest frames = frames_of(options);
+  Settings settings = entry.settings(chosen[0].scheme, overrides, invocation.options.settings);
+  return {&entry, chosen[0].scheme, std::move(settings), frames_of(options)};
+}
+
+RunChoice resumed_run(const Invocation& invocation, const RunOptions& options, const RunCheckpoints& checkpoints,
+                      RunChoice kept) {
+  if (options.dry) {
+    throw UsageError("--dry-run", "", "without --resume", {},
+                     "--dry-run estimates a whole run: it cannot be asked together with --resume");
+  }
+  checkpoints.refuse_other_choices(invocation.options, kept, options.case_name, options.cells, options.frames);
+  return kept;
+}
+
+// A state that is whole, but none of this run: files are sealed, so somebody has made it so.
+RunResult made_run(const RunChoice& choice, RunCheckpoints& checkpoints, Making& making, int threads) {
+  try {
+    return make_run(*choice.entry, choice.scheme, choice.settings, choice.frames, making, threads,
+                    checkpoints.states(choice));
+  } catch (const ArchiveError& error) {
+    const std::string& file = checkpoints.resumed_file();
+    throw FileError(file, fmt::format("{}: the state in it is damaged: {}", file, error.what()));
+  }
+}
+
+int execute(const Invocation& invocation, const RunOptions& options) {
+  RunCheckpoints checkpoints(options.checkpoints);
+  std::optional<RunChoice> kept = checkpoints.resumed();
+  const RunChoice choice = kept ? resumed_run(invocation, options, checkpoints, std::move(*kept))
+                                : chosen_run(invocation, options);
+  const Case& entry = *choice.entry;
   const Output out(invocation.options);
-  if (options.dry) return dry_run(out, invocation, entry, chosen[0].scheme, settings);
+  if (options.dry) return dry_run(out, invocation, entry, choice.scheme, choice.settings);
   const ResultsFolder folder(invocation.options.results);
+  if (const RunState* from = checkpoints.from())
+    out.line("{} goes on from step {}, t = {:.6g} s", entry.name(), from->step, from->time);
   Making making;
-  const RunResult run = make_run(entry, chosen[0].scheme, settings, frames, making, invocation.options.threads);
-  const auto declared = declared_run(entry, chosen[0].scheme, settings);
+  const RunResult run = made_run(choice, checkpoints, making, invocation.options.threads);
+  const auto declared = declared_run(entry, choice.scheme, choice.settings);
   const std::vector<JudgedGate> gates = judge_run(entry, run, declared);
   const Provenance provenance = provenance_of(entry, invocation.provenance());
   folder.write_run(run, gates, provenance, making);
@@ -152,18 +187,16 @@ Command add_run(CLI::App& app, Invocation& invocation) {
   CLI::App* sub = app.add_subcommand("run", "one run: measures, ledger, speed, and one result file");
   sub->footer("Example: plumbline run sod --cells 200 --scheme york1997 --set gamma=1.67");
   auto options = std::make_shared<RunOptions>();
-  sub->add_option("case", options->case_name, "the case")->required();
+  sub->add_option("case", options->case_name, "the case; not with --resume");
   sub->add_option("--cells", options->cells, "cells along the case's reference length")->check(whole_number());
   sub->add_option("--frames", options->frames,
                   "keep so many snapshots of all points, evenly spaced in time: in the result file, and as files that "
                   "ParaView opens, in the folder named after it")
       ->check(whole_number());
   sub->add_flag("--dry-run", options->dry, "print points, cells, steps, memory and estimated time only");
+  add_checkpoint_options(*sub, options->checkpoints);
   add_run_options(*sub, invocation.options);
-  return {sub, [&invocation, options, sub] {
-            options->with_frames = sub->count("--frames") > 0;
-            return execute(invocation, *options);
-          }};
+  return {sub, [&invocation, options] { return execute(invocation, *options); }};
 }
 
 }  // namespace plumbline

@@ -5,8 +5,10 @@
 
 #include "cases/coupled/damped_wave.hpp"
 #include "cases/coupled/ring.hpp"
+#include "cases/harness/archive.hpp"
 #include "cases/harness/case.hpp"
 #include "cases/harness/gates.hpp"
+#include "cases/harness/restart_gate.hpp"
 
 namespace plumbline {
 namespace {
@@ -39,6 +41,10 @@ class RingBreathingRun final : public Problem {
     if (!share_) share_.emplace(scene(), shape_);
     times_.push_back(simulation.time());
     shares_.push_back(share_->of(simulation.scene()));
+  }
+  void history(Archive& archive) override {
+    archive("times", times_);
+    archive("shares", shares_);
   }
 
   std::vector<Measure> measures(const Simulation&) const override {
@@ -197,10 +203,11 @@ class RingBreathing final : public Case {
         error_gate("accumulated", "omega", 16,
                    declare("accumulated/omega-16", {{}, 0.01 * omega(1, reference::RingLaw::accumulated)},
                            Origin::target, "within 1 % of its own law's frequency, 7.7 % below that of segments")));
+    all.push_back(restart_gate("default", "runs of gas and membrane"));
     return all;
   }
 
-  GateCount gate_count() const override { return {31, 31}; }
+  GateCount gate_count() const override { return {32, 32}; }
 
  private:
   static double omega(int mode, reference::RingLaw law) {

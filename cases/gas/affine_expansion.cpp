@@ -8,6 +8,7 @@
 #include "cases/gas/fill_ball.hpp"
 #include "cases/gas/gas_case.hpp"
 #include "cases/harness/errors.hpp"
+#include "cases/harness/restart_gate.hpp"
 
 namespace plumbline {
 namespace {
@@ -175,9 +176,10 @@ class AffineExpansionCase final : public Case {
       all.push_back(energy_gate(study));
     }
     all.push_back(no_heating_gate("default", 40));
+    all.push_back(restart_gate("sphere", "axisymmetric runs"));
     return all;
   }
-  GateCount gate_count() const override { return {16, 16}; }
+  GateCount gate_count() const override { return {17, 17}; }
 };
 
 PLUMBLINE_CASE(AffineExpansionCase);

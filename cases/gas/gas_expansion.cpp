@@ -6,6 +6,7 @@
 #include "cases/gas/expansion_watch.hpp"
 #include "cases/gas/fill_ball.hpp"
 #include "cases/gas/gas_case.hpp"
+#include "cases/harness/restart_gate.hpp"
 #include "reference/converged_gas.hpp"
 
 namespace plumbline {
@@ -149,9 +150,10 @@ class GasExpansion final : public Case {
         "edge is squeezed by two hundredths before it expands; without it the rise is a tenth of that",
         {1.005, 1.011}, "2026-11-21 fbef8d3");
     all.push_back(heating);
+    all.push_back(restart_gate("default", "runs that split points"));
     return all;
   }
-  GateCount gate_count() const override { return {9, 9}; }
+  GateCount gate_count() const override { return {10, 10}; }
 };
 
 PLUMBLINE_CASE(GasExpansion);

@@ -7,6 +7,7 @@
 #include "cases/gas/gas_case.hpp"
 #include "cases/gas/shock_front.hpp"
 #include "cases/gas/shock_tube.hpp"
+#include "cases/harness/restart_gate.hpp"
 
 namespace plumbline {
 namespace {
@@ -162,11 +163,11 @@ class PistonShock final : public Case {
       add(published_gates(study));
       add({energy_gate(study), coverage_gate(study, 400)});
     }
-    add({coverage_gate("piston", 100), cut_coverage_gate(100)});
+    add({coverage_gate("piston", 100), cut_coverage_gate(100), restart_gate("default", "runs with pistons that move")});
     return all;
   }
 
-  GateCount gate_count() const override { return {28, 28}; }
+  GateCount gate_count() const override { return {29, 29}; }
 
  private:
   // The three numbers of the statement, from the points. The end is at 0.4 s: a cell there is h/0.4 in the speed.

@@ -3,6 +3,7 @@
 
 #include "cases/gas/gas_case.hpp"
 #include "cases/gas/sod_tube.hpp"
+#include "cases/harness/restart_gate.hpp"
 
 namespace plumbline {
 namespace {
@@ -176,10 +177,11 @@ class Sod final : public Case {
     add(offset_gates());
     add(york_gates());
     add(refinement_gates());
+    all.push_back(restart_gate("default", "runs of a gas"));
     return all;
   }
 
-  GateCount gate_count() const override { return {89, 100}; }
+  GateCount gate_count() const override { return {90, 101}; }
 
  private:
   static constexpr const char* sharper =

@@ -1,6 +1,7 @@
 // Sod's shock tube in space.
 #include "cases/gas/gas_case.hpp"
 #include "cases/gas/sod_tube.hpp"
+#include "cases/harness/restart_gate.hpp"
 
 namespace plumbline {
 namespace {
@@ -82,10 +83,11 @@ class Sod3d final : public Case {
                                     declare("default/density-order", {0.8, {}}, Origin::theory,
                                             "shock and contact allow 1; 0.8 as of the other shock tubes"),
                                     Tier::full));
+    all.push_back(restart_gate("default", "runs in space"));
     return all;
   }
 
-  GateCount gate_count() const override { return {23, 24}; }
+  GateCount gate_count() const override { return {24, 25}; }
 };
 
 PLUMBLINE_CASE(Sod3d);

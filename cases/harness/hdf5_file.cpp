@@ -179,7 +179,7 @@ template void Hdf5Writer::array(const std::string&, std::span<const std::int64_t
 template void Hdf5Writer::array(const std::string&, std::span<const std::int32_t>, std::size_t);
 template void Hdf5Writer::array(const std::string&, std::span<const std::uint8_t>, std::size_t);
 
-void Hdf5Writer::commit() {
+void Hdf5Writer::commit(Flush flush) {
   impl_->require(H5Fflush(impl_->file, H5F_SCOPE_LOCAL) >= 0, "its end");
   const ::ssize_t size = H5Fget_file_image(impl_->file, nullptr, 0);  // without the user block
   impl_->require(size > 0, "its end");
@@ -188,7 +188,7 @@ void Hdf5Writer::commit() {
   H5Fclose(impl_->file);
   impl_->file = -1;
   seal(file);
-  write_sealed_file(impl_->path, file);
+  (flush == Flush::to_disk ? write_text_file : write_sealed_file)(impl_->path, file);
 }
 
 namespace {

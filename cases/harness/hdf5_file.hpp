@@ -36,7 +36,9 @@ class Hdf5Writer {
   void array(const std::string& path, const std::vector<Number>& values, std::size_t columns = 0) {
     array(path, std::span<const Number>(values), columns);
   }
-  void commit();
+  // to_disk: the file is on the disk when this returns, should the power fail. Not so: text_file.hpp, write_sealed_file.
+  enum class Flush { none, to_disk };
+  void commit(Flush flush = Flush::none);
 
  private:
   struct Impl;

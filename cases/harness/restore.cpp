@@ -125,16 +125,6 @@ void restore_numbers(const Json& document, Numbers numbers, RunResult& run) {
   }
 }
 
-Settings restored_settings(const std::string& case_name, const std::string& canonical) {
-  Settings settings = find_case(case_name).settings("default", {});
-  for (std::size_t start = 0; start < canonical.size();) {
-    const std::size_t end = canonical.find('\n', start);
-    settings.set_text(canonical.substr(start, end - start), case_name);
-    start = end + 1;
-  }
-  return settings;
-}
-
 void restore_whole(const Hdf5Reader& file, const Json& document, RunResult& run) {
   run.dim = document.at("dim");
   run.axisymmetric = document.at("axisymmetric");
@@ -152,6 +142,16 @@ void restore_whole(const Hdf5Reader& file, const Json& document, RunResult& run)
 }
 
 }  // namespace
+
+Settings restored_settings(const std::string& case_name, const std::string& canonical) {
+  Settings settings = find_case(case_name).settings("default", {});
+  for (std::size_t start = 0; start < canonical.size();) {
+    const std::size_t end = canonical.find('\n', start);
+    settings.set_text(canonical.substr(start, end - start), case_name);
+    start = end + 1;
+  }
+  return settings;
+}
 
 bool serves(const FrameRequest& kept, const FrameRequest& wanted) {
   if (wanted.count == 0) return true;

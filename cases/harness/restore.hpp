@@ -32,4 +32,7 @@ std::optional<Stored> read_stored(const Hdf5Reader& file);
 // The run as it was. FileError if a part is missing or has changed.
 RunResult read_restore(const Hdf5Reader& file);
 
+// The settings of a case that Settings::canonical() has written. Throws UsageError for what the case does not have.
+Settings restored_settings(const std::string& case_name, const std::string& canonical);
+
 }  // namespace plumbline

@@ -65,9 +65,9 @@ void RunStore::keep(const Case& entry, const RunResult& run, const Making& makin
 }
 
 RunResult make_run(const Case& entry, const std::string& scheme, const Settings& settings, const FrameRequest& frames,
-                   Making& making, int threads) {
+                   Making& making, int threads, const RunStates& states) {
   const auto start = std::chrono::steady_clock::now();
-  RunResult run = run_experiment(entry, scheme, settings, threads, frames);
+  RunResult run = run_experiment(entry, scheme, settings, threads, frames, states);
   run.scheme = result_scheme(entry, scheme, settings);
   run.file = ResultsFolder::run_name(run);
   making = {frames, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};

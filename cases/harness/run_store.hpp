@@ -49,6 +49,6 @@ class RunStore {
 
 // Runs it and gives it the name of its file; nothing is stored.
 RunResult make_run(const Case& entry, const std::string& scheme, const Settings& settings, const FrameRequest& frames,
-                   Making& making, int threads = 1);
+                   Making& making, int threads = 1, const RunStates& states = {});
 
 }  // namespace plumbline

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/harness/simulation_state.hpp"
 #include "cases/judging/integrator_gates.hpp"
 #include "cases/judging/measured_limit.hpp"
 #include "cases/judging/pairs.hpp"
@@ -71,14 +72,18 @@ Measured over_threads(const Subject& subject) {
   return plain(largest_difference(stepped(subject, scene, dt, 4, 1), stepped(subject, scene, dt, 4, 2)));
 }
 
+// As from a file: all that the new run has of the old one is numbers with names.
 Measured restarted(const Subject& subject) {
   const Scene scene = workable(with_some_maps(small_scene("plate"), subject.name()), subject.name());
   Simulation whole(scene, subject.name(), control_of(subject, dt));
   for (int k = 0; k < steps / 2; ++k) whole.step(dt);
-  const Checkpoint half_way = whole.save();
+  Archive writing;
+  archive_simulation(writing, whole, subject.name());
+  const Archive::Table half_way = writing.take();
   for (int k = 0; k < steps / 2; ++k) whole.step(dt);
   Simulation again(scene, subject.name(), control_of(subject, dt));
-  again.restore(half_way);
+  Archive reading(half_way);
+  archive_simulation(reading, again, subject.name());
   for (int k = 0; k < steps / 2; ++k) again.step(dt);
   return plain(largest_difference(places_and_velocities(whole.scene()), places_and_velocities(again.scene())));
 }
@@ -172,7 +177,8 @@ Measured taken_back(const Subject& subject) {
   return plain(std::hypot(mass.displacement() - 0.6, mass.velocity() - 0.8));
 }
 
-constexpr const char* hidden = "state that is kept between steps and that memory() does not name, or a random number";
+constexpr const char* hidden =
+    "state that is kept between steps and that neither memory() nor kept() names, or a random number";
 
 IntegratorGate bits(const std::string& name, const std::string& what, const std::string& why, const std::string& causes,
                     std::function<Measured(const Subject&)> measure) {

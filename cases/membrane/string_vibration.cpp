@@ -2,7 +2,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/harness/archive.hpp"
 #include "cases/harness/gates.hpp"
+#include "cases/harness/restart_gate.hpp"
 #include "cases/membrane/mode_watch.hpp"
 #include "cases/membrane/string.hpp"
 #include "reference/string_vibration.hpp"
@@ -55,6 +57,7 @@ class StringVibrationCase final : public Problem {
   }
 
   void observe(const Simulation& simulation) override { watch_.observe(simulation); }
+  void history(Archive& archive) override { watch_.history(archive); }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {
     const reference::Bounded period = exact_.kirchhoff_period();
@@ -205,10 +208,11 @@ class StringVibrationEntry final : public Case {
                              "the affine transfer loses (kh)^4 a step, steps follow h: order 3, and 0.2 for the "
                              "coarse levels and the interval")));
     }
+    all.push_back(restart_gate("default", "runs of a membrane"));
     return all;
   }
 
-  GateCount gate_count() const override { return {16, 16}; }
+  GateCount gate_count() const override { return {17, 17}; }
 
  private:
   // The period's error over T k^2 (h^2/8 + s^2/24).

@@ -4,8 +4,10 @@
 #include <numbers>
 
 #include "cases/coupled/membrane.hpp"
+#include "cases/harness/archive.hpp"
 #include "cases/harness/extremes.hpp"
 #include "cases/harness/gates.hpp"
+#include "cases/harness/restart_gate.hpp"
 #include "cases/normals/marked_points.hpp"
 #include "kernel/materials/segment_membrane.hpp"
 #include "reference/released_ring.hpp"
@@ -109,6 +111,7 @@ class CylinderProblem final : public Problem {
     const double change = mean_radius(simulation.scene().bodies[1].points) - start_;
     rows_.push_back({simulation.time(), change, exact_.radius_change(simulation.time()).value});
   }
+  void history(Archive& archive) override { archive("rows", rows_); }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {
     const double bound = exact_.radius_change(0).bound;
@@ -289,10 +292,11 @@ class NormalsCylinder final : public Case {
       all.push_back(bursts(study_of(scheme, "york-cubic")));
     }
     for (CaseGate& gate : modern_gates()) all.push_back(std::move(gate));
+    all.push_back(restart_gate("modern", "runs with fitted normals", {{"t_end", 2e-3}}));
     return all;
   }
 
-  GateCount gate_count() const override { return {72, 92}; }
+  GateCount gate_count() const override { return {73, 93}; }
 
  private:
   static std::string study_of(const std::string& scheme, const std::string& method) {

@@ -5,6 +5,7 @@
 
 #include "cases/harness/extremes.hpp"
 #include "cases/harness/gates.hpp"
+#include "cases/harness/restart_gate.hpp"
 #include "cases/solid/elastic_bar.hpp"
 #include "cases/solid/manufactured_case.hpp"
 
@@ -143,10 +144,15 @@ class BarVibrationCase final : public Case {
                                declare(std::string(study) + "/period-13", {9.9, 10.1}, Origin::theory,
                                        "10 s, and 1 % for the strain, which the linear reference does not know")));
     }
+    all.push_back(restart_gate("default", "runs of a solid"));
+    for (const char* integrator : {"implicit-midpoint", "generalized-alpha", "central-difference"}) {
+      all.push_back(restart_gate("default", std::string("runs with the integrator ") + integrator,
+                                 {{"integrator", integrator}, {"transfer", "flip"}}, std::string("-") + integrator));
+    }
     return all;
   }
 
-  GateCount gate_count() const override { return {20, 20}; }
+  GateCount gate_count() const override { return {24, 24}; }
 };
 
 PLUMBLINE_CASE(BarVibrationCase);

@@ -2,8 +2,10 @@
 #include <cmath>
 #include <memory>
 
+#include "cases/harness/archive.hpp"
 #include "cases/harness/errors.hpp"
 #include "cases/harness/gates.hpp"
+#include "cases/harness/restart_gate.hpp"
 #include "cases/solid/collision.hpp"
 #include "cases/solid/fill_solid.hpp"
 #include "kernel/materials/linear_elastic.hpp"
@@ -76,6 +78,12 @@ class TwoBarMeeting final : public Problem {
     const EnergyStores& stores = simulation.ledger().stores;
     history_.push_back({simulation.time(), first.velocity[0], second.velocity[0], first.position[0], second.position[0],
                         stores.kinetic, stores.elastic});
+  }
+  void history(Archive& archive) override {
+    archive("energy", energy_);
+    archive("momentum", momentum_);
+    archive("push", push_);
+    archive("rows", history_);
   }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {
@@ -300,10 +308,11 @@ class TwoBarCase final : public Case {
     add(conservation_gates("fast", {20, 40, 80}, Tier::quick));
     add(contact_gates());
     add(york_gates());
+    all.push_back(restart_gate("default", "runs with contact"));
     return all;
   }
 
-  GateCount gate_count() const override { return {28 + 12 * 5, 32 + 12 * 5}; }
+  GateCount gate_count() const override { return {29 + 12 * 5, 33 + 12 * 5}; }
 
  private:
   static Gate target(const std::string& id, Range range, const std::string& why) {
