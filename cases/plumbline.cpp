@@ -6,8 +6,10 @@
 #include <filesystem>
 
 #include "cases/commands/command.hpp"
+#include "cases/commands/plugins.hpp"
 #include "cases/commands/standard_streams.hpp"
 #include "cases/harness/budget.hpp"
+#include "cases/harness/guarded_integrator.hpp"
 #include "cases/harness/json_text.hpp"
 #include "cases/harness/signals.hpp"
 #include "cases/harness/text_file.hpp"
@@ -68,7 +70,7 @@ int execute(const std::vector<Command>& commands, const CommonOptions& options) 
                                      [](const Command& command) { return command.app->parsed(); });
     if (chosen == commands.end()) return exit_usage;
     refuse_wrong_options(*chosen->app, options);
-    load_plugins(options.plugins);
+    const auto watch = load_plugins(options);
     return chosen->execute();
   } catch (const UsageError& error) {
     report_error(options, error_document(error), error.what());
@@ -81,6 +83,11 @@ int execute(const std::vector<Command>& commands, const CommonOptions& options) 
   } catch (const FileError& error) {
     report_error(options, error_document(error.path, error.what()), error.what());
     return exit_files;
+  } catch (const MisbehavingIntegrator& error) {
+    Json document = error_document("integrator", error.what());
+    document["error"]["value"] = error.integrator;
+    report_error(options, document, error.what());
+    return exit_stopped;
   } catch (const Interrupted& error) {
     print_text(stderr, "plumbline: interrupted, nothing is left half-written\n");
     return 128 + error.signal;

@@ -6,6 +6,7 @@
 
 #include "kernel/integrator_traits.hpp"
 #include "kernel/splitting.hpp"
+#include "kernel/step_under_way.hpp"
 
 namespace plumbline {
 
@@ -31,6 +32,7 @@ void Simulation::step(double longest) {
   try {
     last_dt_ = std::min(longest, control_.dt ? *control_.dt : control_.cfl * engine_->step_limit());
     ++step_;
+    const InStep here(step_, time_);
     engine_->set_time(time_);
     integrator_->step(*engine_, last_dt_);
     if (split_points(scene_, time_ + last_dt_, control_.threads, ledger_) > 0) engine_->points_added();

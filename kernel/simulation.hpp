@@ -50,6 +50,8 @@ class Simulation {
   long steps() const { return step_; }
   long points() const;
   double last_dt() const { return last_dt_; }
+  // The step that cfl = 1 stands for, s, as the points are now.
+  double step_limit() const { return engine_->step_limit(); }
   // Densities and pressures where the points stand now.
   void refresh_density() { engine_->refresh_density(); }
 

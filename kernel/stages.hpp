@@ -2,6 +2,7 @@
 // stage of the step uses those frozen weights, so that masses and weights never come from different instants.
 #pragma once
 
+#include <stdexcept>
 #include <vector>
 
 namespace plumbline {
@@ -15,11 +16,12 @@ namespace plumbline {
 enum class NodalVelocity { current, start, end, midpoint, remapped };
 
 // What time integration advances, all points of all bodies in one vector, or its rate of change. States of one scene
-// combine linearly.
+// combine linearly; those of different sizes throw std::invalid_argument.
 struct State {
   std::vector<double> values;
 
   State& operator+=(const State& other) {
+    if (other.values.size() != values.size()) throw std::invalid_argument("states of two scenes cannot be added");
     for (std::size_t k = 0; k < values.size(); ++k) values[k] += other.values[k];
     return *this;
   }
@@ -34,8 +36,9 @@ class Stages {
  public:
   virtual ~Stages() = default;
 
-  // Cell and shape weights N_ip, grad N_ip of every point, once per step. Whatever maps them wants it first, else throws
-  // std::logic_error.
+  // Cell and shape weights N_ip, grad N_ip of every point, once per step. Stages that use them throw std::logic_error where
+  // since then points were added or one of the two stages below has ended the step, or where points drifted or were set
+  // before any stage had moved or kicked them: only those two keep the weights.
   virtual void locate_points() = 0;
 
   // M_i = sum_p m_p N_ip, M_i v_i = sum_p m_p N_ip v_p (with C_p (x_i - x_p) where the transfer is affine).
@@ -107,7 +110,8 @@ class Stages {
   }
 
   // For methods of lines (Runge-Kutta, implicit): the state, its rate of change where it stands (forces evaluated there),
-  // and setting it. Wants a FLIP transfer. Work between states set by hand is booked under `integration`.
+  // and setting it. Wants a FLIP transfer. Work between states set by hand is booked under `integration`. A state of another
+  // size throws std::invalid_argument.
   virtual State state() const = 0;
   virtual void set_state(const State& state) = 0;
   virtual State rate() = 0;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "kernel/plugin_stamp.hpp"
 #include "kernel/stages.hpp"
 
 namespace plumbline {
@@ -86,10 +87,28 @@ const IntegratorEntry* find_integrator(const std::string& name);
 // out of range.
 void set_parameters(TimeIntegrator& integrator, const std::map<std::string, double>& chosen);
 
-// Registers at start, or when a plug-in is loaded. A name that is taken already, or an entry without `make` or `copy`, throws std::logic_error.
+// Of the file that includes this, one in each object that registers an integrator: hence `static`.
+[[gnu::section(PLUMBLINE_STAMP_SECTION)]] static constexpr PluginStamp stamp_of_this_file = plugin_stamp(
+    {sizeof(std::size_t), sizeof(std::string), sizeof(State), sizeof(NodalVelocity), sizeof(Stages),
+     sizeof(IntegratorParameter), sizeof(OrderClaim), sizeof(KnownFailure), sizeof(Claims), sizeof(TimeIntegrator),
+     sizeof(IntegratorEntry), alignof(IntegratorEntry)});
+
+// Why an integrator cannot be called so; empty if it can. Allowed are 1 to 63 characters of a-z, 0-9, `.`, `_` and `-`, the
+// first a letter or a digit: names become parts of the names of files and of keys.
+std::string name_refusal(const std::string& name);
+
+// Registers at start, or when a plug-in is loaded. A name that is taken already or malformed, an entry without `make` or `copy`,
+// or a stamp other than the kernel's throws std::logic_error, but for what is registered under collect_registrations().
 struct RegisterIntegrator {
-  explicit RegisterIntegrator(IntegratorEntry entry);
+  explicit RegisterIntegrator(IntegratorEntry entry, const PluginStamp& built_against = stamp_of_this_file);
 };
+
+// Calls `load` and returns what was to be registered meanwhile, unchecked and in its order, and registers nothing: where a shared
+// library is loaded, an exception would end the program. Not for several threads at once.
+std::vector<IntegratorEntry> collect_registrations(const std::function<void()>& load);
+
+// What the kernel itself was built against.
+const PluginStamp& kernel_stamp();
 
 }  // namespace plumbline
 

@@ -1,6 +1,5 @@
 #include "cases/commands/command.hpp"
 
-#include <dlfcn.h>
 #include <fmt/color.h>
 #include <fnmatch.h>
 #include <unistd.h>
@@ -87,6 +86,8 @@ void add_json(CLI::App& app, CommonOptions& options) {
   app.add_option("--json", options.json, "write JSON to a file, or - for standard output")->check(not_empty());
   app.add_option("--plugin", options.plugins, "shared library that registers integrators (repeatable)")
       ->allow_extra_args(false);
+  app.add_option("--step-limit", options.step_limit,
+                 "of plug-ins: seconds that one step may take; by the size of the scene if not given");
 }
 
 void add_scheme_options(CLI::App& app, CommonOptions& options) {
@@ -207,16 +208,6 @@ std::vector<const Case*> matching_cases(const std::vector<std::string>& patterns
     if (chosen[k]) entries.push_back(cases()[k]);
   }
   return entries;
-}
-
-void load_plugins(const std::vector<std::string>& files) {
-  for (const std::string& file : files) {
-    // dlopen searches system folders for a bare name; a plug-in is a file.
-    const std::string path = file.find('/') == std::string::npos ? "./" + file : file;
-    if (!::dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL))
-      throw FileError(file, fmt::format("plug-in {}: {}", file, ::dlerror()));
-    add_plugin_to_code(path);
-  }
 }
 
 int exit_of(bool stopped, const std::vector<JudgedGate>& gates, bool allow_inconclusive) {

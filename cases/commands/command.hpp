@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct CommonOptions {
   int threads = 1;
   std::string results = "results", json;
   bool allow_inconclusive = false, reuse = false;
+  std::optional<double> step_limit;  // s, of plug-ins
 };
 
 // One command: options into its own App, and what it does; returns the exit status.
@@ -105,8 +107,6 @@ void end_progress();
 
 // The cases whose names match one of the patterns, all if there is none. Throws UsageError for a pattern without a match.
 std::vector<const Case*> matching_cases(const std::vector<std::string>& patterns);
-
-void load_plugins(const std::vector<std::string>& files);
 
 // Exit status of finished work: 3 if a run stopped, else by verdicts.
 int exit_of(bool stopped, const std::vector<JudgedGate>& gates, bool allow_inconclusive);

@@ -1,6 +1,7 @@
 #include "cases/exchange/scoreboard.hpp"
 #include "cases/commands/adapters.hpp"
 #include "cases/commands/child_process.hpp"
+#include "cases/commands/plugins.hpp"
 #include "cases/harness/json_text.hpp"
 #include "cases/harness/text_file.hpp"
 
@@ -84,7 +85,7 @@ int judge_alone(const ScoreFolder& folder, const std::string& only) {
 
 Trial trial_of(const CommonOptions& common, const ScoreboardOptions& options) {
   std::vector<std::string> words{"/proc/self/exe", "scoreboard", options.folder};
-  for (const std::string& plugin : common.plugins) words.insert(words.end(), {"--plugin", plugin});
+  for (const std::string& word : plugin_words(common)) words.push_back(word);
   return [words, timeout = options.timeout](const std::string& program, const Start& start) {
     std::vector<std::string> all = words;
     all.push_back("--only=" + program + "/" + start.name);

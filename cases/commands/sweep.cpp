@@ -5,8 +5,10 @@
 
 #include "cases/commands/child_process.hpp"
 #include "cases/commands/command.hpp"
+#include "cases/commands/plugins.hpp"
 #include "cases/commands/sweep_pool.hpp"
 #include "cases/harness/budget.hpp"
+#include "cases/harness/guarded_integrator.hpp"
 #include "cases/harness/hdf5_file.hpp"
 #include "cases/harness/json_text.hpp"
 #include "cases/harness/plan.hpp"
@@ -116,11 +118,18 @@ struct Outcome {
   std::string tier;
   std::size_t made = 0, kept = 0;
   std::map<std::string, std::string> failed = {};
-  bool files = false;
-  int status() const { return failed.empty() ? 0 : files ? exit_files : exit_red; }
+  bool files = false;       // a run failed for a file's sake
+  bool misbehaved = false;  // in one an integrator of a plug-in did what none may
+  int status() const {
+    if (!failed.empty() && files) return exit_files;
+    return misbehaved ? exit_stopped : failed.empty() ? 0 : exit_red;
+  }
 };
 
-Json document_of(const Outcome& outcome, const std::vector<PlanRun>& runs, const ResultsFolder& folder,
+bool is_misbehaviour(const Json& stop) { return stop.is_object() && stop.at("field") == misbehaviour_field; }
+
+// Looks at the runs that are there, too: what was made once is not made again.
+Json document_of(Outcome& outcome, const std::vector<PlanRun>& runs, const ResultsFolder& folder,
                  const Provenance& provenance) {
   Json failed = Json::array(), made = Json::array();
   for (const PlanRun& run : runs) {
@@ -128,6 +137,7 @@ Json document_of(const Outcome& outcome, const std::vector<PlanRun>& runs, const
       failed.push_back({{"file", run.file}, {"case", run.entry->name()}, {"error", why->second}});
     } else {
       made.push_back(swept(folder, run));
+      outcome.misbehaved = outcome.misbehaved || is_misbehaviour(made.back().at("stop"));
     }
   }
   return {{"tier", outcome.tier},
@@ -156,12 +166,15 @@ Outcome run_here(const std::vector<PlanRun>& runs, RunStore& store, const Output
         const RunResult result = make_run(*run.entry, run.scheme, run.settings, run.frames, making);
         store.keep(*run.entry, result, making);
         ++outcome.made;
+        const bool misbehaved = result.stop && result.stop->field == misbehaviour_field;
+        outcome.misbehaved = outcome.misbehaved || misbehaved;
         out.line("{}{} in {:.3g} s{}", made_mark, run.file, making.elapsed_s, result.stop ? ", stopped" : "");
       }
     } catch (const Interrupted&) {
       throw;
     } catch (const std::exception& error) {
       outcome.files = outcome.files || dynamic_cast<const FileError*>(&error);
+      outcome.misbehaved = outcome.misbehaved || dynamic_cast<const MisbehavingIntegrator*>(&error);
       outcome.failed[run.file] = error.what();
       out.line("{}{}: {}", failed_mark, run.file, error.what());
     }
@@ -198,7 +211,7 @@ PoolOptions pool_options(const CommonOptions& common, const SweepOptions& option
   pool.words = {"--results",    common.results,
                 "--max-memory", fmt::format("{:.0f}", budget().memory),
                 "--max-steps",  fmt::format("{}", budget().steps)};
-  for (const std::string& plugin : common.plugins) pool.words.insert(pool.words.end(), {"--plugin", plugin});
+  for (const std::string& word : plugin_words(common)) pool.words.push_back(word);
   return pool;
 }
 
@@ -218,6 +231,7 @@ int sweep_all(const Invocation& invocation, const SweepOptions& options) {
     outcome.made = result.made;
     outcome.failed = result.failed;
     outcome.files = result.files;
+    outcome.misbehaved = result.misbehaved;
   }
   const Json document = document_of(outcome, work.runs, folder, provenance);
   write_summary(folder, document);

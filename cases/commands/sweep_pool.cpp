@@ -205,6 +205,7 @@ class Pool {
 
   void finish(const Worker& worker, int status) {
     if (status == exit_files) result_.files = true;
+    if (status == exit_stopped) result_.misbehaved = true;
     for (const PlanRun& run : worker.job.batch->runs) {
       const bool its_own = worker.job.only.empty() || worker.job.only == run.file;
       if (!its_own || done_.count(run.file) > 0 || result_.failed.count(run.file) > 0) continue;

@@ -21,6 +21,7 @@ struct PoolResult {
   std::size_t made = 0;                       // runs that processes made, or found that others had made
   std::map<std::string, std::string> failed;  // why, by file
   bool files = false;                         // a process ended for a file's sake
+  bool misbehaved = false;                    // one ended by what an integrator of a plug-in did
 };
 
 // Runs all of them; runs that are missing after their batch has ended are tried once more, each alone. Shows progress on

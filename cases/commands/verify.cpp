@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "cases/commands/command.hpp"
+#include "cases/harness/guarded_integrator.hpp"
 #include "cases/harness/json_text.hpp"
 #include "cases/harness/text_file.hpp"
 #include "cases/judging/judge.hpp"
@@ -108,25 +109,40 @@ Json opponent(const std::string& against, const Subject& subject, Json& half, co
   return other_half;
 }
 
-// The gates of each integrator, and its scorecard; the latter to the results folder, too.
-Json judge_integrators(const CommonOptions& common, const VerifyOptions& options, const ResultsFolder& folder,
-                       Verification& verification) {
+// Written to the results folder, too.
+Json scorecard_of(const Subject& subject, const JudgedIntegrator& judged, const VerifyOptions& options,
+                  const JudgingOptions& how, const ResultsFolder& folder) {
+  Json half = scorecard_half(subject, judged, how);
+  const Json against = opponent(options.against, subject, half, how);
+  Json card = scorecard(std::move(half), against, judged);
+  card["gates"] = to_json(judged.gates);
+  card["not_applicable"] = to_json(judged.not_applicable);
+  write_text_file(folder.path() + "/scorecard-" + subject.name() + ".json", json_text(card, 1) + "\n");
+  return card;
+}
+
+struct Scorecards {
+  Json all = Json::array();
+  bool missing = false;  // an integrator misbehaved where one was to be made
+};
+
+// The gates of each integrator, and its scorecard.
+Scorecards judge_integrators(const CommonOptions& common, const VerifyOptions& options, const ResultsFolder& folder,
+                             Verification& verification) {
   const bool with_cases = !options.patterns.empty();
   const JudgingOptions how{options.core || with_cases ? Effort::core : Effort::whole, threads_for_judging(common),
                            options.until_red};
-  Json scorecards = Json::array();
+  Scorecards scorecards;
   for (const std::string& name : common.integrators) {
     const Subject plain({name, {}});
     const Subject subject({name, parameters_of(plain, common.settings, with_cases)});
     JudgedIntegrator judged = judge_integrator(subject, how, judging_progress(name));
     end_progress();
-    if (!options.until_red) {
-      Json half = scorecard_half(subject, judged, how);
-      const Json against = opponent(options.against, subject, half, how);
-      scorecards.push_back(scorecard(std::move(half), against, judged));
-      scorecards.back()["gates"] = to_json(judged.gates);
-      scorecards.back()["not_applicable"] = to_json(judged.not_applicable);
-      write_text_file(folder.path() + "/scorecard-" + name + ".json", json_text(scorecards.back(), 1) + "\n");
+    try {
+      if (!options.until_red) scorecards.all.push_back(scorecard_of(subject, judged, options, how, folder));
+    } catch (const MisbehavingIntegrator& error) {  // its gates keep their verdicts
+      Output(common).line("no scorecard of {}: {}", name, error.what());
+      scorecards.missing = true;
     }
     verification.declared += judged.declared;
     std::move(judged.gates.begin(), judged.gates.end(), std::back_inserter(verification.gates));
@@ -169,7 +185,7 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
   RunStore store(folder, provenance, common.reuse);
   const Output out(common);
   Verification verification;
-  const Json scorecards = judge_integrators(common, options, folder, verification);
+  const Scorecards scorecards = judge_integrators(common, options, folder, verification);
   const bool integrators_alone = options.patterns.empty() && common.schemes.empty() && !common.integrators.empty();
   if (!integrators_alone) verify_cases(common, options, store, verification);
   const Json document{{"gates", to_json(verification.gates)},
@@ -177,7 +193,7 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
                       {"executed", verification.gates.size()},
                       {"declared", verification.declared},
                       {"not_applicable", to_json(verification.not_applicable)},
-                      {"scorecards", scorecards},
+                      {"scorecards", scorecards.all},
                       {"tier", options.tier}};
   if (!integrators_alone) folder.write_verdicts(document, verification.entries, options.tier, provenance);
   out.gates(worth_a_line(verification.gates));
@@ -190,7 +206,7 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
   }
   out.line("{} gates executed, {} not applicable, {} declared:{}", verification.gates.size(),
            verification.not_applicable.size(), verification.declared, counts);
-  for (const Json& card : scorecards) {
+  for (const Json& card : scorecards.all) {
     for (const std::string& line : scorecard_lines(card)) out.line("{}", line);
   }
   print_reused(out, store);
@@ -202,7 +218,8 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
   }
   const bool red = std::any_of(verification.gates.begin(), verification.gates.end(),
                                [&](const JudgedGate& gate) { return is_red(gate, common.allow_inconclusive); });
-  return red || verification.gates.empty() ? exit_red : 0;
+  if (red || verification.gates.empty()) return exit_red;
+  return scorecards.missing ? exit_stopped : 0;
 }
 
 }  // namespace

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "cases/harness/budget.hpp"
 #include "cases/harness/errors.hpp"
+#include "cases/harness/guarded_integrator.hpp"
 #include "cases/harness/signals.hpp"
 #include "cases/harness/simulation_state.hpp"
 #include "kernel/inadmissible.hpp"
@@ -184,6 +186,7 @@ RunResult run_experiment(const Case& entry, const std::string& scheme, const Set
     StepControl control = step_control(settings);
     control.threads = threads;
     Simulation simulation(std::move(scene), settings.text("integrator"), control);
+    result.courant = control.dt ? *control.dt / simulation.step_limit() : control.cfl;
     LedgerRecorder recorder(result.dim, result.axisymmetric);
     FrameRecorder pictures(frames, simulation.scene(), result.end_time);
     pictures.look(simulation);
@@ -238,6 +241,9 @@ RunResult run_experiment(const Case& entry, const std::string& scheme, const Set
     } catch (const InadmissibleState&) {
       finish();
       throw;
+    } catch (const MisbehavingIntegrator&) {
+      finish();
+      throw;
     }
     simulation.refresh_density();
     result.measures = problem->measures(simulation);
@@ -249,6 +255,9 @@ RunResult run_experiment(const Case& entry, const std::string& scheme, const Set
                         "case=" + entry.name(), parts.lacks);
   } catch (const InadmissibleState& state) {
     result.stop = Stop{state.reason, state.body, state.field, state.step, state.time, state.point, state.value};
+  } catch (const MisbehavingIntegrator& error) {
+    if (error.step == 0) throw;
+    result.stop = Stop{error.reason, "all", misbehaviour_field, error.step, error.time, 0, std::nan("")};
   }
   return result;
 }

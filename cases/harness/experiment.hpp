@@ -42,6 +42,7 @@ struct RunResult {
   bool axisymmetric = false;
   double h = 0;   // cell size, m
   double dt = 0;  // mean step, s
+  double courant = 0;  // of the first step: dt over what cfl = 1 allows
   bool finished = false;
   std::optional<Stop> stop;
   long steps = 0, points = 0;
@@ -84,10 +85,5 @@ StepControl step_control(const Settings& settings);
 // are asked for.
 RunResult run_experiment(const Case& entry, const std::string& scheme, const Settings& settings, int threads = 1,
                          const FrameRequest& frames = {}, const RunStates& states = {});
-
-// SIGINT and SIGTERM end the runs under way at their next step: installs the handlers.
-void end_runs_on_signals();
-// Throws Interrupted if one has arrived.
-void throw_if_interrupted();
 
 }  // namespace plumbline

@@ -24,7 +24,7 @@ std::span<const std::uint8_t> bytes_of(const Ledger& ledger) {
 // All numbers that are no table, in one order for writing and reading; JSON has no way to write NaN, nor infinities. Not
 // the time that the run took, so that the same run gives the same bytes.
 std::vector<double> loose_numbers(const RunResult& run) {
-  std::vector<double> all{run.h, run.dt, run.end_time};
+  std::vector<double> all{run.h, run.dt, run.courant, run.end_time};
   if (run.stop) all.insert(all.end(), {run.stop->time, run.stop->value});
   for (const Measure& m : run.measures) {
     all.insert(all.end(), {m.error, m.scale, m.value.value_or(0), m.reference.value_or(0), m.reference_bound});
@@ -105,7 +105,7 @@ void restore_tables(const Hdf5Reader& file, const Json& names, RunResult& run) {
 }
 
 void restore_numbers(const Json& document, Numbers numbers, RunResult& run) {
-  for (double* value : {&run.h, &run.dt, &run.end_time}) *value = numbers.next();
+  for (double* value : {&run.h, &run.dt, &run.courant, &run.end_time}) *value = numbers.next();
   if (const Json& stop = document.at("stop"); !stop.is_null()) {
     const double time = numbers.next(), value = numbers.next();
     run.stop = Stop{

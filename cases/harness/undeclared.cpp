@@ -37,13 +37,11 @@ Measured courant_number(const StudyResult& study) {
   Measured measured;
   measured.value = 0;
   for (const StudyLevel& at : study.levels) {
-    const Settings& settings = at.run.settings;
-    if (settings.is_set("dt") || !has_a_limit(settings.text("integrator"))) continue;
-    measured.value = larger(*measured.value, settings.number("cfl"));
+    if (has_a_limit(at.run.settings.text("integrator"))) measured.value = larger(*measured.value, at.run.courant);
   }
   measured.inconclusive = *measured.value > far_above;
   if (measured.inconclusive) {
-    measured.note = fmt::format("cfl = {:g} is far above every limit that `plumbline stability` finds",
+    measured.note = fmt::format("a first step of {:g} h/c is far above every limit that `plumbline stability` finds",
                                 *measured.value);
   }
   return measured;

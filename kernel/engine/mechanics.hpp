@@ -237,6 +237,7 @@ class Mechanics final : public Engine {
   void touch(const Located& at, Field& field) const;
   void touch_alone(const Located& at, Field& field) const;
   void keep_places(Body& body, Located& at) const;
+  void want_places(const char* stage) const;
   void solve_velocity(Field& field, std::vector<Vec>& velocity) const;
   const std::vector<Vec>& straining_velocity(Field& field, NodalVelocity which) const;
   double drive(const Field& field, std::vector<Vec>& velocity, WallAction<dim>& action) const;
@@ -276,6 +277,7 @@ class Mechanics final : public Engine {
   const Survey& surveyed() const;
   template <class Visit>
   void for_state_columns(Visit&& visit) const;
+  void want_size(const State& state) const;
 
   Scene& scene_;
   Ledger& ledger_;
@@ -299,7 +301,7 @@ class Mechanics final : public Engine {
   Pending pending_;
   NodalVelocity current_ = NodalVelocity::start;
   std::unique_ptr<Contact<dim>> contact_;  // null: none
-  bool places_known_ = false;              // located since points were last set or added
+  bool places_known_ = false;              // the weights of where the points were last located are at hand
   bool moved_ = true, forces_mapped_ = false, sorting_ = true, loaded_ = false, contact_decided_ = false;
   double time_ = 0, load_ahead_ = 0;  // of the step's start; how far after it the loads are wanted, s
   double drifted_ = 0;                // how far after it points stand by drift_points() alone, s

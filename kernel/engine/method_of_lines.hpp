@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "kernel/engine/chunks.hpp"
@@ -30,7 +31,19 @@ State Mechanics<G, S, T>::state() const {
 }
 
 template <class G, class S, class T>
+void Mechanics<G, S, T>::want_size(const State& state) const {
+  std::size_t wanted = 0;
+  for_state_columns(
+      [&](std::size_t b, const ColumnId& id) { wanted += std::as_const(scene_.bodies[b].points).values(id).size(); });
+  if (state.values.size() == wanted) return;
+  throw std::invalid_argument("a state of " + std::to_string(state.values.size()) + " numbers where the scene has " +
+                              std::to_string(wanted));
+}
+
+template <class G, class S, class T>
 void Mechanics<G, S, T>::set_state(const State& state) {
+  want_size(state);
+  places_known_ = places_known_ && moved_;
   const Totals before = totals();
   auto next = state.values.begin();
   for_state_columns([&](std::size_t b, const ColumnId& id) {
@@ -51,6 +64,7 @@ void Mechanics<G, S, T>::set_state(const State& state) {
 
 template <class G, class S, class T>
 State Mechanics<G, S, T>::velocities_of(State state) const {
+  want_size(state);
   auto next = state.values.begin();
   for_state_columns([&](std::size_t b, const ColumnId& id) {
     const auto end = next + static_cast<std::ptrdiff_t>(scene_.bodies[b].points.values(id).size());

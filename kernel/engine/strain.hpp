@@ -180,6 +180,7 @@ void Mechanics<G, S, T>::settle_power() {
 // Strain before the forces are known waits: its stress power is booked with the stress that the forces use.
 template <class G, class S, class T>
 void Mechanics<G, S, T>::strain_points(double dt, NodalVelocity velocity) {
+  want_places("strain_points");
   settle_power();
   find_all_strain_rates(velocity);
   survey_.reset();
@@ -247,6 +248,7 @@ void Mechanics<G, S, T>::find_grid_density(Field& field, const std::vector<doubl
 // grid's mass of this step is the body's own, it serves. Point forces are those of places, which may have drifted.
 template <class G, class S, class T>
 void Mechanics<G, S, T>::evaluate_stress_ahead(NodalVelocity velocity, double ahead, bool and_forces) {
+  want_places(ahead == 0 ? "evaluate_stress" : "predict_stress");
   settle_power();
   survey_.reset();
   load_ahead_ = ahead;
@@ -350,6 +352,7 @@ void Mechanics<G, S, T>::map_own_mass(Body& body, Located& at, Field& field) {
 
 template <class G, class S, class T>
 bool Mechanics<G, S, T>::reverse_cooling() {
+  want_places("reverse_cooling");
   find_all_strain_rates(NodalVelocity::midpoint);
   int changed = 0;
   for (std::size_t b = 0; b < located_.size(); ++b) {

@@ -67,8 +67,7 @@ double Mechanics<G, S, T>::drive(const Field& field, std::vector<Vec>& velocity,
 
 template <class G, class S, class T>
 void Mechanics<G, S, T>::map_mass_and_momentum() {
-  if (!places_known_)
-    throw std::logic_error("map_mass_and_momentum wants the points located: locate_points comes first");
+  want_places("map_mass_and_momentum");
   grid_mass_ = 0;
   pending_.map_wall = {};
   pending_.map_loss = pending_.map_wall_work = 0;
@@ -126,6 +125,7 @@ void Mechanics<G, S, T>::settle_loss() {
 
 template <class G, class S, class T>
 void Mechanics<G, S, T>::map_momentum() {
+  want_places("map_momentum");
   for (Field& field : fields_) field.for_touched(grid_, [&](std::size_t i) { field.momentum[i].setZero(); });
   for (std::size_t b = 0; b < located_.size(); ++b) {
     for_chunks_writing_nodes(located_[b], [&](const Chunk& chunk) {
@@ -264,6 +264,7 @@ void Mechanics<G, S, T>::clear_forces() {
 
 template <class G, class S, class T>
 void Mechanics<G, S, T>::map_forces() {
+  want_places("map_forces");
   settle_pending_strain();
   clear_forces();
   for (std::size_t b = 0; b < located_.size(); ++b) {
@@ -366,6 +367,7 @@ void Mechanics<G, S, T>::touch_bodies(double dt) {
 
 template <class G, class S, class T>
 void Mechanics<G, S, T>::advance_momentum(double dt) {
+  want_places("advance_momentum");
   pending_.wall = {};
   pending_.body.setZero();
   pending_.body_angular.setZero();

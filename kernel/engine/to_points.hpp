@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "kernel/engine/chunks.hpp"
 
@@ -237,6 +239,13 @@ void Mechanics<G, S, T>::keep_places(Body& body, Located& at) const {
   }
 }
 
+// Without its weights a stage would read and write anywhere.
+template <class G, class S, class T>
+void Mechanics<G, S, T>::want_places(const char* stage) const {
+  if (!places_known_)
+    throw std::logic_error(std::string(stage) + " wants the points located: locate_points comes first");
+}
+
 template <class G, class S, class T>
 void Mechanics<G, S, T>::stop_if_too_far(const MotionSums& sums, const Body& body) const {
   if (sums.too_far < 0) return;
@@ -353,11 +362,13 @@ void Mechanics<G, S, T>::filter_velocities() {
 
 template <class G, class S, class T>
 void Mechanics<G, S, T>::move_points(double dt, NodalVelocity carrying) {
+  want_places("move_points");
   gather_all_motion(dt, {}, carrying);
 }
 
 template <class G, class S, class T>
 void Mechanics<G, S, T>::kick_points(double dt) {
+  want_places("kick_points");
   gather_all_motion(dt, 0.0, NodalVelocity::end);
 }
 
@@ -388,6 +399,7 @@ void Mechanics<G, S, T>::gather_all_motion(double dt, std::optional<double> drif
 template <class G, class S, class T>
 void Mechanics<G, S, T>::drift_points(double dt) {
   survey_.reset();
+  places_known_ = places_known_ && moved_;  // what has moved before keeps the weights that moved it
   drifted_ += dt;
   MotionSums sums;
   for (std::size_t b = 0; b < located_.size(); ++b) {
@@ -423,6 +435,7 @@ void Mechanics<G, S, T>::drift_points(double dt) {
 
 template <class G, class S, class T>
 void Mechanics<G, S, T>::return_transfer_loss() {
+  want_places("return_transfer_loss");
   survey_.reset();
   hand_loss_over();
   for (std::size_t b = 0; b < located_.size(); ++b) {
@@ -452,6 +465,7 @@ void Mechanics<G, S, T>::kick_heat_and_drift_points(double dt, double drift) {
 
 template <class G, class S, class T>
 void Mechanics<G, S, T>::finish_points(double dt, std::optional<double> drift) {
+  want_places(drift ? "kick_heat_and_drift_points" : "move_and_heat_points");
   settle_loss();
   filter_velocities();
   struct Sums {
@@ -542,6 +556,7 @@ void Mechanics<G, S, T>::finish_points(double dt, std::optional<double> drift) {
   ledger_.energy.book(Flow::constitutive, all.stored - all.power.power);
   ledger_.energy.book(Flow::transfer, all.returned);
   rate_of_ = NodalVelocity::current;
+  places_known_ = false;  // nobody kept where the points stood: a step ends here
   all.survey.totals.grid_mass = grid_mass_;
   survey_ = all.survey;
 }

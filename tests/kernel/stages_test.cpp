@@ -2,6 +2,7 @@
 // states.
 #include "kernel/stages.hpp"
 
+#include <functional>
 #include <limits>
 #include <stdexcept>
 
@@ -183,6 +184,64 @@ TEST(Stages, MapsWantThePointsLocated) {
   EXPECT_THROW(engine->map_mass_and_momentum(), std::logic_error);
   engine->locate_points();
   EXPECT_NO_THROW(engine->map_mass_and_momentum());
+}
+
+// After what ends a step, after a drift, and after a state was set, the weights are of places where the points no longer are.
+TEST(Stages, WeightsAreOfThePlacesWherePointsWereLocated) {
+  Scene scene = scenes::rough_gas(1, "quadratic", "flip");
+  Ledger ledger;
+  const auto engine = make_engine(scene, ledger, {.keep_loss = true});
+  engine->initialise();
+  const std::vector<std::function<void(double)>> ends{[&](double dt) { engine->drift_points(dt); },
+                                                      [&](double dt) { engine->move_and_heat_points(dt); },
+                                                      [&](double dt) { engine->kick_heat_and_drift_points(dt, dt); },
+                                                      [&](double) { engine->set_state(engine->state()); }};
+  const std::vector<std::function<void()>> users{[&] { engine->map_mass_and_momentum(); },
+                                                 [&] { engine->map_momentum(); },
+                                                 [&] { engine->map_forces(); },
+                                                 [&] { engine->advance_momentum(1e-4); },
+                                                 [&] { engine->move_points(1e-4, NodalVelocity::end); },
+                                                 [&] { engine->kick_points(1e-4); },
+                                                 [&] { engine->strain_points(1e-4, NodalVelocity::start); },
+                                                 [&] { engine->evaluate_stress(NodalVelocity::start); },
+                                                 [&] { engine->predict_stress(1e-4, NodalVelocity::start); },
+                                                 [&] { engine->predict_stress_and_map_forces(1e-4); },
+                                                 [&] { engine->reverse_cooling(); },
+                                                 [&] { engine->return_transfer_loss(); },
+                                                 [&] { engine->move_and_heat_points(1e-4); },
+                                                 [&] { engine->kick_heat_and_drift_points(1e-4, 1e-4); }};
+  for (const auto& end : ends) {
+    engine->locate_points();
+    engine->map_mass_and_momentum();
+    engine->map_forces();
+    engine->advance_momentum(1e-4);
+    end(1e-4);
+    for (std::size_t k = 0; k < users.size(); ++k) EXPECT_THROW(users[k](), std::logic_error) << k;
+  }
+  engine->locate_points();
+  engine->map_mass_and_momentum();
+  engine->map_forces();
+  engine->advance_momentum(1e-4);
+  engine->move_points(1e-4, NodalVelocity::end);
+  engine->drift_points(1e-4);
+  engine->set_state(engine->state());
+  EXPECT_NO_THROW(engine->map_momentum()) << "the stage that moved them kept their places";
+}
+
+TEST(Stages, AStateOfAnotherSizeIsNone) {
+  Scene scene = scenes::rough_gas(1, "quadratic", "flip");
+  Ledger ledger;
+  const auto engine = make_engine(scene, ledger, {});
+  engine->initialise();
+  const State right = engine->state();
+  for (const std::size_t size : {std::size_t{0}, right.values.size() - 1, right.values.size() + 1}) {
+    State wrong = right;
+    wrong.values.resize(size);
+    EXPECT_THROW(engine->set_state(wrong), std::invalid_argument) << size;
+    EXPECT_THROW(engine->velocities_of(wrong), std::invalid_argument) << size;
+    EXPECT_THROW(right + wrong, std::invalid_argument) << size;
+  }
+  EXPECT_EQ(engine->state().values, right.values);
 }
 
 TEST(Stages, RatesWantFlip) {

@@ -123,6 +123,50 @@ TEST(TimeIntegrator, ANameIsTakenOnce) {
   EXPECT_THROW(RegisterIntegrator{again}, std::logic_error);
 }
 
+TEST(TimeIntegrator, ANameIsPlain) {
+  for (const std::string good : {"musl", "0", "a.b_c-d", std::string(63, 'x')})
+    EXPECT_EQ(name_refusal(good), "") << good;
+  for (const std::string bad : {"", "-", ".x", "../x", "a b", "a\n", "Capital", "\xc3\xa4", std::string(64, 'x')}) {
+    EXPECT_NE(name_refusal(bad), "") << bad;
+    IntegratorEntry entry = *find_integrator("musl");
+    entry.name = bad;
+    EXPECT_THROW(RegisterIntegrator{entry}, std::logic_error) << bad;
+  }
+}
+
+TEST(TimeIntegrator, OneBuiltAgainstAnotherKernelIsNone) {
+  IntegratorEntry entry = *find_integrator("musl");
+  entry.name = "test_other_kernel";
+  PluginStamp other = kernel_stamp();
+  other.text[8] = 'x';
+  EXPECT_THROW(RegisterIntegrator(entry, other), std::logic_error);
+  EXPECT_EQ(find_integrator(entry.name), nullptr);
+}
+
+// The stamp is text of lines; the sizes of types stand in its last.
+TEST(TimeIntegrator, TheStampTellsSizes) {
+  const std::string stamp = plugin_stamp({8, 32}).text, same = plugin_stamp({8, 32}).text,
+                    other = plugin_stamp({32, 8}).text;
+  EXPECT_EQ(stamp, same);
+  EXPECT_NE(stamp, other);
+  EXPECT_EQ(stamp.substr(0, stamp.rfind('\n')), other.substr(0, other.rfind('\n')));
+  EXPECT_EQ(std::string(kernel_stamp().text), stamp_of_this_file.text);
+  EXPECT_THAT(stamp, testing::StartsWith("version " PLUMBLINE_VERSION "\nheaders "));
+}
+
+TEST(TimeIntegrator, RegistrationsAreCollectedUnchecked) {
+  const std::size_t before = integrators().size();
+  const auto found = collect_registrations([] {
+    RegisterIntegrator({"musl", "", "", {}, {}});
+    RegisterIntegrator({"", "", "", {}, {}});
+  });
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].name, "musl");
+  EXPECT_EQ(integrators().size(), before);
+  EXPECT_THROW(collect_registrations([] { throw std::runtime_error("no library"); }), std::runtime_error);
+  EXPECT_THROW(RegisterIntegrator({"musl", "", "", {}, {}}), std::logic_error) << "checked again";
+}
+
 TEST(TimeIntegrator, ClaimsNothingUnlessItSaysSo) {
   const Claims claims = SecondMap().claims();
   EXPECT_TRUE(claims.orders.empty() && claims.known_failures.empty());
