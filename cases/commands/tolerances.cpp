@@ -1,4 +1,4 @@
-#include <fstream>
+#include <filesystem>
 #include <memory>
 
 #include "cases/commands/command.hpp"
@@ -37,7 +37,8 @@ int execute(const CommonOptions& common, const TolerancesOptions& options) {
   const std::vector<LedgerLine> declared = declared_lines(cases(), today());
   if (options.update) {
     std::vector<LedgerLine> recorded;
-    if (std::ifstream(options.file)) recorded = read_ledger(options.file);
+    std::error_code none;
+    if (std::filesystem::exists(options.file, none)) recorded = read_ledger(options.file);
     write_ledger(options.file, updated(recorded, declared, options.why, today()));
   }
   const std::vector<LedgerLine> recorded = read_ledger(options.file);

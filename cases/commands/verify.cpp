@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <sstream>
 #include <thread>
 
 #include "cases/commands/command.hpp"
 #include "cases/harness/guarded_integrator.hpp"
+#include "cases/harness/input_file.hpp"
 #include "cases/harness/json_text.hpp"
 #include "cases/harness/text_file.hpp"
 #include "cases/judging/judge.hpp"
@@ -86,8 +86,7 @@ int threads_for_judging(const CommonOptions& common) {
 }
 
 Json read_scorecard(const std::string& file) {
-  std::ifstream stream(file);
-  const Json document = Json::parse(stream, nullptr, false);
+  const Json document = Json::parse(read_text_file(file), nullptr, false);
   if (document.is_discarded() || !document.is_object()) throw FileError(file, file + ": not a scorecard");
   const Json* card = document.contains("scorecards") && !document["scorecards"].empty() ? &document["scorecards"][0]
                                                                                         : &document;

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <limits>
 
 #include "cases/harness/hdf5_file.hpp"
+#include "cases/harness/input_file.hpp"
 #include "cases/harness/json_text.hpp"
 #include "cases/harness/nearest.hpp"
 #include "cases/harness/results.hpp"
@@ -94,16 +94,14 @@ Json parsed(const std::string& file, const std::string& content) {
   try {
     return parse_json(content);
   } catch (const nlohmann::json::exception& error) {
-    throw FileError(file, fmt::format("not JSON: {}", error.what()));
+    throw FileError(file, "not JSON: " + fault_of(error));
   }
 }
 
 Json part(const std::string& file, const std::string& path) { return parsed(file, read_hdf5_text(file, path)); }
 
 Json json_file(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw FileError(file, "cannot be opened");
-  return parsed(file, {std::istreambuf_iterator<char>(in), {}});
+  return parsed(file, read_text_file(file));
 }
 
 void require_known_format(const std::string& file) {

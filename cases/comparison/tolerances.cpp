@@ -9,6 +9,7 @@
 #include <map>
 
 #include "cases/harness/errors.hpp"
+#include "cases/harness/input_file.hpp"
 #include "cases/harness/json_text.hpp"
 #include "cases/harness/settings.hpp"
 
@@ -160,15 +161,15 @@ std::vector<LedgerLine> declared_lines(const std::vector<const Case*>& entries, 
 }
 
 std::vector<LedgerLine> read_ledger(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw FileError(file, file + ": cannot be opened; --update writes it");
+  std::error_code none;
+  if (!std::filesystem::exists(file, none)) throw FileError(file, file + ": cannot be opened; --update writes it");
   std::vector<LedgerLine> lines;
   try {
-    const Json json = parse_json({std::istreambuf_iterator<char>(in), {}});
+    const Json json = parse_json(read_text_file(file));
     if (json.at("format").get<int>() > ledger_format) throw FileError(file, file + ": made by a newer version");
     for (const Json& item : json.at("gates")) lines.push_back(line(item));
   } catch (const nlohmann::json::exception& error) {
-    throw FileError(file, fmt::format("{}: not a tolerance ledger: {}", file, error.what()));
+    throw FileError(file, fmt::format("{}: not a tolerance ledger: {}", file, fault_of(error)));
   }
   std::map<LedgerLine::Key, int> seen;
   for (const LedgerLine& l : lines) {

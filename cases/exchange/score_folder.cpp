@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
+#include "cases/harness/input_file.hpp"
 #include "cases/harness/json_text.hpp"
 #include "cases/harness/text_file.hpp"
 
@@ -106,13 +105,14 @@ std::optional<AdapterEnd> ScoreFolder::read_end(const std::string& program, cons
   const std::string file = end(program, start);
   std::error_code none;
   if (!fs::exists(file, none)) return std::nullopt;
-  std::ifstream in(file, std::ios::binary);
-  const std::string content{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  const std::string content = read_text_file(file);
   try {
     const Json document = parse_json(content);
     const auto* const way = std::find(ways.begin(), ways.end(), document.at("end").get<std::string>());
     if (way == ways.end()) throw std::out_of_range(R"("end" is none of written, failed, late)");
     return AdapterEnd{static_cast<AdapterEnd::How>(way - ways.begin()), document.at("reason"), document.at("seconds")};
+  } catch (const Json::exception& error) {
+    throw FileError(file, fmt::format("{}: not what an adapter's run leaves: {}", file, fault_of(error)));
   } catch (const std::exception& error) {
     throw FileError(file, fmt::format("{}: not what an adapter's run leaves: {}", file, error.what()));
   }

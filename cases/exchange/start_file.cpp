@@ -71,7 +71,7 @@ Start read_start(const std::string& path) {
     require_known_physics(start, description, path);
     return start;
   } catch (const Json::exception& error) {
-    throw FileError(path, fmt::format("{}: its description is damaged: {}", path, error.what()));
+    throw FileError(path, fmt::format("{}: its description is damaged: {}", path, fault_of(error)));
   }
 }
 

@@ -17,6 +17,9 @@ Json parse_json(const std::string& text);
 // is replaced, so that the whole is.
 std::string json_text(const Json& document, int indent = -1);
 
+// What is wrong, for somebody who knows the text and not the library that reads it.
+std::string fault_of(const Json::exception& error);
+
 // The text with a replacement sign for each byte that is no UTF-8.
 std::string valid_utf8(const std::string& text);
 

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <set>
 
+#include "cases/harness/input_file.hpp"
 #include "cases/harness/json_text.hpp"
 #include "cases/harness/nearest.hpp"
 #include "cases/harness/plan.hpp"
@@ -167,13 +168,12 @@ std::vector<PlanRun> runs_of_list(const std::string& place, const Json& entries)
 }
 
 std::string read_all(const std::string& name) {
-  std::ifstream file;
-  if (name != "-") file.open(name, std::ios::binary);
-  std::istream& in = name == "-" ? std::cin : file;
-  if (!in) throw FileError(name, fmt::format("{}: cannot be read", name));
-  std::string content{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (in.bad()) throw FileError(name, fmt::format("{}: cannot be read", name));
-  return content;
+  if (name == "-") return read_text(std::cin, "standard input");
+  std::error_code none;
+  if (!std::filesystem::is_fifo(name, none)) return read_text_file(name);
+  std::ifstream pipe(name, std::ios::binary);  // what a shell makes of `--from <(program)`
+  if (!pipe) throw FileError(name, fmt::format("{}: cannot be read", name));
+  return read_text(pipe, name);
 }
 
 Batch batch_from(const std::string& place, const Json& written) {
@@ -200,7 +200,7 @@ PlanDocument::PlanDocument(const std::string& name) {
   try {
     document_ = parse_json(read_all(name));
   } catch (const Json::exception& error) {
-    throw UsageError("--from", name, "JSON", {}, fmt::format("plan {}: no JSON: {}", name, error.what()));
+    throw UsageError("--from", name, "JSON", {}, fmt::format("plan {}: no JSON: {}", name, fault_of(error)));
   }
   if (!document_.is_object()) throw fault("the document", document_, "an object");
   const Json format = document_.value("plan", Json(plan_format));

@@ -193,7 +193,7 @@ std::optional<Stored> read_stored(const Hdf5Reader& file) {
     const Json& frames = document.at("frames");
     return Stored{document.at("fingerprint"), {{frames.at(0), frames.at(1)}, document.at("elapsed_s")}};
   } catch (const Json::exception& error) {
-    throw FileError(file.name(), fmt::format("{}: /restore/run is damaged: {}", file.name(), error.what()));
+    throw FileError(file.name(), fmt::format("{}: /restore/run is damaged: {}", file.name(), fault_of(error)));
   }
 }
 
@@ -207,6 +207,8 @@ RunResult read_restore(const Hdf5Reader& file) {
     return run;
   } catch (const FileError&) {
     throw;
+  } catch (const Json::exception& error) {
+    throw FileError(file.name(), fmt::format("{}: the stored run is damaged: {}", file.name(), fault_of(error)));
   } catch (const std::exception& error) {
     throw FileError(file.name(), fmt::format("{}: the stored run is damaged: {}", file.name(), error.what()));
   }

@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "cases/harness/errors.hpp"
+#include "cases/harness/input_file.hpp"
 
 namespace plumbline {
 namespace {
@@ -54,6 +55,7 @@ void seal(std::span<char> file) {
 }
 
 void check_seal(const std::string& path) {
+  require_regular_file(path);
   std::ifstream file(path, std::ios::binary);
   if (!file) throw FileError(path, path + ": cannot be opened");
   std::string start(seal_size, '\0');

@@ -24,6 +24,15 @@ TEST(JsonText, WhatIsNoJsonIsRefused) {
     EXPECT_THROW(parse_json(text), Json::exception) << text;
 }
 
+TEST(JsonText, FaultsAreToldWithoutTheNameOfTheLibrary) {
+  try {
+    parse_json("[1,]");
+    FAIL();
+  } catch (const Json::exception& error) {
+    EXPECT_EQ(fault_of(error).rfind("parse error at line 1, column 4", 0), 0u) << fault_of(error);
+  }
+}
+
 TEST(JsonText, BytesThatAreNoTextAreReplaced) {
   EXPECT_EQ(valid_utf8("density \u03c1"), "density \u03c1");
   EXPECT_EQ(valid_utf8("6\xd4!"), "6\ufffd!");
