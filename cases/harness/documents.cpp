@@ -239,21 +239,23 @@ Json catalog_entry(const Case& entry) {
   }
   Json orders = Json::object();
   for (const auto& [measure, order, why] : s.theory_orders) orders[measure] = {{"order", order}, {"why", why}};
-  return {{"name", s.name},
-          {"title", s.title},
-          {"source", s.source},
-          {"claim", s.claim},
-          {"physics", s.physics},
-          {"equations", s.equations},
-          {"sketch", s.sketch},
-          {"cells_along", s.cells_along},
-          {"parameters", parameters},
-          {"reference", {{"name", s.reference_name}, {"text", s.reference_text}, {"bound", s.reference_bound}}},
-          {"theory_order", orders},
-          {"studies", studies},
-          {"known_limits", s.known_limits},
-          {"gates", gates},
-          {"regenerate", "plumbline verify " + s.name + " --tier quick"}};
+  Json document{{"name", s.name},
+                {"title", s.title},
+                {"source", s.source},
+                {"claim", s.claim},
+                {"physics", s.physics},
+                {"equations", s.equations},
+                {"sketch", s.sketch},
+                {"cells_along", s.cells_along},
+                {"parameters", parameters},
+                {"reference", {{"name", s.reference_name}, {"text", s.reference_text}, {"bound", s.reference_bound}}},
+                {"theory_order", orders},
+                {"studies", studies},
+                {"known_limits", s.known_limits},
+                {"gates", gates},
+                {"regenerate", "plumbline verify " + s.name + " --tier quick"}};
+  if (const auto undefined = entry.may_be_undefined(); !undefined.empty()) document["may_be_undefined"] = undefined;
+  return document;
 }
 
 Json error_document(const UsageError& error) {

@@ -226,6 +226,7 @@ TEST(Documents, TheCatalogHasEveryGateWithItsReason) {
     EXPECT_EQ(d["studies"].size(), entry->studies().size()) << entry->name();
     for (const Json& gate : d["gates"]) EXPECT_FALSE(gate["reason"].get<std::string>().empty());
     expect_finite(d);
+    EXPECT_EQ(d.contains("may_be_undefined"), !entry->may_be_undefined().empty()) << entry->name();
   }
 }
 

@@ -1,0 +1,40 @@
+// Any bytes as the documents that `diff` and `tolerances` read from files: refused as JSON or as a document, or taken.
+#include "cases/comparison/snapshot.hpp"
+#include "cases/comparison/tolerances.hpp"
+#include "cases/harness/errors.hpp"
+#include "cases/harness/json_text.hpp"
+#include "tests/hostile/fuzz/memory_file.hpp"
+
+namespace {
+
+using namespace plumbline;
+
+template <class Take>
+void take_or_refuse(const Take& take) {
+  Snapshot snapshot;
+  try {
+    take(snapshot);
+  } catch (const nlohmann::json::exception&) {
+  } catch (const FileError&) {}
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  static MemoryFile file;
+  file.write(bytes, size);
+  try {
+    read_ledger(file.path());
+  } catch (const FileError&) {}
+  Json document;
+  try {
+    document = parse_json(std::string(bytes, bytes + size));
+  } catch (const Json::exception&) {
+    return 0;
+  }
+  take_or_refuse([&](Snapshot& snapshot) { take_study(document, "file", snapshot); });
+  take_or_refuse([&](Snapshot& snapshot) { take_verdicts(document, document, snapshot); });
+  take_or_refuse([&](Snapshot& snapshot) { take_stability(document, snapshot); });
+  take_or_refuse([&](Snapshot& snapshot) { take_costs(document, snapshot); });
+  return 0;
+}
