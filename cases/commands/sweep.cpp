@@ -84,7 +84,7 @@ int print_plan(const Invocation& invocation, const SweepOptions& options) {
   target.json = options.plan;
   std::optional<ResultsFolder> folder;
   std::optional<RunStore> store;
-  if (std::filesystem::is_directory(target.results)) {
+  if (std::error_code none; std::filesystem::is_directory(target.results, none)) {
     folder.emplace(target.results);
     store.emplace(*folder, invocation.provenance(), true);
   }

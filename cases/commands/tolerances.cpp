@@ -1,8 +1,8 @@
-#include <filesystem>
 #include <memory>
 
 #include "cases/commands/command.hpp"
 #include "cases/comparison/tolerances.hpp"
+#include "cases/harness/input_file.hpp"
 
 namespace plumbline {
 namespace {
@@ -37,8 +37,7 @@ int execute(const CommonOptions& common, const TolerancesOptions& options) {
   const std::vector<LedgerLine> declared = declared_lines(cases(), today());
   if (options.update) {
     std::vector<LedgerLine> recorded;
-    std::error_code none;
-    if (std::filesystem::exists(options.file, none)) recorded = read_ledger(options.file);
+    if (is_there(options.file)) recorded = read_ledger(options.file);
     write_ledger(options.file, updated(recorded, declared, options.why, today()));
   }
   const std::vector<LedgerLine> recorded = read_ledger(options.file);

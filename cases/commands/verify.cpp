@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <sstream>
 #include <thread>
@@ -100,7 +99,7 @@ Json read_scorecard(const std::string& file) {
 // Its costs are timed in turns with `subject`.
 Json opponent(const std::string& against, const Subject& subject, Json& half, const JudgingOptions& how) {
   const std::string name = against.empty() ? usual_opponent(subject.name()) : against;
-  if (!find_integrator(name) && std::filesystem::exists(name)) return read_scorecard(name);
+  if (!find_integrator(name) && is_there(name)) return read_scorecard(name);
   const Subject other({name, {}});
   const JudgingOptions core{Effort::core, how.threads};
   Json other_half = scorecard_half(other, judge_integrator(other, core), core);

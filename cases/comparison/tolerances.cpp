@@ -161,8 +161,7 @@ std::vector<LedgerLine> declared_lines(const std::vector<const Case*>& entries, 
 }
 
 std::vector<LedgerLine> read_ledger(const std::string& file) {
-  std::error_code none;
-  if (!std::filesystem::exists(file, none)) throw FileError(file, file + ": cannot be opened; --update writes it");
+  if (!is_there(file)) throw FileError(file, file + ": cannot be opened; --update writes it");
   std::vector<LedgerLine> lines;
   try {
     const Json json = parse_json(read_text_file(file));

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 
 #include "cases/exchange/final_state.hpp"
 #include "cases/exchange/result_file.hpp"
+#include "cases/harness/input_file.hpp"
 
 namespace plumbline {
 namespace {
@@ -188,7 +188,7 @@ Entry judge_result(const ScoreFolder& folder, const std::string& program, const 
   const std::string path = folder.result(program, start.name);
   try {
     const auto end = folder.read_end(program, start.name);
-    if (!std::filesystem::exists(path)) return without_result(end);
+    if (!is_there(path)) return without_result(end);
     const ResultFile file(path);
     if (file.case_name != start.entry->name() || file.cells != start.cells) {
       return {Outcome::mismatched,

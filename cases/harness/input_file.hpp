@@ -10,6 +10,9 @@ namespace plumbline {
 // Bytes of a text at most: a plan of as many runs as are allowed takes a tenth.
 inline constexpr std::size_t largest_text = std::size_t{1} << 28;
 
+// Whether the path leads to anything. Links that lead nowhere or in a circle do not, and are no error.
+bool is_there(const std::string& path);
+
 // Throws FileError unless the path leads to a regular file. A folder has no content, a device no end, and a pipe that nobody
 // writes to would be waited for.
 void require_regular_file(const std::string& path);

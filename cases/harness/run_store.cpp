@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <filesystem>
 
 #include "cases/harness/fingerprint.hpp"
+#include "cases/harness/input_file.hpp"
 #include "cases/harness/json_text.hpp"
 #include "cases/harness/verification.hpp"
 
@@ -24,7 +24,7 @@ RunStore::RunStore(const ResultsFolder& folder, Provenance provenance, bool reus
 // Reads of a file; nothing if it is not there, or not whole.
 template <class Read>
 auto RunStore::guarded(const std::string& file, Read read) -> decltype(read()) {
-  if (!std::filesystem::exists(folder_.path() + "/" + file)) return std::nullopt;
+  if (!is_there(folder_.path() + "/" + file)) return std::nullopt;
   try {
     return read();
   } catch (const std::exception& error) {

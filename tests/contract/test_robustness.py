@@ -251,6 +251,38 @@ def test_read_only_folder(read_only, arguments):
     assert read_only.files("results") == []
 
 
+# --- no file at all -------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("arguments", [("score", "sod", "--result"), ("tolerances",), ("sweep", "--plan", "-", "--from"),
+                                       ("verify", "--integrator", "usl", "--core", "--against")], ids=lambda arguments: arguments[0])
+@pytest.mark.parametrize("what", ["pipe", "folder", "device", "loop"])
+def test_what_is_no_file_is_not_waited_for(plumbline, arguments, what):
+    path = plumbline.folder / "in"
+    if what == "pipe":
+        if arguments[0] == "sweep":
+            pytest.skip("a shell makes pipes for plans")
+        os.mkfifo(path)
+    elif what == "folder":
+        path.mkdir()
+    else:
+        path.symlink_to("/dev/zero" if what == "device" else "in")
+    result = plumbline(*arguments, "in", json=True, timeout=60)
+    assert result.code == 4 and result.err.startswith("plumbline: in: "), result.text
+    assert result.json("error")["error"]["key"] == "in"
+
+
+def test_plan_from_a_pipe(plumbline):
+    """As bash makes one of `--from <(program)`."""
+    reader, writer = os.pipe()
+    os.write(writer, b'{"sweep": {"case": "sod", "cells": [4]}}')
+    os.close(writer)
+    process = subprocess.run(plumbline.command("sweep", "--plan", "-", "--from", f"/dev/fd/{reader}"), cwd=plumbline.folder, pass_fds=(reader,),
+                             capture_output=True, timeout=60, check=False)
+    os.close(reader)
+    assert process.returncode == 0 and json.loads(process.stdout)["plan"] == 1, process.stderr
+
+
 # --- two at once ----------------------------------------------------------------------------------
 
 

@@ -34,7 +34,7 @@ def faults(outcome, catalog):
     """All rules that an outcome breaks."""
     found = list(of_status(outcome))
     if not found:
-        found = [*of_text(outcome), *of_files(outcome), *of_document(outcome, catalog)]
+        found = [*of_text(outcome, catalog), *of_files(outcome), *of_document(outcome, catalog)]
     return found
 
 
@@ -61,7 +61,7 @@ def last_line(outcome):
     return lines[-1][:400] if lines else "nothing said"
 
 
-def of_text(outcome):
+def of_text(outcome, catalog):
     call = outcome.call
     for name, raw in (("standard output", outcome.out), ("standard error", outcome.err)):
         try:
@@ -80,8 +80,11 @@ def of_text(outcome):
     if outcome.code == 4 and not names_a_path(outcome):
         yield Fault("file error", f"no path is named: {last_line(outcome)}")
     if outcome.code == 0 and call.command in ("run", "converge", "verify", "score", "stability") and not call.json:
-        if found := re.search(r"^.*(?<![\w.])-?(nan|inf)(?![\w)]).*$", outcome.out.decode("utf-8", "replace"), re.M):
-            yield Fault("not finite", f"on a green page: {found[0].strip()[:200]}")
+        undefined = set().union(*(catalog.may_be_undefined(word) for word in call.arguments if isinstance(word, str)))
+        for found in re.finditer(r"^\W*(\S*).*(?<![\w.])-?(nan|inf)(?![\w)]).*$", outcome.out.decode("utf-8", "replace"), re.M):
+            if found[1] not in undefined:
+                yield Fault("not finite", f"on a green page: {found[0].strip()[:200]}")
+                break
 
 
 def names_a_path(outcome):
@@ -101,8 +104,7 @@ def of_files(outcome):
     if outcome.code == 2 and new:
         yield Fault("leftover", f"refused, and written: {', '.join(new[:3])}")
     target = call.option("--json")
-    if outcome.code in (0, 1, 3) and isinstance(target, str) and target not in ("", "-") and not (outcome.folder / target).is_file() \
-            and not target.startswith("/dev/"):
+    if outcome.code in (0, 1, 3) and isinstance(target, str) and target not in ("", "-") and not (outcome.folder / target).exists():
         yield Fault("lost output", f"--json {target} is not there")
     if outcome.code == 0 and call.command == "run" and not {"--dry-run", "--help"} & set(call.arguments):
         if not any(name.endswith(".h5") and what[0] == "file" for name, what in outcome.after.items()):
@@ -180,8 +182,8 @@ def of_stop(outcome, said):
 
 
 def of_red(outcome, said):
-    red = [item for item in all_objects(said) if item.get("verdict") in RED | {"INCONCLUSIVE"}]
-    named = [item for item in red if item.get("id") or item.get("measure") or item.get("name") or item.get("program")]
+    red = [item for item in all_objects(said) if item.get("verdict") in RED | {"INCONCLUSIVE"} or ("start" in item and item.get("reason"))]
+    named = [item for item in red if item.get("id") or item.get("measure") or item.get("name") or item.get("start")]
     if outcome.call.command in ("run", "converge", "verify", "score", "scoreboard", "stability") and not named:
         yield Fault("red", f"exit status 1 and no red verdict that names a gate: {last_line(outcome)}")
 

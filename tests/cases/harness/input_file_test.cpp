@@ -27,27 +27,35 @@ std::string refusal(const std::string& path) {
 
 TEST(InputFile, IsReadByteByByte) {
   const TemporaryFolder folder;
-  const std::string bytes("a\0b\r\n\xff", 6), path = folder.path() + "/text";
+  const std::string bytes("a\0b\r\n\xff", 6), path = folder / "text";
   std::ofstream(path, std::ios::binary) << bytes;
   EXPECT_EQ(read_text_file(path), bytes);
-  std::filesystem::create_symlink(path, folder.path() + "/link");
-  EXPECT_EQ(read_text_file(folder.path() + "/link"), bytes);
+  std::filesystem::create_symlink(path, folder / "link");
+  EXPECT_EQ(read_text_file(folder / "link"), bytes);
 }
 
 TEST(InputFile, WhatIsNoFileIsNotWaitedFor) {
   const TemporaryFolder folder;
-  ASSERT_EQ(::mkfifo((folder.path() + "/pipe").c_str(), 0600), 0);
-  std::filesystem::create_symlink("loop", folder.path() + "/loop");
-  EXPECT_THAT(refusal(folder.path() + "/pipe"), HasSubstr("pipe"));
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  std::filesystem::create_symlink("loop", folder / "loop");
+  EXPECT_THAT(refusal(folder / "pipe"), HasSubstr("pipe"));
   EXPECT_THAT(refusal("/dev/zero"), HasSubstr("device"));
   EXPECT_THAT(refusal(folder.path()), HasSubstr("folder"));
-  EXPECT_THAT(refusal(folder.path() + "/nowhere"), HasSubstr("cannot be opened"));
-  EXPECT_THAT(refusal(folder.path() + "/loop"), HasSubstr("symbolic links"));
+  EXPECT_THAT(refusal(folder / "nowhere"), HasSubstr("cannot be opened"));
+  EXPECT_THAT(refusal(folder / "loop"), HasSubstr("symbolic links"));
+}
+
+TEST(InputFile, LinksThatLeadNowhereAreNotThere) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("loop", folder / "loop");
+  std::filesystem::create_symlink("nowhere", folder / "dangling");
+  EXPECT_FALSE(is_there(folder / "loop") || is_there(folder / "dangling") || is_there(folder / "nothing"));
+  EXPECT_TRUE(is_there(folder.path()));
 }
 
 TEST(InputFile, HasALimit) {
   const TemporaryFolder folder;
-  const std::string path = folder.path() + "/large";
+  const std::string path = folder / "large";
   std::ofstream(path) << "x";
   std::filesystem::resize_file(path, largest_text + 1);
   EXPECT_THAT(refusal(path), HasSubstr("more than"));

@@ -22,15 +22,15 @@ struct Written {
   bool hollow = false;  // chunked, and never written
 };
 
-struct State {
+struct FileContent {
   std::vector<std::pair<std::string, double>> numbers{{"exchange_format", 1}, {"time", 0.143}, {"cells", 4}};
   std::vector<std::pair<std::string, std::string>> texts{
       {"kind", "final-state"}, {"case", "sod"}, {"program", "p"}, {"version", "1"}};
   std::vector<std::pair<std::string, Written>> columns;
 };
 
-State right() {
-  State state;
+FileContent right() {
+  FileContent state;
   for (const char* name : {"position", "velocity", "mass", "density", "volume", "pressure", "energy"}) {
     Written column;
     column.shape = {points};
@@ -44,7 +44,7 @@ double any_number(FuzzedDataProvider& input) {
   return input.ConsumeBool() ? input.ConsumeFloatingPoint<double>() : input.ConsumeFloatingPointInRange<double>(-2, 2);
 }
 
-void spoil(FuzzedDataProvider& input, State& state) {
+void spoil(FuzzedDataProvider& input, FileContent& state) {
   const auto column = [&]() -> Written& {
     return state.columns[input.ConsumeIntegralInRange<std::size_t>(0, state.columns.size() - 1)].second;
   };
@@ -127,7 +127,7 @@ void write_column(hid_t group, const std::string& name, const Written& column) {
 }
 
 // As a file in memory.
-std::vector<char> image_of(const State& state) {
+std::vector<char> image_of(const FileContent& state) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
   H5Pset_fapl_core(access, 4096, false);
@@ -165,7 +165,7 @@ const Scene& tube() {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   FuzzedDataProvider input(bytes, size);
-  State state = right();
+  FileContent state = right();
   for (int count = input.ConsumeIntegralInRange(0, 4); count > 0 && !state.columns.empty(); --count)
     spoil(input, state);
   static MemoryFile file;
