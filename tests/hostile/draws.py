@@ -2,7 +2,6 @@
 take too long, and yields a `Fault` of its own where two outcomes disagree."""
 import dataclasses
 import json
-import shlex
 import signal
 
 import contract
@@ -477,13 +476,17 @@ def plugged(dice, catalog):
     folder = yield None
     call = dice.choice(PLUGIN_CALLS)
     if catalog.plugins and dice.random() < 0.8:
-        library = dice.choice(catalog.plugins)
-        listed = yield Call(("list", "--plugin", str(library), "--json", "-"), floor=30)
+        library = str(dice.choice(catalog.plugins))
+        listed = yield Call(("list", "--plugin", library, "--json", "-"), floor=30)
         if listed.code != 0:
             return
         names = sorted({entry["name"] for entry in document(listed)["integrators"]} - set(catalog.names("integrators")))
-        words = ("--integrator", dice.choice(names)) if names and call[0] not in ("list", "sweep") else ()
-        yield Call((*call, *words, "--plugin", str(library), "--json", "-"), floor=90)
+        name = dice.choice(names) if names else "musl"
+        if name == "hostile":
+            yield from misbehaving(dice, library)
+            return
+        words = ("--integrator", name) if call[0] not in ("list", "sweep") else ()
+        yield Call((*call, *words, "--plugin", library, "--json", "-"), floor=90)
         return
     path = folder / "mine.so"
     path.write_bytes(dice.choice((b"", b"\x7fELF", b"\x7fELF" + bytes(200), dice.randbytes(5000), b"INPUT(-lc)\n", b"#!/bin/sh\n")))
@@ -494,6 +497,25 @@ def plugged(dice, catalog):
     yield Call((*call, "--plugin", dice.choice(("mine.so", "./mine.so", "mine", "", "/nonexistent.so")), "--json", "-"), statuses=(2, 4))
 
 
-def line(calls, executable):
-    """All calls of a draw as one line of shell."""
-    return "; ".join(call.line(shlex.quote(str(executable))) for call in calls)
+# What tests/contract/hostile/hostile.cpp does when it is asked to.
+MISDEEDS = {
+    "HOSTILE_LOAD": ("throw", "throw-int", "exit", "_exit", "abort", "terminate", "crash", "loop", "nothing", "twice", "no-copy", "bad-text", "at-exit"),
+    "HOSTILE_NAME": ("", "musl", "bad name", "../x", "x" * 64, "\u00e4"),
+    "HOSTILE_MAKE": ("null", "throw", "null-copy", "throw-parameters", "null-parameter", "parameter-out-of-range", "null-memory", "exit-claims"),
+    "HOSTILE_STEP": ("throw", "throw-int", "throw-odd", "throw-silent", "throw-noexcept", "exit", "quick-exit", "thread-exit", "_exit", "abort", "terminate",
+                     "crash", "overflow", "kill", "loop", "sleep", "any-order", "never-located", "nan", "short-state", "long-state", "long-rate"),
+}
+HARMLESS = {"any-order", "long-rate", "at-exit", "exit-claims"}   # may end well
+
+
+def misbehaving(dice, library):
+    """The plug-in of the contract tests, told by the environment what to do."""
+    variable = dice.choice(sorted(MISDEEDS))
+    misdeed = dice.choice(MISDEEDS[variable])
+    environment = ((variable, misdeed), ("HOSTILE_AT", str(dice.choice((1, 1, 2, 7)))), ("HOSTILE_SEED", str(dice.randrange(1000))))
+    call = dice.choice(PLUGIN_CALLS)
+    runs = call[0] in ("run", "converge", "verify", "stability")
+    words = (("--integrator", "hostile"),) if call[0] not in ("list", "sweep") else ()
+    sure = call[0] in ("run", "converge") and misdeed not in HARMLESS
+    yield Call((*call, *(word for pair in words for word in pair), "--plugin", library, *(("--step-limit", "1") if runs else ()), "--json", "-"),
+               environment=environment, floor=60, statuses=(1, 2, 3, 4) if sure else (0, 1, 2, 3, 4), why=f"{variable}={misdeed}")

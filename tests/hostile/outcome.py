@@ -166,9 +166,9 @@ def of_refusal(outcome, said):
             yield Fault("refusal", f"exit status 2 and no error in the document: {last_line(outcome)}")
         return
     error = said["error"]
-    if outcome.code in (0, 1, 3):
+    if outcome.code in (0, 1):
         yield Fault("refusal", f"an error in the document and exit status {outcome.code}")
-    if outcome.code == 2 and not error["key"]:
+    if outcome.code in (2, 3) and not error["key"]:
         yield Fault("refusal", f"no key is named: {error['message'][:200]}")
     elif outcome.code == 2 and error["value"] is None and not error["allowed"] and not error["nearest"]:
         yield Fault("refusal", f"neither value nor what is allowed: {error['message'][:200]}")
