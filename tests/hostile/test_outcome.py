@@ -89,6 +89,7 @@ REFUSED = "sys.stderr.write('plumbline: no\\n');"
     (says({"case": "sod", "measures": {"density.L1": {**MEASURE, "relative_error": 3.1}}}), RUN, {}, ["large error"]),
     (says({"case": "sod", "measures": {"density.L1": {**MEASURE, "relative_error": None}}}), RUN, {}, ["not finite"]),
     (says({"case": "sod", "measures": {"drift": {**MEASURE, "relative_error": None, "value": 0.1, "reference": 0.0}}}), RUN, {}, []),
+    (says({"case": "sod", "measures": {"count": {**MEASURE, "relative_error": 9.0, "value": 9.0}}}), RUN, {}, []),
     (says({"growth": 1e300}), RUN, {}, ["not finite"]),
     (says({"settings": {"cells": 10}}), (*RUN, "--cells", "10"), {}, []),
     (says({"settings": {"cells": 20}}), (*RUN, "--cells", "10"), {}, ["settings"]),
