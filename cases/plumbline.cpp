@@ -1,5 +1,6 @@
 // The command line.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <clocale>
@@ -99,6 +100,11 @@ int execute(const std::vector<Command>& commands, const CommonOptions& options) 
     const UsageError error = beyond_memory();
     report_error(options, error_document(error), error.what());
     return exit_usage;
+  } catch (const std::logic_error& error) {  // of choices that are each within their range, and together no scene
+    const std::string chosen = fmt::format("{}", fmt::join(options.settings, " "));
+    const std::string message = chosen.empty() ? error.what() : fmt::format("{}: {}", chosen, error.what());
+    report_error(options, error_document(UsageError("--set", chosen, "other values", {}, message)), message);
+    return chosen.empty() ? exit_red : exit_usage;
   } catch (const std::exception& error) {
     report_error(options, error_document("", error.what()), error.what());
     return exit_red;

@@ -108,13 +108,14 @@ def front_page(folder, cases):
         "cost": cost_part(folder, cases),
         "bite": mutants.page(folder.mutants),
         "integrators": scorecards.page(folder.scorecards, folder.judges),
+        "expected_failures": expected_failures_part(cases),
     }
     return {
         **parts,
         "glance": glance(cases, parts),
         "strips": tables.strips(folder, cases),
         "missed": _anchored(tables.missed(cases)),
-        "expected_failures": _anchored(tables.expected_failures(cases)),
+        "expected_failure_count": sum(len(one["rows"]) for one in parts["expected_failures"]),
         "overview": overview,
         "choices": tables.choices(cases),
         "verdicts_present": [name for name in gathering.URGENCY if any(case.counts[name] for case in cases.values())],
@@ -142,9 +143,10 @@ def glance(cases, parts):
              "words": f"gates are as they should be, over {text.plural(len(cases), 'case')}"}
         )  # fmt: skip
     if counts["XFAIL"]:
+        of_default = sum(len(one["rows"]) for one in parts["expected_failures"] if one["owner"] == "default")
         cards.append(
             {"figure": str(counts["XFAIL"]), "target": "expected-failures", "look": "xfail",
-             "words": "of them are known failures of a scheme, each with its cause"}
+             "words": f"of them are known failures, {of_default or 'none'} of the default scheme, each with its cause"}
         )  # fmt: skip
     chosen = [row for row in (parts["cost"] or {}).get("jobs", ()) if row.get("chosen")]
     if chosen:
@@ -167,6 +169,11 @@ def glance(cases, parts):
              "words": f"of {bite['judged']} seeded bugs that change anything are caught by a gate or a named test"}
         )  # fmt: skip
     return cards
+
+
+def expected_failures_part(cases):
+    """The lists of known failures by owner, their rows linked to the cases."""
+    return [{**one, "rows": _anchored(one["rows"])} for one in tables.expected_failures(cases)]
 
 
 def cost_part(folder, cases):

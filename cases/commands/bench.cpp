@@ -239,7 +239,7 @@ int execute(const Invocation& invocation, const BenchOptions& options) {
       bench.measure_standard();
     }
   } catch (const InadmissibleState& state) {
-    fmt::print(stderr, "plumbline: stopped at step {}: {}\n", state.step, state.what());
+    print_text(stderr, fmt::format("plumbline: stopped at step {}: {}\n", state.step, state.what()));
     return exit_stopped;
   }
   write_json(common, bench.document(invocation.provenance()));

@@ -12,6 +12,7 @@
 #include <set>
 
 #include "cases/commands/child_process.hpp"
+#include "cases/commands/standard_streams.hpp"
 #include "cases/harness/errors.hpp"
 #include "cases/harness/json_text.hpp"
 #include "cases/harness/signals.hpp"
@@ -67,7 +68,7 @@ class Meter {
       fmt::print(stderr, "\r\033[K[{:<{}}] {}", std::string(full, '='), width, text);
       std::fflush(stderr);
     } else {
-      fmt::print(stderr, "sweep: {}\n", text);
+      print_text(stderr, fmt::format("sweep: {}\n", text));
     }
   }
 
@@ -116,7 +117,8 @@ class Pool {
         if (done_.count(run.file) == 0) again.push_back({&batch, run.file});
       }
     }
-    if (!again.empty()) fmt::print(stderr, "sweep: {} runs failed, each is tried once more alone\n", again.size());
+    if (!again.empty())
+      print_text(stderr, fmt::format("sweep: {} runs failed, each is tried once more alone\n", again.size()));
     result_ = {};
     run_jobs(std::move(again));
     result_.made = done_.size();

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "cases/commands/command.hpp"
+#include "cases/harness/expected_failures.hpp"
 #include "cases/harness/guarded_integrator.hpp"
 #include "cases/harness/input_file.hpp"
 #include "cases/harness/json_text.hpp"
@@ -25,6 +26,12 @@ struct VerifyOptions {
   std::string against;
   bool core = false, until_red = false;
 };
+
+Json to_json(const FailureCounts& counts) {
+  Json document = Json::object();
+  for (const FailureOf whose : all_failures_of) document[std::string(name(whose))] = counts[whose];
+  return document;
+}
 
 void write_junit(const std::string& path, const std::vector<JudgedGate>& gates, bool allow_inconclusive) {
   boost::property_tree::ptree suite;
@@ -186,13 +193,12 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
   const Scorecards scorecards = judge_integrators(common, options, folder, verification);
   const bool integrators_alone = options.patterns.empty() && common.schemes.empty() && !common.integrators.empty();
   if (!integrators_alone) verify_cases(common, options, store, verification);
-  const Json document{{"gates", to_json(verification.gates)},
-                      {"counts", counts_document(verification.gates)},
-                      {"executed", verification.gates.size()},
-                      {"declared", verification.declared},
-                      {"not_applicable", to_json(verification.not_applicable)},
-                      {"scorecards", scorecards.all},
-                      {"tier", options.tier}};
+  const FailureCounts failures = expected_failures(verification.gates);
+  const Json document{
+      {"gates", to_json(verification.gates)},   {"counts", counts_document(verification.gates)},
+      {"expected_failures", to_json(failures)}, {"executed", verification.gates.size()},
+      {"declared", verification.declared},      {"not_applicable", to_json(verification.not_applicable)},
+      {"scorecards", scorecards.all},           {"tier", options.tier}};
   if (!integrators_alone) folder.write_verdicts(document, verification.entries, options.tier, provenance);
   out.gates(worth_a_line(verification.gates));
   for (const NotApplicable& one : verification.not_applicable) {
@@ -202,8 +208,9 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
   for (const auto& [verdict, count] : document["counts"].items()) {
     if (count.get<int>() > 0) counts += fmt::format(" {} {}", verdict, count.get<int>());
   }
-  out.line("{} gates executed, {} not applicable, {} declared:{}", verification.gates.size(),
-           verification.not_applicable.size(), verification.declared, counts);
+  const std::string expected = words(failures);
+  out.line("{} gates executed, {} not applicable, {} declared:{}{}", verification.gates.size(),
+           verification.not_applicable.size(), verification.declared, counts, expected.empty() ? "" : "; " + expected);
   for (const Json& card : scorecards.all) {
     for (const std::string& line : scorecard_lines(card)) out.line("{}", line);
   }

@@ -34,6 +34,7 @@ ForeignFile::ForeignFile(std::string path) : impl_(std::make_unique<Impl>()) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   impl_->path = std::move(path);
   require_regular_file(impl_->path);
+  require_regular_file(impl_->path);
   impl_->file = H5Fopen(impl_->path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (impl_->file < 0) impl_->refuse("cannot be opened as HDF5");
 }

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "cases/harness/expected_failures.hpp"
+
 namespace plumbline {
 namespace {
 
@@ -41,9 +43,9 @@ Json stores(const EnergyStores& s) {
 
 Json range(const Range& r) { return {{"low", optional_number(r.low)}, {"high", optional_number(r.high)}}; }
 
-Json declared_gate(const CaseGate& g, const std::string& scheme) {
+Json declared_gate(const Case& entry, const StudyPlan& plan, const CaseGate& g) {
   Json gate{{"id", g.gate.id},
-            {"scheme", scheme},
+            {"scheme", plan.scheme},
             {"study", g.study},
             {"tier", g.tier == Tier::quick ? "quick" : "full"},
             {"quantity", g.gate.quantity},
@@ -51,6 +53,7 @@ Json declared_gate(const CaseGate& g, const std::string& scheme) {
             {"origin", name(g.gate.origin)},
             {"reason", g.gate.reason}};
   gate["cause"] = g.gate.expected_failure ? Json(g.gate.expected_failure->cause) : Json(nullptr);
+  gate["failure_of"] = g.gate.expected_failure ? Json(name(failure_of(entry, plan, g.gate))) : Json(nullptr);
   return gate;
 }
 
@@ -97,6 +100,7 @@ Json to_json(const JudgedGate& g) {
   gate["verdict"] = name(g.judgement.verdict);
   gate["cause"] = g.gate.expected_failure ? Json(g.gate.expected_failure->cause) : Json(nullptr);
   gate["band"] = g.gate.expected_failure ? range(g.gate.expected_failure->band) : Json(nullptr);
+  gate["failure_of"] = g.gate.expected_failure ? Json(name(failure_of(g))) : Json(nullptr);
   gate["note"] = g.judgement.note.empty() ? g.measured.note : g.judgement.note;
   gate["run_ids"] = g.run_ids;
   if (!g.explanation.empty()) gate["explanation"] = g.explanation;
@@ -234,7 +238,7 @@ Json catalog_entry(const Case& entry) {
                        {"vary", name(plan.vary)},
                        {"values", numbers(plan.values)}});
     for (const CaseGate& gate : entry.gates()) {
-      if (gate.study == plan.id) gates.push_back(declared_gate(gate, plan.scheme));
+      if (gate.study == plan.id) gates.push_back(declared_gate(entry, plan, gate));
     }
   }
   Json orders = Json::object();

@@ -135,6 +135,26 @@ def test_verdicts_shown_are_those_of_the_files(parsed):
     assert [verdict for verdict, _, _ in parsed.gate_rows("expected-failures")] == ["XFAIL"]
 
 
+def test_known_failures_are_listed_by_owner(tmp_path):
+    """The default scheme's are a list of their own; a file that names no owner is read by its scheme."""
+    failing = [
+        gate("sod", scheme, name, "density.L1", None, 0.005, "XFAIL", 0.0064, cause="known", **owner)
+        for scheme, name, owner in (
+            ("york1997", "stated", {"failure_of": "york1997"}),
+            ("default", "his-figures", {"failure_of": "york1997"}),
+            ("default", "plain", {"failure_of": "default"}),
+            ("default+usl", "of-an-earlier-version", {}),
+        )
+    ]
+    write_verdicts(tmp_path, failing)
+    shown = Page(rendered(tmp_path))
+    rows = [name for _, name, _ in shown.gate_rows("expected-failures")]
+    assert rows[:2] == ["plain", "of-an-earlier-version"] and sorted(rows[2:]) == ["his-figures", "stated"]
+    for words in ("1 failure of the default scheme", "1 failure of other schemes", "2 failures York's own"):
+        assert words in shown.text
+    assert "known failures, 1 of the default scheme" in shown.text
+
+
 def test_counts_and_executed_gates(source, parsed):
     tiles = dict(re.findall(r"<dt>(\w+)</dt><dd>(\d+)</dd>", source))
     assert tiles == {
