@@ -21,7 +21,7 @@
 #include <thread>
 
 #include "cases/harness/errors.hpp"
-#include "cases/harness/experiment.hpp"
+#include "cases/harness/signals.hpp"
 #include "cases/harness/guarded_integrator.hpp"
 #include "cases/harness/json_text.hpp"
 #include "kernel/integrator_traits.hpp"
