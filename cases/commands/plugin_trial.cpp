@@ -101,17 +101,7 @@ class Child {
 Report* own_report = nullptr;  // in the child
 
 [[noreturn]] void end_at_terminate() {
-  std::string what = "called std::terminate";
-  if (const std::exception_ptr thrown = std::current_exception()) {
-    try {
-      std::rethrow_exception(thrown);
-    } catch (const std::exception& error) {
-      what = "threw std::exception: " + valid_utf8(error.what() ? error.what() : "");
-    } catch (...) {
-      what = "threw what is no std::exception";
-    }
-  }
-  put(own_report->text, what);
+  put(own_report->text, std::current_exception() ? what_was_thrown() : "called std::terminate");
   ::_exit(1);
 }
 
@@ -209,7 +199,11 @@ std::vector<IntegratorEntry> load_entries(const std::string& path, const std::st
   if (::dlopen(path.c_str(), RTLD_NOW | RTLD_NOLOAD)) refuse_file(file, "it is part of this program already");
   std::string error;
   auto entries = collect_registrations([&] {
-    if (!::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) error = ::dlerror();
+    try {
+      if (!::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) error = ::dlerror();
+    } catch (...) {  // some C libraries let exceptions pass, others end the program
+      error = "it " + what_was_thrown() + " while it was loaded";
+    }
   });
   if (!error.empty()) refuse_file(file, error);
   if (entries.empty()) refuse_file(file, "it registers no integrator");

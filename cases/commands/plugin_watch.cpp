@@ -91,26 +91,26 @@ void flush_output() {
   ::funlockfile(stdout);
 }
 
-// Threads end before exit() asks: not only this one's call counts.
-void at_exit() {
+// A thread's own objects are gone when exit() asks: calls of all threads count.
+void give_up_at_exit() {
   if (!armed) return;
   flush_output();
   for_calls_under_way([](const WatchedCall& call) { give_up(&call, "called exit"); });
   give_up(nullptr, "called exit");
 }
 
+// Called before whatever plug-ins do at the program's end, since it is registered after they were loaded: that is left out, for it
+// could change the status.
+void at_exit(int status, void*) {
+  give_up_at_exit();
+  std::fflush(nullptr);
+  ::_exit(status);
+}
+
 [[noreturn]] void at_terminate() {
   const WatchedCall* call = call_of_this_thread();
-  std::string did = "called std::terminate";
-  if (const std::exception_ptr thrown = std::current_exception()) {
-    try {
-      std::rethrow_exception(thrown);
-    } catch (const std::exception& error) {
-      did = std::string("ended the program by std::exception: ") + (error.what() ? error.what() : "");
-    } catch (...) {
-      did = "ended the program by what is no std::exception";
-    }
-  }
+  const std::string did = std::current_exception() ? what_was_thrown() + " where nothing may be thrown"
+                                                   : "called std::terminate";
   flush_output();
   give_up(call && call->integrator ? call : nullptr, did.c_str());
 }
@@ -182,7 +182,7 @@ struct PluginWatch::Watchman {
 
 PluginWatch::PluginWatch(std::optional<double> limit, bool json_on_stdout)
     : watchman_(std::make_unique<Watchman>(limit)) {
-  static const bool registered = std::atexit(at_exit) == 0 && std::at_quick_exit(at_exit) == 0;
+  static const bool registered = ::on_exit(at_exit, nullptr) == 0 && std::at_quick_exit(give_up_at_exit) == 0;
   json = json_on_stdout;
   armed = registered;
   terminate_before = std::set_terminate(at_terminate);

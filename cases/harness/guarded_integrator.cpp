@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <deque>
 #include <mutex>
 #include <utility>
@@ -46,12 +47,6 @@ WatchedCall& own_call() {
   return *mine;
 }
 
-std::string text_of(const std::exception& error) {
-  constexpr std::size_t longest = 500;
-  const char* what = error.what();
-  return "threw std::exception: " + valid_utf8(std::string(what ? what : "").substr(0, longest));
-}
-
 struct Original {
   IntegratorEntry entry;
   std::string refusal;
@@ -91,10 +86,8 @@ auto watched(const Original& original, const Call& call, Work&& work) -> decltyp
     throw;
   } catch (const MisbehavingIntegrator&) {
     throw;
-  } catch (const std::exception& error) {
-    throw misbehaves(text_of(error));
   } catch (...) {
-    throw misbehaves("threw what is no std::exception");
+    throw misbehaves(what_was_thrown());
   }
 }
 
@@ -187,6 +180,21 @@ MisbehavingIntegrator::MisbehavingIntegrator(const std::string& name, const std:
       step(step_number),
       time(step_time),
       text_(step_number > 0 ? fmt::format("{} in step {}, t = {:.6g} s", reason, step, time) : reason) {}
+
+std::string what_was_thrown() {
+  constexpr std::size_t longest = 500;
+  try {
+    throw;
+  } catch (const std::exception& error) {
+    const char* what = error.what();
+    std::string text = valid_utf8(std::string(what ? what : "").substr(0, longest));
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c >= 0 && c < ' '; }, ' ');
+    return "threw std::exception: " + text;
+  } catch (...) {
+    return "threw what is no std::exception";
+  }
+}
 
 const WatchedCall* call_of_this_thread() { return mine; }
 

@@ -30,6 +30,9 @@ struct MisbehavingIntegrator : std::exception {
   std::string text_;
 };
 
+// "threw std::exception: boom": of the exception that is being handled, in UTF-8, on one line, of 500 bytes of its text at most.
+std::string what_was_thrown();
+
 // What a thread lets an integrator of a plug-in do, as others may read it at any time.
 struct WatchedCall {
   std::atomic<const char*> integrator =

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "cases/harness/estimate.hpp"
+#include "cases/harness/guarded_integrator.hpp"
 #include "cases/harness/results.hpp"
 #include "kernel/inadmissible.hpp"
 
@@ -76,6 +77,8 @@ Weighed weighed(PlanRun run, const KnownTime& known) {
     estimate = estimate_run(*run.entry, run.settings);
   } catch (const InadmissibleState&) {
     estimate.steps = 1;  // it stops at once
+  } catch (const MisbehavingIntegrator&) {
+    estimate.steps = 1;
   }
   if (run.settings.has("trial")) estimate.seconds = of_trial;
   const double measured = known ? known(run) : -1;

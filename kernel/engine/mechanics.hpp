@@ -238,6 +238,7 @@ class Mechanics final : public Engine {
   void touch_alone(const Located& at, Field& field) const;
   void keep_places(Body& body, Located& at) const;
   void want_places(const char* stage) const;
+  void want_losses(const char* stage) const;
   void solve_velocity(Field& field, std::vector<Vec>& velocity) const;
   const std::vector<Vec>& straining_velocity(Field& field, NodalVelocity which) const;
   double drive(const Field& field, std::vector<Vec>& velocity, WallAction<dim>& action) const;

@@ -246,6 +246,16 @@ void Mechanics<G, S, T>::want_places(const char* stage) const {
     throw std::logic_error(std::string(stage) + " wants the points located: locate_points comes first");
 }
 
+// Points carry what the maps take only for integrators that were seen to give it back.
+template <class G, class S, class T>
+void Mechanics<G, S, T>::want_losses(const char* stage) const {
+  for (const Body& body : scene_.bodies) {
+    if (!body.material->takes_heat() || body.points.has(column::transfer_loss)) continue;
+    throw std::logic_error(std::string(stage) +
+                           " is called first in a later step than those that tell the integrator's traits");
+  }
+}
+
 template <class G, class S, class T>
 void Mechanics<G, S, T>::stop_if_too_far(const MotionSums& sums, const Body& body) const {
   if (sums.too_far < 0) return;
@@ -436,6 +446,7 @@ void Mechanics<G, S, T>::drift_points(double dt) {
 template <class G, class S, class T>
 void Mechanics<G, S, T>::return_transfer_loss() {
   want_places("return_transfer_loss");
+  want_losses("return_transfer_loss");
   survey_.reset();
   hand_loss_over();
   for (std::size_t b = 0; b < located_.size(); ++b) {
@@ -465,7 +476,9 @@ void Mechanics<G, S, T>::kick_heat_and_drift_points(double dt, double drift) {
 
 template <class G, class S, class T>
 void Mechanics<G, S, T>::finish_points(double dt, std::optional<double> drift) {
-  want_places(drift ? "kick_heat_and_drift_points" : "move_and_heat_points");
+  const char* stage = drift ? "kick_heat_and_drift_points" : "move_and_heat_points";
+  want_places(stage);
+  want_losses(stage);
   settle_loss();
   filter_velocities();
   struct Sums {

@@ -124,9 +124,10 @@ TEST(TimeIntegrator, ANameIsTakenOnce) {
 }
 
 TEST(TimeIntegrator, ANameIsPlain) {
-  for (const std::string good : {"musl", "0", "a.b_c-d", std::string(63, 'x')})
+  for (const std::string& good : std::vector<std::string>{"musl", "0", "a.b_c-d", std::string(63, 'x')})
     EXPECT_EQ(name_refusal(good), "") << good;
-  for (const std::string bad : {"", "-", ".x", "../x", "a b", "a\n", "Capital", "\xc3\xa4", std::string(64, 'x')}) {
+  for (const std::string& bad :
+       std::vector<std::string>{"", "-", ".x", "../x", "a b", "a\n", "Capital", "\xc3\xa4", std::string(64, 'x')}) {
     EXPECT_NE(name_refusal(bad), "") << bad;
     IntegratorEntry entry = *find_integrator("musl");
     entry.name = bad;

@@ -184,6 +184,7 @@ struct Registration {
   Registration() {
     const std::string how = asked("HOSTILE_LOAD");
     misdo(how);
+    if (how == "at-exit") std::atexit([] { ::_exit(0); });
     const IntegratorEntry entry{asked("HOSTILE_NAME", "hostile"), "does what none may",
                                 how == "bad-text" ? "\xff" : "nobody", make, copy};
     if (how != "nothing") RegisterIntegrator{entry};
