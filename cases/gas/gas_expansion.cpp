@@ -150,7 +150,7 @@ class GasExpansion final : public Case {
         "edge is squeezed by two hundredths before it expands; without it the rise is a tenth of that",
         {1.005, 1.011}, "2026-11-21 fbef8d3");
     all.push_back(heating);
-    all.push_back(restart_gate("default", "runs that split points"));
+    all.push_back(restart_gate("default", "runs that split points", {{"split", 0.2}}));
     return all;
   }
   GateCount gate_count() const override { return {10, 10}; }

@@ -12,25 +12,34 @@ namespace {
 
 // --- all cases ----------------------------------------------------------------------------------------------------------
 
-// A problem as it is, but for an earlier end.
+// A problem as it is, but for an earlier end; or one that does not name what it has seen.
 class EndsEarly final : public Problem {
  public:
-  EndsEarly(std::unique_ptr<Problem> whole, double end) : whole_(std::move(whole)), end_(end) {}
+  EndsEarly(std::unique_ptr<Problem> whole, double end, bool forgetful)
+      : whole_(std::move(whole)),
+        end_(end),
+        forgetful_(forgetful) {}
   Scene scene() const override { return whole_->scene(); }
   double end_time() const override { return end_; }
   void observe(const Simulation& simulation) override { whole_->observe(simulation); }
-  void history(Archive& archive) override { whole_->history(archive); }
+  void history(Archive& archive) override {
+    if (!forgetful_) whole_->history(archive);
+  }
   std::vector<Measure> measures(const Simulation& simulation) const override { return whole_->measures(simulation); }
   Profile profile(const Simulation& simulation) const override { return whole_->profile(simulation); }
 
  private:
   std::unique_ptr<Problem> whole_;
   double end_;
+  bool forgetful_;
 };
 
 class Shortened final : public Case {
  public:
-  Shortened(const Case& whole, long steps) : whole_(whole), steps_(steps) {}
+  Shortened(const Case& whole, long steps, bool forgetful = false)
+      : whole_(whole),
+        steps_(steps),
+        forgetful_(forgetful) {}
   Statement statement() const override { return whole_.statement(); }
   Kind kind() const override { return whole_.kind(); }
   std::vector<Key> keys() const override { return whole_.keys(); }
@@ -40,8 +49,9 @@ class Shortened final : public Case {
   std::unique_ptr<Problem> problem(const Settings& settings) const override {
     auto problem = whole_.problem(settings);
     const double end = std::min(problem->end_time(), static_cast<double>(steps_) * first_step(*problem, settings));
-    return std::make_unique<EndsEarly>(std::move(problem), end);
+    return std::make_unique<EndsEarly>(std::move(problem), end, forgetful_);
   }
+  void derive(Settings& settings, const std::string& scheme) const override { whole_.derive(settings, scheme); }
   std::vector<StudyPlan> studies() const override { return {}; }
   std::vector<CaseGate> gates() const override { return {}; }
   GateCount gate_count() const override { return {}; }
@@ -55,6 +65,7 @@ class Shortened final : public Case {
   }
   const Case& whole_;
   long steps_;
+  bool forgetful_;
 };
 
 // What is averaged over the last part of a run begins with an end of its own.
@@ -87,6 +98,63 @@ INSTANTIATE_TEST_SUITE_P(All, EachCase, testing::ValuesIn(cases()), [](const aut
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });
+
+// --- the gate -----------------------------------------------------------------------------------------------------------
+
+JudgedGate judged(const Case& entry, const CaseGate& gate, std::int64_t steps) {
+  StudyResult study;
+  study.entry = &entry;
+  study.plan = {.id = "default", .title = {}, .why = {}};
+  study.levels.push_back({10, 0, RunResult(entry.name(), "default", settings_for(entry)), {}});
+  study.levels.front().run.steps = steps;
+  return judge_gates({gate}, study).at(0);
+}
+
+TEST(RestartGate, ComparesEveryNumberOfARun) {
+  const Shortened entry(find_case("string-vibration"), 40);
+  const JudgedGate gate = judged(entry, restart_gate("default", "runs of a membrane"), 40);
+  EXPECT_EQ(gate.gate.id, "default/restart");
+  EXPECT_EQ(gate.judgement.verdict, Verdict::pass) << gate.measured.note;
+  EXPECT_EQ(gate.measured.value, 0);
+}
+
+TEST(RestartGate, IsRedWhereAProblemDoesNotNameWhatItHasSeen) {
+  for (const char* name : {"two-bar", "mms-bar", "ring-at-rest"}) {
+    const Shortened entry(find_case(name), 40, true);
+    const JudgedGate gate = judged(entry, restart_gate("default", "runs"), 40);
+    EXPECT_EQ(gate.judgement.verdict, Verdict::fail) << name;
+    EXPECT_GT(gate.measured.value.value_or(0), 0) << name;
+    EXPECT_NE(gate.measured.note.find("the first in "), std::string::npos) << gate.measured.note;
+  }
+}
+
+TEST(RestartGate, TakesOverridesAndASuffix) {
+  const Shortened entry(find_case("bar-vibration"), 40);
+  const CaseGate gate = restart_gate("default", "runs", {{"integrator", "generalized-alpha"}, {"transfer", "flip"}},
+                                     "-x");
+  EXPECT_EQ(gate.gate.id, "default/restart-x");
+  EXPECT_EQ(judged(entry, gate, 40).judgement.verdict, Verdict::pass);
+}
+
+// The final state of another program has no steps: nothing can be said of it.
+TEST(RestartGate, SaysNothingOfAFinalState) {
+  const Shortened entry(find_case("sod"), 40);
+  EXPECT_TRUE(judged(entry, restart_gate("default", "runs"), 0).measured.invalid);
+}
+
+// Gas that expands must split points before the restart and after it, or the gate of the case says nothing of that.
+TEST(RestartGate, PointsAreSplitOnTheWay) {
+  const Case& entry = find_case("gas-expansion");
+  const Settings settings = entry.settings("default", {{"cells", 40.0}, {"split", 0.2}});
+  const auto problem = entry.problem(settings);
+  Simulation run(problem->scene(), settings.text("integrator"), step_control(settings));
+  const long start = run.points();
+  run.run_until(problem->end_time() / 2);
+  const long half_way = run.points();
+  run.run_until(problem->end_time());
+  EXPECT_LT(start, half_way);
+  EXPECT_LT(half_way, run.points());
+}
 
 }  // namespace
 }  // namespace plumbline
