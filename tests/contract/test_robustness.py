@@ -259,9 +259,9 @@ def test_read_only_folder(read_only, arguments):
 @pytest.mark.parametrize("what", ["pipe", "folder", "device", "loop"])
 def test_what_is_no_file_is_not_waited_for(plumbline, arguments, what):
     path = plumbline.folder / "in"
+    if (what, arguments[0]) in (("pipe", "sweep"), ("loop", "verify")):
+        pytest.skip("a shell makes pipes for plans, and what is not there may be the name of an integrator")
     if what == "pipe":
-        if arguments[0] == "sweep":
-            pytest.skip("a shell makes pipes for plans")
         os.mkfifo(path)
     elif what == "folder":
         path.mkdir()
