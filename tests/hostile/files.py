@@ -75,7 +75,7 @@ def handed_back(start, path):
     """The start itself as a final state: a program that did nothing."""
     with h5py.File(start) as source, h5py.File(path, "w") as file:
         file.attrs.update(exchange_format=1, kind="final-state", case=source.attrs["case"], cells=source.attrs["cells"],
-                          problem=source.attrs["problem"], program="idle", version="1", time=source.attrs["end_time"])
+                          problem=source.attrs["problem"], start=source.attrs["start"], program="idle", version="1", time=source.attrs["end_time"])
         for body in source["bodies"]:
             group = file.create_group(f"bodies/{body}")
             for key, item in source[f"bodies/{body}"].items():
@@ -165,7 +165,7 @@ SHAPES = {
     "not a number": one_value(numpy.nan), "infinite": one_value(numpy.inf), "negative": one_value(-1.0, "mass", "volume", "density"),
     "zero": one_value(0.0, "mass", "volume", "density"), "barely a number": one_value(5e-324, "mass", "volume", "density"),
 }
-ATTRIBUTES = ("exchange_format", "kind", "case", "cells", "problem", "program", "version", "time")
+ATTRIBUTES = ("exchange_format", "kind", "case", "cells", "problem", "start", "program", "version", "time")
 
 
 def spoilt_attribute(dice, file):

@@ -155,7 +155,7 @@ def test_slips_are_no_names():
 
 def test_what_is_grave_changes_a_state_and_keeps_a_file(tmp_path):
     with h5py.File(tmp_path / "start.h5", "w") as start:
-        start.attrs.update(case="sod", cells=4, problem="0", end_time=0.1)
+        start.attrs.update(case="sod", cells=4, problem="0", start="0", end_time=0.1)
         for name in ("position", "velocity", "mass", "pressure", "energy"):
             start[f"bodies/gas/{name}"] = numpy.arange(1.0, 9.0)
     files.handed_back(tmp_path / "start.h5", tmp_path / "mine.h5")

@@ -25,7 +25,7 @@ struct Written {
 struct FileContent {
   std::vector<std::pair<std::string, double>> numbers{{"exchange_format", 1}, {"time", 0.143}, {"cells", 4}};
   std::vector<std::pair<std::string, std::string>> texts{
-      {"kind", "final-state"}, {"case", "sod"}, {"program", "p"}, {"version", "1"}};
+      {"kind", "final-state"}, {"case", "sod"}, {"start", "0"}, {"program", "p"}, {"version", "1"}};
   std::vector<std::pair<std::string, Written>> columns;
 };
 
@@ -53,13 +53,13 @@ void spoil(FuzzedDataProvider& input, FileContent& state) {
       state.numbers[input.ConsumeIntegralInRange<std::size_t>(0, 2)].second = any_number(input);
       break;
     case 1:
-      state.texts[input.ConsumeIntegralInRange<std::size_t>(0, 3)].second = input.ConsumeRandomLengthString(40);
+      state.texts[input.ConsumeIntegralInRange<std::size_t>(0, 4)].second = input.ConsumeRandomLengthString(40);
       break;
     case 2:
       state.numbers[input.ConsumeIntegralInRange<std::size_t>(0, 2)].first = input.ConsumeRandomLengthString(12);
       break;
     case 3:
-      state.texts[input.ConsumeIntegralInRange<std::size_t>(0, 3)].first = input.ConsumeRandomLengthString(12);
+      state.texts[input.ConsumeIntegralInRange<std::size_t>(0, 4)].first = input.ConsumeRandomLengthString(12);
       break;
     case 4:
       state.columns[input.ConsumeIntegralInRange<std::size_t>(0, state.columns.size() - 1)].first =
