@@ -6,6 +6,7 @@ point and field. 4: a file, with its path. SIGPIPE where the reader has left, 12
 status, a signal, no end, JSON that is not strict UTF-8 JSON of the schema, a partial file, a file of a refused call.
 """
 import dataclasses
+import os
 import re
 import signal
 from pathlib import Path
@@ -47,7 +48,7 @@ def of_status(outcome):
     elif code < 0:
         yield Fault("crash", f"ended by signal {signal.Signals(-code).name}: {last_line(outcome)}")
     elif call.interrupted and code == ENDED_BY_SIGNAL + call.interrupted[0]:
-        if outcome.answered > ANSWER:
+        if outcome.answered > ANSWER * max(1.0, os.getloadavg()[0] / os.cpu_count()):
             yield Fault("signal", f"ended {outcome.answered:.1f} s after {call.interrupted[0].name}")
     elif code not in (0, 1, 2, 3, 4):
         yield Fault("status", f"exit status {code}: {last_line(outcome)}")

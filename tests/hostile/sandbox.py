@@ -9,7 +9,7 @@ import time
 from pathlib import Path
 
 FLOOR = 12.0     # processor seconds beyond ten times the estimate: set-up, references, verdicts, the laboratory
-PATIENCE = 5     # seconds on the clock for one of the processor: other processes want it, too
+IDLE = 20.0      # seconds on the clock without any work: of the processor alone a busy machine gives little
 MEMORY = 6 << 30
 
 
@@ -134,12 +134,12 @@ def make(executable, call, folder, slow=1.0, memory=MEMORY):
                           stdout=subprocess.PIPE if target is None else target, stderr=subprocess.PIPE) as process:
         if target is not None:
             os.close(target)
-        out, err, late, answered = wait(process, call, begin + PATIENCE * cpu)
+        out, err, late, answered = wait(process, call, min(IDLE, slow * call.floor))
     return Outcome(call, process.returncode, out or b"", err or b"", time.monotonic() - begin, late, before, contents(folder), folder, answered)
 
 
-def wait(process, call, deadline):
-    """(standard output, standard error, why it was ended, seconds from the signal to the end)"""
+def wait(process, call, idle):
+    """(standard output, standard error, why it was ended, seconds from the signal to the end). `idle`: s without any work"""
     stdin, sent = call.stdin, 0.0
     if call.interrupted:
         try:
@@ -148,13 +148,33 @@ def wait(process, call, deadline):
         except subprocess.TimeoutExpired:
             process.send_signal(call.interrupted[0])
             stdin, sent = None, time.monotonic()
-    late = ""
-    try:
-        out, err = process.communicate(stdin, timeout=max(0.1, deadline - time.monotonic()))
-    except subprocess.TimeoutExpired:
-        late = "not ended in the time it has"
-        os.killpg(process.pid, signal.SIGKILL)
-        out, err = process.communicate()
+    late, worked, last = "", -1.0, time.monotonic()
+    while True:
+        try:
+            out, err = process.communicate(stdin, timeout=min(idle, 5))
+            break
+        except subprocess.TimeoutExpired:
+            stdin = None
+            so_far, paused = work(process.pid)
+            if so_far != worked or paused:
+                worked, last = so_far, time.monotonic()
+            elif time.monotonic() - last >= idle:
+                late = f"nothing done for {idle:.0f} s"
+                os.killpg(process.pid, signal.SIGKILL)
     if process.returncode == -signal.SIGXCPU:
         late = "processor time used up"
     return out, err, late, time.monotonic() - sent if sent else 0.0
+
+
+def work(session):
+    """(processor time of all processes of a session, whether one of them is stopped from outside)"""
+    ticks, paused = 0, False
+    for entry in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            fields = entry.read_text(encoding="utf-8", errors="replace").rpartition(")")[2].split()
+        except OSError:
+            continue
+        if int(fields[3]) == session:
+            ticks += int(fields[11]) + int(fields[12])
+            paused |= fields[0] == "T"
+    return ticks, paused

@@ -101,11 +101,13 @@ def test_each_rule_is_seen_broken(broken, lines, arguments, how, rules):
     assert broken(lines, *arguments, **how) == rules
 
 
-def test_a_signal_is_answered(broken):
+def test_a_signal_is_answered(broken, monkeypatch):
+    monkeypatch.setattr(outcome.os, "getloadavg", lambda: (0.0, 0.0, 0.0))
+    monkeypatch.setattr(outcome, "ANSWER", 10.0)   # this machine may be busy, too
     deaf = "signal.signal(signal.SIGINT, lambda *_: None); end = time.monotonic() + {}\nwhile time.monotonic() < end: time.sleep(0.01)\nsys.exit(130)"
-    sent = {"interrupted": (signal.SIGINT, 0.5), "floor": 20}
-    assert broken(deaf.format(1.0), "run", "sod", **sent) == []
-    assert broken(deaf.format(outcome.ANSWER + 1.5), "run", "sod", **sent) == ["signal"]
+    sent = {"interrupted": (signal.SIGINT, 2.0), "floor": 20}
+    assert broken(deaf.format(4.0), "run", "sod", **sent) == []
+    assert broken(deaf.format(14.0), "run", "sod", **sent) == ["signal"]
     assert broken("time.sleep(60)", "run", "sod", **sent) == ["crash"]   # Python ends by the signal itself
 
 
