@@ -21,9 +21,9 @@
 #include <thread>
 
 #include "cases/harness/errors.hpp"
-#include "cases/harness/signals.hpp"
 #include "cases/harness/guarded_integrator.hpp"
 #include "cases/harness/json_text.hpp"
+#include "cases/harness/signals.hpp"
 #include "kernel/integrator_traits.hpp"
 
 namespace plumbline {

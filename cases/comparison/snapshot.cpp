@@ -100,9 +100,7 @@ Json parsed(const std::string& file, const std::string& content) {
 
 Json part(const std::string& file, const std::string& path) { return parsed(file, read_hdf5_text(file, path)); }
 
-Json json_file(const std::string& file) {
-  return parsed(file, read_text_file(file));
-}
+Json json_file(const std::string& file) { return parsed(file, read_text_file(file)); }
 
 void require_known_format(const std::string& file) {
   const std::int64_t format = read_hdf5_integer(file, "/", "plumbline_format");
