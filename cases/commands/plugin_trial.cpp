@@ -233,6 +233,7 @@ Refusals try_plugin(const std::string& path, const std::string& file, double lim
     const pid_t process = ::fork();
     if (process == 0) try_here(path, file, refusals, *report);
     Child child(process);
+    const HasChildren here;
     const std::string did = watch(child, *report, limit);
     if (report->phase == Phase::refused) refuse_file(file, report->text);
     if (did.empty()) return refusals;
