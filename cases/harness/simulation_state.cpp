@@ -21,24 +21,38 @@ void archive_ledger(Archive& archive, Ledger& ledger) {
   if (archive.reads()) ledger = std::bit_cast<Ledger>(image);
 }
 
-// The columns that the points have, for `points` of them.
+// The columns of `points` points. Some come in the first steps, so that a new scene does not have them yet.
 void archive_columns(Archive& archive, int points, Columns& columns) {
+  constexpr int most = 16;  // components
+  const std::vector<ColumnId> known = registered_columns();
+  std::vector<int> components;
+  for (const ColumnId& id : known) components.push_back(columns.components(id));
+  archive("components", components);
+  if (components.size() != known.size()) throw ArchiveError("other columns are known");
   Columns read(points);
-  for (const ColumnId& id : registered_columns()) {
-    const int components = columns.components(id);
-    if (components == 0) continue;
-    const auto own = columns.values(id);
-    std::vector<double> values(own.begin(), own.end());
-    archive(id.name(), values);
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    if (components[k] == 0) continue;
+    if (components[k] < 0 || components[k] > most) throw ArchiveError(known[k].name() + " has no such components");
+    std::vector<double> values;
+    if (!archive.reads()) {
+      const auto own = columns.values(known[k]);
+      values.assign(own.begin(), own.end());
+    }
+    archive(known[k].name(), values);
     if (!archive.reads()) continue;
-    read.add(id, components);
-    const auto to = read.values(id);
+    read.add(known[k], components[k]);
+    const auto to = read.values(known[k]);
     if (values.size() != to.size()) {
-      throw ArchiveError(fmt::format("{} has {} numbers for {} points", id.name(), values.size(), points));
+      throw ArchiveError(fmt::format("{} has {} numbers for {} points", known[k].name(), values.size(), points));
     }
     std::copy(values.begin(), values.end(), to.begin());
   }
-  if (archive.reads()) columns = std::move(read);
+  if (!archive.reads()) return;
+  for (const ColumnId& id : known) {
+    if (columns.components(id) > 0 && columns.components(id) != read.components(id))
+      throw ArchiveError(id.name() + " is not as the scene has it");
+  }
+  columns = std::move(read);
 }
 
 // Each number once: what watches a run finds points by them.
