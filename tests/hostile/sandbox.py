@@ -134,7 +134,7 @@ def make(executable, call, folder, slow=1.0, memory=MEMORY):
                           stdout=subprocess.PIPE if target is None else target, stderr=subprocess.PIPE) as process:
         if target is not None:
             os.close(target)
-        out, err, late, answered = wait(process, call, min(IDLE, slow * call.floor))
+        out, err, late, answered = wait(process, call, min(IDLE, 8 * slow * call.floor))
     return Outcome(call, process.returncode, out or b"", err or b"", time.monotonic() - begin, late, before, contents(folder), folder, answered)
 
 
