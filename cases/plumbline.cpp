@@ -92,6 +92,9 @@ int execute(const std::vector<Command>& commands, const CommonOptions& options) 
   } catch (const Interrupted& error) {
     print_text(stderr, "plumbline: interrupted, nothing is left half-written\n");
     return 128 + error.signal;
+  } catch (const CannotWork& parts) {
+    report_error(options, error_document("integrator", parts.what()), parts.what());
+    return exit_usage;
   } catch (const InadmissibleState& state) {
     const std::string message = fmt::format("stopped at step {}: {}", state.step, state.what());
     report_error(options, error_document(state.field, message), message);

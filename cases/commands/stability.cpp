@@ -191,6 +191,21 @@ void print(const Output& out, const StabilityProblem& problem, const Configurati
   if (!found.sampled.empty()) out.line("  sampled: {}", found.sampled);
 }
 
+// What converges is of first order; a tenth is left to the terms of higher order in a fit.
+constexpr double least_order = 0.9;
+
+// Prints the orders that say that the step does not follow the problem; how many.
+int print_lost_orders(const Output& out, const Configuration& found) {
+  int lost = 0;
+  for (const auto& [quantity, order] : found.orders) {
+    if (order.high >= least_order) continue;
+    out.line("  {} order of {}: {:.4f} is below {}: {} does not converge", coloured(Verdict::fail), quantity,
+             order.order, least_order, found.settings.text("integrator"));
+    ++lost;
+  }
+  return lost;
+}
+
 // Of every integrator, shape and transfer; in the quick tier of those that York's and the default scheme of gases choose.
 Json safe_table(Tier tier, int threads) {
   const bool full = tier == Tier::full;
@@ -220,7 +235,7 @@ Configuration examined(const StabilityProblem& problem, const std::string& schem
 }
 
 Json examine_all(const Output& out, const StabilityProblem& problem, const CommonOptions& options,
-                 const StabilityOptions& own, bool all, KnownLists& known) {
+                 const StabilityOptions& own, bool all, KnownLists& known, int& lost_orders) {
   const Tier tier = own.tier == "full" ? Tier::full : Tier::quick;
   const auto chosen = settings_of(problem, options, own, all);
   std::vector<std::optional<Configuration>> found(chosen.size());
@@ -233,6 +248,7 @@ Json examine_all(const Output& out, const StabilityProblem& problem, const Commo
   for (const auto& configuration : found) {
     const KnownList& list = known.of(integrator_of(*configuration));
     print(out, problem, *configuration);
+    lost_orders += print_lost_orders(out, *configuration);
     print_smallest(out, *configuration, list);
     document["configurations"].push_back(to_json(*configuration));
     document["configurations"].back()["smallest_known"] = to_json(smallest_known(*configuration, list));
@@ -256,9 +272,10 @@ int execute(const Invocation& invocation, const StabilityOptions& own) {
   }
   const Output out(invocation.options);
   Json documents = Json::array();
+  int lost_orders = 0;
   KnownLists known(all, invocation.options.threads);
   for (const StabilityProblem* problem : problems) {
-    documents.push_back(examine_all(out, *problem, invocation.options, own, all, known));
+    documents.push_back(examine_all(out, *problem, invocation.options, own, all, known, lost_orders));
   }
   for (const KnownList& list : known.lists()) {
     out.line("known limits of {}: those on {}{}", list.integrator.name, names_of(list.problems),
@@ -269,7 +286,7 @@ int execute(const Invocation& invocation, const StabilityOptions& own) {
   for (const KnownList& list : known.lists()) document["known_limits"].push_back(to_json(list));
   document["provenance"] = to_json(invocation.provenance());
   write_json(invocation.options, document);
-  return 0;
+  return lost_orders > 0 ? exit_red : 0;
 }
 
 }  // namespace
