@@ -83,7 +83,11 @@ TEST(GuardedIntegrator, CountsItsStepsAndCopiesTakeThemAlong) {
 
 // In a run, step and time are the run's: a run that goes on from a checkpoint has others than its integrator.
 TEST(GuardedIntegrator, InARunTheStepIsTheRuns) {
-  RegisterIntegrator(guarded(entry_of("test-acting-in-a-run")));
+  class Plain final : public TimeIntegrator {
+    void step(Stages&, double) override { act(); }
+  };
+  RegisterIntegrator(guarded({"test-acting-in-a-run", "acts", "this test", [] { return std::make_unique<Plain>(); },
+                              [](const TimeIntegrator&) { return std::make_unique<Plain>(); }}));
   Simulation run(scenes::rough_gas(1, "quadratic", "flip"), "test-acting-in-a-run", {.dt = 1e-3});
   act = [] {};
   run.step(1);
