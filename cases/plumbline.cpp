@@ -123,10 +123,19 @@ bool wants_json(int argc, char** argv) {
   return false;
 }
 
-// The option or argument that a message of CLI11 begins with: "--cells: ...", "name is required".
-std::string option_in(const std::string& message) {
-  const bool named = message.rfind("--", 0) == 0 || message.find(" is required") != std::string::npos;
-  return named ? message.substr(0, message.find_first_of(": ")) : "";
+// A message of CLI11 in parts: "--cells: 'x' is not allowed: a whole number", "Could not convert: --at = x", "name is required".
+UsageError call_error(const std::string& message) {
+  const std::size_t option = message.find("--"), quoted = message.find('\''), equals = message.find(" = ");
+  const std::size_t begin = option == std::string::npos ? 0 : option;
+  const std::string key = message.substr(begin, message.find_first_of(": ", begin) - begin);
+  const std::size_t last = message.rfind(": ");
+  std::string value = "none", allowed = "as --help of the command says";
+  if (equals != std::string::npos) value = message.substr(equals + 3);
+  if (quoted != std::string::npos && last > quoted && last != std::string::npos) {
+    value = message.substr(quoted + 1, message.rfind('\'') - quoted - 1);
+    allowed = message.substr(last + 2);
+  }
+  return UsageError(key, value, allowed, {}, message);
 }
 
 int run(int argc, char** argv) {
@@ -156,7 +165,7 @@ int run(int argc, char** argv) {
     return app.exit(done);
   } catch (const CLI::ParseError& error) {
     if (wants_json(argc, argv)) invocation.options.json = "-";
-    report_error(invocation.options, error_document(option_in(error.what()), error.what()), error.what());
+    report_error(invocation.options, error_document(call_error(error.what())), error.what());
     return exit_usage;
   } catch (const UsageError& error) {
     if (wants_json(argc, argv)) invocation.options.json = "-";

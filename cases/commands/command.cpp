@@ -85,7 +85,8 @@ void add_limits(CLI::App& app) {
 void add_json(CLI::App& app, CommonOptions& options) {
   app.add_option("--json", options.json, "write JSON to a file, or - for standard output")->check(not_empty());
   app.add_option("--plugin", options.plugins, "shared library that registers integrators (repeatable)")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->check(not_empty());
   app.add_option("--step-limit", options.step_limit,
                  "of plug-ins: seconds that one step may take; by the size of the scene if not given");
 }

@@ -143,7 +143,7 @@ Json to_json(const std::vector<Measure>& measures) {
   Json all = Json::object();
   for (const Measure& m : measures) {
     all[m.name] = {{"error", number(m.error)},
-                   {"relative_error", number(m.error / m.scale)},
+                   {"relative_error", m.scale > m.reference_bound ? number(m.error / m.scale) : Json(nullptr)},
                    {"value", optional_number(m.value)},
                    {"reference", optional_number(m.reference)},
                    {"reference_bound", number(m.reference_bound)},

@@ -40,8 +40,8 @@ struct RunResult {
   Settings settings;
   int dim = 1;
   bool axisymmetric = false;
-  double h = 0;   // cell size, m
-  double dt = 0;  // mean step, s
+  double h = 0;        // cell size, m
+  double dt = 0;       // mean step, s
   double courant = 0;  // of the first step: dt over what cfl = 1 allows
   bool finished = false;
   std::optional<Stop> stop;

@@ -20,7 +20,6 @@ KINDS = {
     "implicit": ("bar-vibration", "--cells", 8, "--integrator", "implicit-midpoint", "--set", "transfer=flip"),
     "memory": ("bar-vibration", "--cells", 8, "--integrator", "generalized-alpha", "--set", "transfer=flip"),
     "last step": ("bar-vibration", "--cells", 8, "--integrator", "central-difference", "--set", "transfer=flip"),
-    "load": ("mms-ring", "--cells", 8),
     "contact": ("two-bar", "--cells", 20, "--set", "t_end=0.5"),
     "contact, york1997": ("two-disks", "--scheme", "york1997", "--cells", 10, "--set", "t_end=0.5"),
     "membrane": ("string-vibration", "--cells", 10),
@@ -63,7 +62,8 @@ def result_files(folder):
 def test_a_killed_run_goes_on_to_the_same_bits(plumbline, kind):
     arguments, checkpoint = KINDS[kind], plumbline.folder / "run.checkpoint"
     whole = plumbline("run", *arguments, "--results", "whole", json=True)
-    assert whole.code == (3 if kind == "stopped" else 0), whole.text
+    # Normals: ends before one of its measures is defined.
+    assert whole.code == {"stopped": 3, "normals": 1}.get(kind, 0), whole.text
     steps = whole.json()["steps"]
     killed = kill_at(start(plumbline, *arguments, "--results", "resumed", "--checkpoint", checkpoint, "--every", 1),
                      checkpoint, steps // 3)
