@@ -192,7 +192,7 @@ PluginWatch::PluginWatch(std::optional<double> limit, bool json_on_stdout)
   ::sigaltstack(&own, nullptr);
   struct sigaction told {};
   told.sa_handler = at_fatal_signal;
-  told.sa_flags = SA_ONSTACK | static_cast<int>(SA_RESETHAND);
+  told.sa_flags = SA_ONSTACK;  // kept: another thread may meet a signal while the first is told
   for (const int signal : fatal_signals) ::sigaction(signal, &told, &before[at(signal)]);
 }
 
