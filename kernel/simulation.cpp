@@ -30,7 +30,9 @@ Simulation::Simulation(Scene scene, const std::string& integrator, StepControl c
 
 void Simulation::step(double longest) {
   try {
-    last_dt_ = std::min(longest, control_.dt ? *control_.dt : control_.cfl * engine_->step_limit());
+    const auto limit = [&] { return restored_limit_ ? *restored_limit_ : engine_->step_limit(); };
+    last_dt_ = std::min(longest, control_.dt ? *control_.dt : control_.cfl * limit());
+    restored_limit_.reset();
     ++step_;
     const InStep here(step_, time_);
     engine_->set_time(time_);
@@ -61,7 +63,14 @@ long Simulation::points() const {
 }
 
 Checkpoint Simulation::save() const {
-  Checkpoint checkpoint{time_, step_, {}, {}, {}, ledger_, copy_integrator_(*integrator_)};
+  Checkpoint checkpoint{time_,
+                        step_,
+                        {},
+                        {},
+                        {},
+                        ledger_,
+                        copy_integrator_(*integrator_),
+                        restored_limit_ ? *restored_limit_ : engine_->step_limit()};
   for (const Body& body : scene_.bodies) {
     checkpoint.points.push_back(body.points);
     checkpoint.ids.push_back(body.id);
@@ -85,6 +94,7 @@ void Simulation::restore(const Checkpoint& checkpoint) {
   integrator_ = copy_integrator_(*checkpoint.integrator);
   time_ = checkpoint.time;
   step_ = checkpoint.step;
+  restored_limit_ = checkpoint.step_limit;
   engine_->points_changed(time_);
 }
 

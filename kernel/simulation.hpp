@@ -30,6 +30,9 @@ struct Checkpoint {
   std::vector<std::vector<int>> ids, split_from;
   Ledger ledger;
   std::shared_ptr<const TimeIntegrator> integrator;  // with what it keeps from step to step
+  // Engine::step_limit() of these points, which rounds with how they are parted into chunks: as they stood when they were last
+  // located, which nobody can find again. Empty: it is found anew, as is right where points were changed.
+  std::optional<double> step_limit = {};
 };
 
 class Simulation {
@@ -67,6 +70,7 @@ class Simulation {
   std::unique_ptr<Engine> engine_;
   double time_ = 0, last_dt_ = 0;
   long step_ = 0;
+  std::optional<double> restored_limit_ = {};  // of the step after a restart
 };
 
 }  // namespace plumbline

@@ -64,6 +64,7 @@ std::unique_ptr<Simulation> simulation_of(const Problem& problem, const Settings
   }
   auto simulation = std::make_unique<Simulation>(std::move(scene), settings.text("integrator"), step_control(settings));
   Checkpoint state = simulation->save();
+  state.step_limit.reset();
   state.time = time;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     std::iota(state.ids[b].begin(), state.ids[b].end(), 0);

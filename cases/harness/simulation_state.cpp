@@ -115,6 +115,9 @@ void archive_simulation(Archive& archive, Simulation& simulation, const std::str
   Checkpoint state = simulation.save();
   archive("time", state.time);
   archive("step", state.step);
+  double limit = state.step_limit.value_or(0);
+  archive("step_limit", limit);
+  state.step_limit = limit;
   archive_ledger(archive, state.ledger);
   for (std::size_t b = 0; b < state.points.size(); ++b) {
     BodyState body{state.points[b], state.ids[b], state.split_from[b], simulation.scene().grid};

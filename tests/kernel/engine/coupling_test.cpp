@@ -204,6 +204,7 @@ TEST_P(Coupling, LossesWaitForGas) {
     EXPECT_GT(std::abs(kept(run)), 1e6 * rounding * start);
     Checkpoint checkpoint = run.save();
     move_gas(checkpoint.points[0], -0.9);
+    checkpoint.step_limit.reset();
     run.restore(checkpoint);
     for (int k = 0; k < 20; ++k) {
       run.step(1);
