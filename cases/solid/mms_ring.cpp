@@ -1,6 +1,7 @@
 // A ring that breathes across an unaligned grid.
 #include <cmath>
 
+#include "cases/harness/restart_gate.hpp"
 #include "cases/solid/annulus_points.hpp"
 #include "cases/solid/manufactured_case.hpp"
 
@@ -104,10 +105,11 @@ class MmsRing final : public ManufacturedCase {
     for (CaseGate& gate : displacement_order("cubic", 1.8, "second order; 0.2 for curved edges")) {
       all.push_back(std::move(gate));
     }
+    all.push_back(restart_gate("default", "runs under loads"));
     return all;
   }
 
-  GateCount gate_count() const override { return {14, 32}; }
+  GateCount gate_count() const override { return {15, 33}; }
 
  protected:
   ManufacturedSetup setup(const Settings& settings) const override {
