@@ -70,14 +70,15 @@ void require_agreement(const CLI::App& command, const CommonOptions& options) {
 }
 
 void add_limits(CLI::App& app) {
-  // A smaller budget than the first is not enough for the program and its libraries.
+  // The program and its libraries alone take some tens of megabytes.
+  constexpr std::uint64_t least = 100'000'000, most = std::uint64_t{1} << 50;
   const auto memory = [](const std::uint64_t& bytes) { budget().memory = static_cast<double>(bytes); };
   app.add_option_function<std::uint64_t>(
          "--max-memory", memory,
          "memory that may be used, as 500MB or 2GB; nine tenths of the machine's if not "
          "given")
       ->transform(CLI::AsSizeValue(true))
-      ->check(CLI::Range(std::uint64_t{100'000'000}, std::uint64_t{1} << 50));
+      ->check(CLI::Range(least, most));
   app.add_option("--max-steps", budget().steps, "steps that a run may take; 1e9 if not given")
       ->check(number_within(1, 1e15));
 }

@@ -129,6 +129,7 @@ void ask(const IntegratorEntry& entry) {
   }
   integrator->claims();
   integrator->memory();
+  integrator->kept();
   entry.copy(*integrator);
 }
 

@@ -8,6 +8,7 @@
 #include "cases/harness/errors.hpp"
 #include "cases/harness/fingerprint.hpp"
 #include "cases/harness/hdf5_file.hpp"
+#include "cases/harness/json_text.hpp"
 #include "cases/harness/provenance.hpp"
 #include "cases/harness/restore.hpp"
 
@@ -66,7 +67,7 @@ CheckpointFile from_parts(const Hdf5Reader& file, const Json& parts) {
 void write_checkpoint(const std::string& path, const CheckpointFile& checkpoint) {
   Hdf5Writer file(path);
   file.attribute("/", "kind", "checkpoint");
-  file.text(about_path, about(checkpoint).dump());
+  file.text(about_path, json_text(about(checkpoint)));
   for (const auto& [name, values] : checkpoint.state.numbers) file.numbers(numbers_group + name, values);
   file.commit(Hdf5Writer::Flush::to_disk);
 }
@@ -76,13 +77,13 @@ CheckpointFile read_checkpoint(const std::string& path) {
   const Hdf5Reader file(path);
   if (!file.has(about_path)) throw FileError(path, path + ": holds no checkpoint of a run");
   try {
-    const Json parts = Json::parse(file.text(about_path));
+    const Json parts = parse_json(file.text(about_path));
     const int format = parts.at("checkpoint");
     if (format > checkpoint_format)
       throw FileError(path, fmt::format("{}: a checkpoint of format {}, made by a newer version", path, format));
     return from_parts(file, parts);
   } catch (const Json::exception& error) {
-    throw FileError(path, fmt::format("{}: {} is damaged: {}", path, about_path, error.what()));
+    throw FileError(path, fmt::format("{}: {} is damaged: {}", path, about_path, fault_of(error)));
   }
 }
 

@@ -287,7 +287,7 @@ std::vector<CaseGate> generic_gates(const std::string& study, int dim, bool axis
   }
   gates.push_back(identity(
       study, study + "/ledger", "relative residual of the energy ledger",
-      "every joule is booked by its own formula, " + why + long_runs,
+      "every exchange of energy is booked by its own formula, " + why + long_runs,
       largest_over_runs([](const RunResult& r) { return over_rounding(r, r.ledger.energy.relative_drift(false)); })));
   return gates;
 }

@@ -140,6 +140,17 @@ class Guarded final : public TimeIntegrator {
     });
   }
 
+  std::vector<double*> kept() override {
+    if (!integrator_) return {};
+    return watched(original_, {"kept"}, [&] {
+      std::vector<double*> all = integrator_->kept();
+      for (const double* number : all) {
+        if (!number) misbehave("kept", "named a number that is none");
+      }
+      return all;
+    });
+  }
+
   Claims claims() const override {
     if (!integrator_) return {};
     return watched(original_, {"claims"}, [&] { return integrator_->claims(); });

@@ -52,7 +52,7 @@ const WatchedCall* call_of_this_thread();
 void for_calls_under_way(const std::function<void(const WatchedCall&)>& look);
 
 // The entry behind a guard. What its integrators throw becomes MisbehavingIntegrator, but for InadmissibleState and
-// Interrupted; so do a null pointer of make, copy, memory or a parameter. `refusal`, if any: what the integrator did when it
+// Interrupted; so do a null pointer of make, copy, memory, kept or a parameter. `refusal`, if any: what the integrator did when it
 // was tried, for which its steps are not called; each throws that at once.
 IntegratorEntry guarded(const IntegratorEntry& entry, const std::string& refusal = {});
 

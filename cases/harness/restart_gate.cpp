@@ -112,6 +112,7 @@ RestartDifference restart_difference(const Case& entry, const std::string& schem
     return ended;
   };
   const Ended whole = run(nullptr, true);
+  if (!std::filesystem::exists(file.path())) return {};
   const CheckpointFile checkpoint = read_checkpoint(file.path());
   require_same_code(checkpoint, file.path());
   RestartDifference difference;
@@ -138,6 +139,11 @@ CaseGate restart_gate(const std::string& study, const std::string& what, std::ve
     Settings settings = s.levels.front().run.settings;
     for (const auto& [key, value] : overrides) settings.set(key, value, s.entry->name());
     const RestartDifference difference = restart_difference(*s.entry, s.plan.scheme, settings, 0.5);
+    if (difference.compared == 0) {
+      measured.invalid = true;
+      measured.note = "the run ended before the half of its time: there is nothing to be taken up again";
+      return measured;
+    }
     measured.value = static_cast<double>(difference.numbers);
     measured.note = difference.first.empty()
                         ? fmt::format("{} numbers compared", difference.compared)

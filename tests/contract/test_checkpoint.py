@@ -25,6 +25,7 @@ KINDS = {
     "membrane": ("string-vibration", "--cells", 10),
     "slack membrane": ("string-slack", "--cells", 10),
     "gas and membrane": ("ring-breathing", "--cells", 8),
+    "load": ("mms-ring", "--cells", 8),
     "normals": ("normals-cylinder", "--set", "membrane.strain=accumulated", "--set", "normals=modern", "--set", "t_end=2e-3"),
     "bag, contact, axisymmetric": ("airbag-200", "--cells", 12, "--set", "t_end=2e-3"),
     "stability": ("stability-bar",),

@@ -22,11 +22,12 @@ class Acting final : public TimeIntegrator {
  public:
   void step(Stages&, double) override { act(); }
   std::vector<IntegratorParameter> parameters() override { return {{"test_null", pointer, 0, 1, "of nothing"}}; }
-  std::vector<State*> memory() override { return {&kept, nullptr}; }
+  std::vector<State*> memory() override { return {&state, nullptr}; }
+  std::vector<double*> kept() override { return {&value, nullptr}; }
   Claims claims() const override { throw Odd(); }
   double value = 0;
   double* pointer = nullptr;
-  State kept;
+  State state;
 };
 
 IntegratorEntry entry_of(const std::string& name) {
@@ -110,6 +111,7 @@ TEST(GuardedIntegrator, OtherCallsAreGuardedToo) {
   EXPECT_THROW(integrator->claims(), MisbehavingIntegrator);
   EXPECT_THROW(integrator->parameters(), MisbehavingIntegrator);
   EXPECT_THROW(integrator->memory(), MisbehavingIntegrator);
+  EXPECT_THROW(integrator->kept(), MisbehavingIntegrator);
   IntegratorEntry nothing = entry_of("acting");
   nothing.make = [] { return nullptr; };
   nothing.copy = [](const TimeIntegrator&) { return nullptr; };
@@ -119,13 +121,39 @@ TEST(GuardedIntegrator, OtherCallsAreGuardedToo) {
   EXPECT_THROW(behind.copy(*behind.make()), MisbehavingIntegrator);
 }
 
+// All that a run is taken up again by.
+TEST(GuardedIntegrator, WhatItSaysOfItselfArrives) {
+  class Honest final : public TimeIntegrator {
+    void step(Stages&, double) override {}
+    std::vector<IntegratorParameter> parameters() override { return {{"test_share", &share, 0, 1, "of something"}}; }
+    std::vector<State*> memory() override { return {&state}; }
+    std::vector<double*> kept() override { return {&number}; }
+    Claims claims() const override { return {.reversible = true}; }
+    double share = 0.5, number = 7;
+    State state{{1, 2, 3}};
+  };
+  const IntegratorEntry entry = guarded(
+      {"honest", "tells", "this test", [] { return std::make_unique<Honest>(); },
+       [](const TimeIntegrator& now) { return std::make_unique<Honest>(static_cast<const Honest&>(now)); }});
+  const auto first = entry.make();
+  *first->kept().front() = 8;
+  const auto copy = entry.copy(*first);
+  ASSERT_EQ(copy->kept().size(), 1u);
+  EXPECT_EQ(*copy->kept().front(), 8);
+  ASSERT_EQ(copy->memory().size(), 1u);
+  EXPECT_EQ(copy->memory().front()->values, (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(copy->parameters().front().name, "test_share");
+  EXPECT_TRUE(copy->claims().reversible);
+}
+
 TEST(GuardedIntegrator, OneThatIsRefusedIsNotCalled) {
   act = [] { FAIL(); };
   const IntegratorEntry entry = guarded(entry_of("acting"), "called exit when it was tried");
   const auto integrator = entry.copy(*entry.make());
   RecordingStages stages;
   EXPECT_THROW(integrator->step(stages, 1), MisbehavingIntegrator);
-  EXPECT_TRUE(integrator->parameters().empty() && integrator->memory().empty() && integrator->claims().orders.empty());
+  EXPECT_TRUE(integrator->parameters().empty() && integrator->memory().empty() && integrator->kept().empty() &&
+              integrator->claims().orders.empty());
 }
 
 TEST(GuardedIntegrator, OthersSeeWhichStepIsUnderWay) {
