@@ -131,7 +131,7 @@ int execute(const Invocation& invocation, const ConvergeOptions& options) {
     for (CaseGate& gate : generic_gates(plan.id, study.levels.front().run.dim, study.levels.front().run.axisymmetric))
       gates.push_back(std::move(gate));
     if (!declared) {
-      for (CaseGate& gate : undeclared_gates(plan.id)) gates.push_back(std::move(gate));
+      for (CaseGate& gate : undeclared_gates(study)) gates.push_back(std::move(gate));
     }
     const auto judged = judge_gates(gates, study);
     folder.write_study(study, judged, provenance);

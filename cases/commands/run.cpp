@@ -45,7 +45,7 @@ std::vector<JudgedGate> judge_run(const Case& entry, const RunResult& run, const
   }
   for (CaseGate& gate : generic_gates(plan.id, run.dim, run.axisymmetric)) gates.push_back(std::move(gate));
   if (!declared) {
-    for (CaseGate& gate : undeclared_gates(plan.id)) gates.push_back(std::move(gate));
+    for (CaseGate& gate : undeclared_gates(study)) gates.push_back(std::move(gate));
   }
   return judge_gates(gates, study);
 }

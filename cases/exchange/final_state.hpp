@@ -24,13 +24,7 @@ struct HandedIn {
 std::unique_ptr<Simulation> simulation_of(const Problem& problem, const Settings& settings,
                                           const std::vector<HandedIn>& bodies, double time);
 
-// The measures that a final state has: all but those seen on the way.
-std::vector<Measure> measures_at_end(const Problem& problem, const Simulation& simulation);
-
-// The measures of the start as it stands, taken for the end: the errors of doing nothing.
-std::vector<Measure> measures_of_start(const Problem& problem, const Settings& settings);
-
-// The same with the start's points: names and units alone mean something.
+// Measures of some of the start's points: names and units alone mean something.
 std::vector<Measure> measures_to_be_judged(const Problem& problem, const Settings& settings);
 
 }  // namespace plumbline

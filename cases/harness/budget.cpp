@@ -70,12 +70,14 @@ UsageError beyond_memory() {
                                 allowed));
 }
 
-// Measured with both heaps at their largest: the points' columns are there twice while they are sorted, and a cell's node
-// has mass, velocities and forces of each field.
-double SceneSize::bytes() const { return points * 600 + cells * 200; }
+// The process's largest memory over its points, on meshes of 2.5 to 64 points a cell: 340 to 440 bytes on a line (sod,
+// noh-cylindrical), 550 to 680 in the plane (two-disks, mms-vortex, gas-expansion), 900 to 935 in space (mms-axis-aligned), of
+// which a cell has 150 to 450. Points are there twice while they are filled and sorted.
+double SceneSize::bytes() const { return points * (125 + 250 * dim) + cells * 150 * dim; }
 
 SceneSize size_of(const Scene& scene) {
   SceneSize size;
+  size.dim = scene.grid.dim;
   for (const Body& body : scene.bodies) size.points += body.points.points();
   size.cells = 1;
   for (const int along : scene.grid.cells) size.cells *= along;

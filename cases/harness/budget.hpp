@@ -22,6 +22,7 @@ UsageError beyond_memory();
 // Points and cells of a scene, and what they take while it runs.
 struct SceneSize {
   double points = 0, cells = 0;
+  int dim = 1;
   double bytes() const;
 };
 SceneSize size_of(const Scene& scene);

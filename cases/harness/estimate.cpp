@@ -8,9 +8,9 @@
 namespace plumbline {
 
 RunEstimate estimate_run(const Case& entry, const Settings& settings) {
+  require_memory(foreseen_size(entry, settings), settings);  // a problem may fill its bodies as soon as it is made
   const auto problem = entry.problem(settings);
   if (settings.is_set("dt")) require_steps(problem->end_time(), settings.number("dt"), settings);
-  require_memory(foreseen_size(entry, settings), settings);
   Scene scene = problem->scene();
   const SceneSize size = size_of(scene);
   require_memory(size, settings);

@@ -171,9 +171,9 @@ StepControl step_control(const Settings& settings) {
 
 RunResult run_experiment(const Case& entry, const std::string& scheme, const Settings& settings, int threads,
                          const FrameRequest& frames, const RunStates& states) {
+  require_memory(foreseen_size(entry, settings), settings);  // a problem may fill its bodies as soon as it is made
   const auto problem = entry.problem(settings);
   if (settings.is_set("dt")) require_steps(problem->end_time(), settings.number("dt"), settings);
-  require_memory(foreseen_size(entry, settings), settings);
   Scene scene = problem->scene();
   throw_if_interrupted();
   require_memory(size_of(scene), settings);

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "cases/harness/case.hpp"
+
 namespace plumbline {
 
 // To be inherited beside Problem. A problem without it is judged by what its run was like on the way.
@@ -14,5 +16,11 @@ class JudgedAtEnd {
   // Measures that are made of what Problem::observe() saw: a final state does not have them.
   virtual std::vector<std::string> seen_on_the_way() const { return {}; }
 };
+
+// The measures that a final state has: all but those seen on the way.
+std::vector<Measure> measures_at_end(const Problem& problem, const Simulation& simulation);
+
+// The measures of the start as it stands, taken for the end: the errors of doing nothing.
+std::vector<Measure> measures_of_start(const Problem& problem, const Settings& settings);
 
 }  // namespace plumbline

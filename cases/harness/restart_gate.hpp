@@ -9,9 +9,10 @@ namespace plumbline {
 
 // How a run that was taken up again differs from one that was not.
 struct RestartDifference {
-  long numbers = 0;   // of those compared, how many have other bits; where there are more or fewer of a kind, all of them
-  long compared = 0;  // points, ledger and its rows, measures, profile, and what the problem and the integrator keep; none if
-                      // the run ended before its checkpoint
+  // Of points, ledger and its rows, measures, profile, and what the problem and the integrator keep; none if the run ended
+  // before its checkpoint.
+  long compared = 0;
+  long numbers = 0;   // of those, how many have other bits; where there are more or fewer of a kind, all of them
   std::string first;  // the name of the first; empty if there is none
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cases/harness/judged_at_end.hpp"
 #include "kernel/time_integrator.hpp"
 
 namespace plumbline {
@@ -47,6 +48,35 @@ Measured courant_number(const StudyResult& study) {
   return measured;
 }
 
+// The least error of a field over the one that the start has there; none where the start is near in every field, or a final
+// state is not what is judged.
+constexpr double far_from_start = 0.3;  // of the field's size
+std::optional<double> error_over_start(const Case& entry, const RunResult& run) {
+  const auto problem = entry.problem(run.settings);
+  if (!dynamic_cast<const JudgedAtEnd*>(problem.get())) return {};
+  std::optional<double> least;
+  for (const Measure& start : measures_of_start(*problem, run.settings)) {
+    const Measure* const own = run.find(start.name);
+    if (!own || !start.name.ends_with(".L1") || start.scale <= start.reference_bound) continue;
+    if (start.error <= far_from_start * start.scale) continue;
+    // The start may have no point where the end is judged, and then no error.
+    const double ratio = std::isfinite(start.error) ? own->error / start.error : 0;
+    if (!least || ratio < *least) least = ratio;
+  }
+  return least;
+}
+
+// The largest of all runs that arrived.
+Measured error_over_start(const StudyResult& study) {
+  Measured measured;
+  for (const StudyLevel& at : study.levels) {
+    if (!at.run.finished) continue;
+    if (const auto ratio = error_over_start(*study.entry, at.run))
+      measured.value = larger(measured.value.value_or(0), *ratio);
+  }
+  return measured;
+}
+
 Gate described(Gate gate, const char* quantity) {
   gate.quantity = quantity;
   return gate;
@@ -54,18 +84,29 @@ Gate described(Gate gate, const char* quantity) {
 
 }  // namespace
 
-std::vector<CaseGate> undeclared_gates(const std::string& study) {
-  return {
-      study_gate(study,
-                 described(declare(study + "/errors", {{}, 3.0}, Origin::theory,
-                                   "an error three times as large as the reference is one of a run that has lost it"),
-                           "largest error over the size of its reference"),
-                 largest_error),
-      study_gate(study,
-                 described(declare(study + "/step", {{}, far_above}, Origin::theory,
+std::vector<CaseGate> undeclared_gates(const StudyResult& study) {
+  const std::string id = study.plan.id;
+  std::vector<CaseGate> gates{
+      study_gate(
+          id,
+          described(declare(id + "/errors", {{}, 3.0}, Origin::theory,
+                            "what is at most twice as large as its reference is at most three of its sizes away"),
+                    "largest error over the size of its reference"),
+          largest_error),
+      study_gate(id,
+                 described(declare(id + "/step", {{}, far_above}, Origin::theory,
                                    "explicit methods lose stability at Courant numbers below 3"),
                            "Courant number"),
                  courant_number)};
+  if (const Measured of_start = error_over_start(study); of_start.value) {
+    gates.push_back(study_gate(
+        id,
+        described(declare(id + "/computed", {{}, 1 - 1e-6}, Origin::theory,
+                          "some field is nearer to its reference than the start is, or nothing was computed"),
+                  "least error of a field over that of the start"),
+        [of_start](const StudyResult&) { return of_start; }));
+  }
+  return gates;
 }
 
 }  // namespace plumbline

@@ -8,7 +8,8 @@
 
 namespace plumbline {
 
-// Beside the generic gates: errors below three times what was to be computed, and a step that some method could take.
-std::vector<CaseGate> undeclared_gates(const std::string& study);
+// Beside the generic gates: errors below three times what was to be computed, a step that some method could take and, where a
+// final state is judged that is far from the start, one that is nearer to it than the start.
+std::vector<CaseGate> undeclared_gates(const StudyResult& study);
 
 }  // namespace plumbline

@@ -39,7 +39,7 @@ def test_more_than_the_machine_has_is_refused_with_the_estimate(plumbline, argum
     result = plumbline(*arguments, json=True, timeout=60)
     assert result.code == 2, result.text
     error = result.json("error")["error"]
-    assert error["key"] == "--max-memory" and "GB" in error["value"] and "GB" in error["allowed"]
+    assert error["key"] == "--max-memory" and "GB" in error["value"] and "GB" in error["allowed"] and " points in " in error["message"]
     assert time.monotonic() - began < 20
 
 

@@ -225,6 +225,15 @@ def test_a_number_that_is_none_stops_a_run_at_its_point(plumbline, case):
     assert stop["step"] == LATE and stop["time"] > 0 and stop["field"] != "integrator"
 
 
+@pytest.mark.parametrize("case", ["sod", "noh", "mms-bar", "bar-vibration", "plane-stress"])
+def test_one_that_does_nothing_is_red(plumbline, case):
+    """Mass, momentum and energy are kept to the last bit, and no error is as large as what was to be computed."""
+    for words in (["run", case, "--cells", "16"], ["converge", case, "--cells", "8,16"]):
+        result = plumbline(*words, *SMALL[2:], environment=asked(step="nothing"))
+        assert result.code in (1, 3), result.text
+        assert "/computed" in result.out or "STOPPED" in result.text, result.text
+
+
 @pytest.mark.parametrize("case", ["sod", "noh", "two-disks", "spring-mass", "ring-breathing"])
 def test_stages_in_any_order_harm_no_memory(plumbline, case):
     """Red, stopped or green; never a signal."""

@@ -118,6 +118,7 @@ class Hostile final : public TimeIntegrator {
     const std::string how = asked("HOSTILE_STEP");
     if (++steps_ < std::atoi(asked("HOSTILE_AT", "1").c_str())) return good(mpm, dt);
     misdo(how);
+    if (how == "nothing") return;
     if (how == "any-order")
       return any_order(mpm, dt,
                        static_cast<unsigned>(steps_) + static_cast<unsigned>(std::atoi(asked("HOSTILE_SEED").c_str())));
