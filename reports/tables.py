@@ -28,6 +28,7 @@ MEANINGS = {
     "INVALID": "no judgement possible: missing data, or a reference not good enough",
     "NONE": "reported, not judged",
 }
+RECORDED = "/regression"  # ends the id of a gate on a recorded value
 FAILURES_OF = {
     "default": "of the default scheme",
     "other": "of other schemes",
@@ -82,13 +83,35 @@ def gate_row(gate):
         "tier": gate.get("tier") or "",
         "note": gate.get("note") or "",
         "band": text.expected(gate["band"]) if gate.get("band") else "",
+        "recorded": gate.get("recorded") or "",
         "file": gate.get("file") or "",
         "gate_anchor": gate.get("anchor") or "",
     }
 
 
+def is_recorded(gate):
+    """Whether the gate judges a recorded value: it stands beside the gate whose name it has."""
+    return (gate.get("id") or "").endswith(RECORDED)
+
+
+def fold_recorded(gates):
+    """The gates without those on recorded values that hold: their range is shown beside the gate's own bound."""
+    gates = list(gates)
+    beside = {
+        (gate.get("study"), gate["id"].removesuffix(RECORDED)): text.expected(gate.get("expected"))
+        for gate in gates
+        if is_recorded(gate) and gate.get("verdict") == "PASS"
+    }
+    return [
+        {**gate, "recorded": beside.get((gate.get("study"), gate.get("id")), "")}
+        for gate in gates
+        if not (is_recorded(gate) and gate.get("verdict") == "PASS")
+    ]
+
+
 def split_identities(gates):
     """(rows to show, rows to fold away): identities that hold for every scheme are many and rarely news."""
+    gates = fold_recorded(gates)
     folded = [gate for gate in gates if gate.get("verdict") == "PASS" and gate.get("origin") == "identity"]
     return gate_rows(gate for gate in gates if gate not in folded), gate_rows(folded)
 

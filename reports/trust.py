@@ -184,7 +184,7 @@ def tolerances(cases, widened=()):
     """Every gate with where its bound comes from and how much room it leaves, those to look at first on top."""
     rows = []
     for case in cases.values():
-        for gate in case.all_gates:
+        for gate in tables.fold_recorded(case.all_gates):
             row = tables.gate_row(gate)
             margin, origin = gate.get("margin"), gate.get("origin") or ""
             more = _widened(widened, case.name, gate.get("id") or "")
@@ -198,6 +198,8 @@ def _flag(gate, margin, origin):
         return ""
     if margin < NEAR:
         return "near the bound"
+    if gate.get("recorded"):
+        return ""  # a recorded range holds the value closer than the bound does
     return "wide" if margin > WIDE and origin != "regression" and not _is_lower_bound(gate) else ""
 
 

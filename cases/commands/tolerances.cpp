@@ -1,6 +1,9 @@
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "cases/commands/command.hpp"
+#include "cases/comparison/recording.hpp"
 #include "cases/comparison/tolerances.hpp"
 #include "cases/harness/input_file.hpp"
 
@@ -8,14 +11,23 @@ namespace plumbline {
 namespace {
 
 struct TolerancesOptions {
-  std::string file, against, why;
+  std::string file, against, why, record;
   bool update = false;
 };
 
+int ranges(const std::vector<RecordedValue>& values) {
+  return static_cast<int>(std::count_if(values.begin(), values.end(), [](const RecordedValue& v) { return v.within; }));
+}
+
 std::string today() { return build_provenance().started.substr(0, 10); }
 
+// Recorded values stand in the ledger's folder.
+std::string regressions_beside(const std::string& file) {
+  return (std::filesystem::path(file).parent_path() / "regressions.json").string();
+}
+
 Json document(const std::string& file, const std::vector<LedgerLine>& recorded, std::size_t declared,
-              const std::vector<Discrepancy>& found) {
+              const std::vector<RecordedValue>& values, const std::vector<Discrepancy>& found) {
   Json all = Json::array(), widened = Json::array();
   for (const Discrepancy& d : found) {
     const auto& [case_name, study, id] = d.gate;
@@ -24,32 +36,49 @@ Json document(const std::string& file, const std::vector<LedgerLine>& recorded, 
   for (const LedgerLine& line : recorded) {
     if (line.widened) widened.push_back(to_json(line));
   }
-  return {{"file", file},
-          {"recorded", recorded.size()},
-          {"declared", declared},
-          {"widened", widened},
+  return {{"file", file},        {"recorded", recorded.size()}, {"declared", declared},
+          {"widened", widened},  {"values", values.size()},     {"ranges", ranges(values)},
           {"discrepancies", all}};
 }
 
+// Brings the recorded values up to the results of a verification.
+void record(const TolerancesOptions& options) {
+  const std::string file = regressions_beside(options.file);
+  std::vector<RecordedValue> before;
+  if (is_there(file)) before = read_regressions(file);
+  write_regressions(file, recorded_from(before, read_verification(options.record), options.record, options.why));
+}
+
 int execute(const CommonOptions& common, const TolerancesOptions& options) {
-  if (!options.why.empty() && !options.update)
-    throw UsageError("--why", options.why, "with --update", {"--update"}, "--why belongs to --update");
+  if (!options.why.empty() && !options.update && options.record.empty()) {
+    throw UsageError("--why", options.why, "with --update or --record", {"--update", "--record"},
+                     "--why belongs to --update and --record");
+  }
   const std::vector<LedgerLine> declared = declared_lines(cases(), today());
   if (options.update) {
     std::vector<LedgerLine> recorded;
     if (is_there(options.file)) recorded = read_ledger(options.file);
     write_ledger(options.file, updated(recorded, declared, options.why, today()));
   }
+  if (!options.record.empty()) record(options);
   const std::vector<LedgerLine> recorded = read_ledger(options.file);
   std::vector<Discrepancy> found = discrepancies(recorded, declared);
   if (!options.against.empty()) {
     for (Discrepancy& d : unsigned_widenings(read_ledger(options.against), recorded)) found.push_back(std::move(d));
   }
+  std::vector<RecordedValue> values;
   const Output out(common);
+  if (const std::string file = regressions_beside(options.file); is_there(file)) {
+    values = read_regressions(file);
+    for (Discrepancy& d : unrecorded(cases(), values)) found.push_back(std::move(d));
+    out.line("{}: values of {} gates recorded, {} of them with a range", file, values.size(), ranges(values));
+  } else {
+    out.line("{}: not there, so no recorded value is looked at; --record writes it", file);
+  }
   for (const Discrepancy& d : found) out.line("{}", d.message);
   out.line("{}: {} gates recorded, {} declared, {}", options.file, recorded.size(), declared.size(),
            found.empty() ? "all as recorded" : fmt::format("{} not as recorded", found.size()));
-  write_json(common, document(options.file, recorded, declared.size(), found));
+  write_json(common, document(options.file, recorded, declared.size(), values, found));
   return found.empty() ? 0 : exit_red;
 }
 
@@ -58,13 +87,17 @@ int execute(const CommonOptions& common, const TolerancesOptions& options) {
 Command add_tolerances(CLI::App& app, Invocation& invocation) {
   CLI::App* sub = app.add_subcommand("tolerances", "the ledger of all gates' bounds against what is declared");
   sub->footer(
-      "Example: plumbline tolerances cases/tolerances.json --update\nExit status: 0 all as recorded, 1 not, 2 a gate "
-      "was "
-      "widened and --why is missing, 4 files.");
+      "Examples: plumbline tolerances cases/tolerances.json --update\n"
+      "          plumbline tolerances cases/tolerances.json --record judged.json\nExit status: 0 all as recorded, 1 "
+      "not, 2 a gate "
+      "was widened or a value moved and --why is missing, 4 files.");
   auto options = std::make_shared<TolerancesOptions>();
   sub->add_option("file", options->file, "the ledger")->required();
   sub->add_flag("--update", options->update, "write it as declared");
-  sub->add_option("--why", options->why, "why gates were widened, for their lines");
+  sub->add_option(
+      "--record", options->record,
+      "results of `plumbline verify --json`: what its gates measure goes to regressions.json beside the ledger");
+  sub->add_option("--why", options->why, "why gates were widened, or values moved, for their lines");
   sub->add_option("--against", options->against, "an earlier ledger: what is wider than there needs a recorded reason");
   add_json(*sub, invocation.options);
   return {sub, [&invocation, options] { return execute(invocation.options, *options); }};

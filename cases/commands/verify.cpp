@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "cases/commands/command.hpp"
+#include "cases/commands/recorded.hpp"
 #include "cases/harness/expected_failures.hpp"
 #include "cases/harness/guarded_integrator.hpp"
 #include "cases/harness/input_file.hpp"
@@ -31,6 +32,26 @@ Json to_json(const FailureCounts& counts) {
   Json document = Json::object();
   for (const FailureOf whose : all_failures_of) document[std::string(name(whose))] = counts[whose];
   return document;
+}
+
+Json to_json(const std::vector<RecordedValue::Key>& unrecorded) {
+  Json list = Json::array();
+  for (const auto& [case_name, study, id, tier] : unrecorded)
+    list.push_back({{"case", case_name}, {"study", study}, {"id", id}});
+  return list;
+}
+
+void print_recorded(const Output& out, const Verification& verification, const std::string& tier) {
+  if (verification.regressions > 0) {
+    out.line("{} of the gates judge a recorded value (ID/regression); those that hold are not listed",
+             verification.regressions);
+  }
+  if (verification.unrecorded.empty()) return;
+  const auto& [case_name, study, id, in_tier] = verification.unrecorded.front();
+  out.line(
+      "no value of the {} tier is recorded of {} gates that pass, {} of {} the first: `plumbline tolerances "
+      "cases/tolerances.json --record` of the JSON of this command records them",
+      tier, verification.unrecorded.size(), id, case_name);
 }
 
 void write_junit(const std::string& path, const std::vector<JudgedGate>& gates, bool allow_inconclusive) {
@@ -163,18 +184,19 @@ void verify_cases(const CommonOptions& common, const VerifyOptions& options, Run
   const auto& asked = options.patterns;
   for (const Case* entry : matching_cases(asked)) {
     const bool by_name = std::find(asked.begin(), asked.end(), entry->name()) != asked.end();
-    const Selection selection{common.schemes, common.integrators, common.settings, by_name};
+    const Selection selection{common.schemes, common.integrators, common.settings, by_name, &recorded_values()};
     verify_case(*entry, options.tier == "full" ? Tier::full : Tier::quick, selection, common.threads, store,
                 terminal_progress(entry->name()), verification);
     end_progress();
   }
 }
 
-// All but identities of an integrator that hold: there are hundreds, and the scorecard counts them.
+// All but recorded values that hold, and identities of an integrator that do: there are hundreds, and they are counted.
 std::vector<JudgedGate> worth_a_line(std::vector<JudgedGate> gates) {
   gates.erase(std::remove_if(gates.begin(), gates.end(),
                              [](const JudgedGate& gate) {
-                               return gate.study == "identities" && gate.judgement.verdict == Verdict::pass;
+                               const bool many = gate.study == "identities" || of_record(gate);
+                               return many && gate.judgement.verdict == Verdict::pass;
                              }),
               gates.end());
   return gates;
@@ -194,11 +216,18 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
   const bool integrators_alone = options.patterns.empty() && common.schemes.empty() && !common.integrators.empty();
   if (!integrators_alone) verify_cases(common, options, store, verification);
   const FailureCounts failures = expected_failures(verification.gates);
-  const Json document{
-      {"gates", to_json(verification.gates)},   {"counts", counts_document(verification.gates)},
-      {"expected_failures", to_json(failures)}, {"executed", verification.gates.size()},
-      {"declared", verification.declared},      {"not_applicable", to_json(verification.not_applicable)},
-      {"scorecards", scorecards.all},           {"tier", options.tier}};
+  const Json document{{"gates", to_json(verification.gates)},
+                      {"counts", counts_document(verification.gates)},
+                      {"expected_failures", to_json(failures)},
+                      {"executed", verification.gates.size()},
+                      {"regressions", verification.regressions},
+                      {"unrecorded", to_json(verification.unrecorded)},
+                      {"settings", common.settings},
+                      {"declared", verification.declared},
+                      {"not_applicable", to_json(verification.not_applicable)},
+                      {"scorecards", scorecards.all},
+                      {"tier", options.tier},
+                      {"provenance", to_json(provenance)}};
   if (!integrators_alone) folder.write_verdicts(document, verification.entries, options.tier, provenance);
   out.gates(worth_a_line(verification.gates));
   for (const NotApplicable& one : verification.not_applicable) {
@@ -211,6 +240,7 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
   const std::string expected = words(failures);
   out.line("{} gates executed, {} not applicable, {} declared:{}{}", verification.gates.size(),
            verification.not_applicable.size(), verification.declared, counts, expected.empty() ? "" : "; " + expected);
+  print_recorded(out, verification, options.tier);
   for (const Json& card : scorecards.all) {
     for (const std::string& line : scorecard_lines(card)) out.line("{}", line);
   }

@@ -277,7 +277,7 @@ class AirbagCase : public Case {
                        declare("york1997/volume-ratio", {{}, 0.01}, Origin::target, "the gas fills the bag"),
                        "his density takes the mass of a whole cell over its volume where the skin cuts it: the gas "
                        "at the skin counts as thinner than it is",
-                       {0.03, 0.3}, "2026-11-21 a96ec71"),
+                       {0.100, 0.126}, "2026-11-23 5825b24"),
                    Tier::full)};
   }
 

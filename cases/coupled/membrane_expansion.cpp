@@ -454,8 +454,10 @@ std::vector<CaseGate> MembraneExpansion::gates() const {
   }
   value("york1997", "hoop_scatter", 8, {{}, 0.1}, Origin::target, "asked of default", Tier::quick);
   all.back().gate = expected_failure(
-      all.back().gate, "strains that no node sees are frozen in as the bag unfolds: single stresses mean nothing",
-      {1.0, 4.0}, stamp);
+      all.back().gate,
+      "strains that no node sees are frozen in as the bag unfolds: single stresses mean nothing, and "
+      "scatter as roundings will (seventeen runs in cases/ensembles.json)",
+      {1.0, 11.0}, "2026-11-23 5825b24");
   value("york1997", "volume_ratio", 8, {0.99, 1.01}, Origin::target, "asked of default", Tier::quick);
   all.back().gate = expected_failure(all.back().gate,
                                      "his quadratic density counts cells that the membrane cuts as full: low density, "

@@ -228,13 +228,13 @@ class RingAtRest final : public Case {
                 "points of gas push with jerks as they cross cells, and FLIP keeps the motion; the strain of each "
                 "membrane point follows it by itself: started in the exact end state of York's bag, the mean hoop "
                 "stress leaves it by per cents",
-                {0.005, 0.5}, "2026-11-21 6c78473")),
+                {0.058, 0.073}, "2026-11-23 5825b24")),
         error_gate(
             "york1997", "hoop_scatter", 16,
             expected_failure(declare("york1997/scatter-16", {{}, 0.1}, Origin::target,
                                      "from point to point within 10 % of the mean, as asked of York's bag"),
                              "half of a membrane's strains are patterns that no node sees, and nothing stops them",
-                             {0.3, 3}, "2026-11-21 6c78473")),
+                             {0.83, 1.02}, "2026-11-23 5825b24")),
         error_gate("long", "hoop_drift", 22, declare("long/hoop-22", {{}, 1e-3}, Origin::target, target), Tier::full),
         error_gate("default", "escaped_points", 22,
                    declare("default/escaped-22", {0.0, 0.0}, Origin::target, "no gas point is outside the ring"))};

@@ -1,6 +1,7 @@
 #include "cases/harness/verification.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <mutex>
 #include <numeric>
 
@@ -183,6 +184,26 @@ StudyResult run_or_fail(const Case& entry, const StudyPlan& plan, const std::vec
   }
 }
 
+std::string tier_name(Tier tier) { return tier == Tier::full ? "full" : "quick"; }
+
+// Adds the gates on recorded values after those that they stand beside, and says how many. `own`: a study of the case's, of
+// which each gate is to be recorded.
+int add_regressions(const Selection& selection, Tier tier, bool own, std::vector<JudgedGate>& judged,
+                    Verification& verification) {
+  if (!selection.recorded || !selection.settings.empty()) return 0;
+  std::vector<JudgedGate> added;
+  for (const JudgedGate& gate : judged) {
+    const RecordedValue::Key key{gate.case_name, gate.study, gate.gate.id, tier_name(tier)};
+    const RecordedValue* recorded = selection.recorded->find(key);
+    if (recorded && recorded->within) added.push_back(judge_regression(gate, *recorded));
+    if (!recorded && own && gate.judgement.verdict == Verdict::pass) verification.unrecorded.push_back(key);
+  }
+  const int count = static_cast<int>(added.size());
+  verification.regressions += count;
+  std::move(added.begin(), added.end(), std::back_inserter(judged));
+  return count;
+}
+
 }  // namespace
 
 bool complete(const Verification& verification) {
@@ -212,13 +233,15 @@ void verify_case(const Case& entry, Tier tier, const Selection& selection, int t
     const std::vector<CaseGate> gates = gates_on(study, declared);
     expected_here += static_cast<int>(gates.size());
     if (k >= plans.own) of_integrators += static_cast<int>(gates.size());
-    const std::vector<JudgedGate> judged = judge_gates(gates, study);
+    std::vector<JudgedGate> judged = judge_gates(gates, study);
+    expected_here += add_regressions(selection, tier, k < plans.own, judged, verification);
     if (study.failure.empty()) store.folder().write_study(study, judged, store.provenance(entry));
     verification.gates.insert(verification.gates.end(), judged.begin(), judged.end());
   }
   const GateCount count = entry.gate_count();
   const int of_case = tier == Tier::full ? count.full : count.quick;
-  verification.declared += selection.everything() ? of_case + of_integrators : expected_here;
+  const int of_record = selection.recorded ? selection.recorded->ranges(entry.name(), tier_name(tier)) : 0;
+  verification.declared += selection.everything() ? of_case + of_integrators + of_record : expected_here;
   verification.declared += static_cast<int>(plans.not_applicable.size());
   verification.not_applicable.insert(verification.not_applicable.end(), plans.not_applicable.begin(),
                                      plans.not_applicable.end());

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/harness/regressions.hpp"
 #include "cases/harness/run_store.hpp"
 
 namespace plumbline {
@@ -21,7 +22,10 @@ StudyResult run_study(const Case& entry, const StudyPlan& plan, const std::vecto
 struct Verification {
   std::vector<JudgedGate> gates;
   std::vector<NotApplicable> not_applicable;
-  int declared = 0;  // gates that cases and integrators say they have in this tier
+  int declared = 0;     // gates that cases and integrators say they have in this tier, and ranges recorded of them
+  int regressions = 0;  // gates on recorded values among `gates`
+  std::vector<RecordedValue::Key> unrecorded =
+      {};  // gates of the cases' own studies that pass without a recorded value
   std::vector<const Case*> entries;
 };
 
@@ -33,13 +37,14 @@ bool complete(const Verification& verification);
 struct Selection {
   std::vector<std::string> schemes, integrators, settings;
   bool by_name = false;  // integrators that cannot work with the case are an error, and not merely listed
+  const Regressions* recorded = nullptr;  // judged beside the gates, unless keys are set; null: none
   bool everything() const { return schemes.empty() && integrators.empty() && settings.empty(); }
 };
 
 // The studies of a selection in a tier, those of the integrators last. Throws UsageError for unknown names.
 std::vector<StudyPlan> selected_studies(const Case& entry, Tier tier, const Selection& selection);
 
-// All gates of one case in a tier; runs and studies go to the store and its folder. Adds to `verification`. Throws
+// All gates of one case in a tier, and those on recorded values; runs and studies go to the store and its folder. Adds to `verification`. Throws
 // UsageError for unknown names.
 void verify_case(const Case& entry, Tier tier, const Selection& selection, int threads, RunStore& store,
                  const Progress& progress, Verification& verification);

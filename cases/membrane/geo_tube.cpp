@@ -337,7 +337,7 @@ class GeoTubeCase final : public Case {
                                          "at rest: no point leaves its place by more than 1e-4 of the height"),
                                  "nodes feel only what a cell's points pull together: strains of single points drift "
                                  "apart in patterns that no node sees, and points with them",
-                                 {2e-4, 2e-3}, "2026-11-21 6c78473")),
+                                 {4.3e-4, 5.3e-4}, "2026-11-23 5825b24")),
             fitted_order_gate(
                 "from-circle", "departure_at_end",
                 declare("from-circle/departure-order", {1, {}}, Origin::theory,

@@ -362,7 +362,6 @@ class Pendulum final : public Case {
 
   static std::vector<CaseGate> other_gates() {
     std::vector<CaseGate> all = york_gates();
-    const std::string stamp = "2026-11-21 a96ec71";
     const double tenth_percent = 1e-3 * reference::ElasticPendulum({}).heavy_period().value;
     all.push_back(error_gate("box", "period", 20,
                              declare("box/period-20", {{}, tenth_percent}, Origin::target,
@@ -373,7 +372,7 @@ class Pendulum final : public Case {
         expected_failure(declare("box/period-10", {{}, 4 * tenth_percent}, Origin::theory,
                                  "four times what is asked at half the cell, as at second order"),
                          "the left wall stands one cell from the bob at its release, within its kernel, and mirrors it",
-                         {0.01, 0.06}, stamp),
+                         {0.028, 0.0345}, "2026-11-23 5825b24"),
         Tier::full));
     all.push_back(value_gate("free", "amplitude_loss", 10,
                              declare("free/loss-10", {{}, 4e-3}, Origin::theory,
@@ -385,7 +384,7 @@ class Pendulum final : public Case {
 
   // Fig. 37: the loss shrinks from mesh to mesh.
   static std::vector<CaseGate> york_gates() {
-    const std::string stamp = "2026-11-21 a96ec71", figure = "the loss shrinks with refinement, Fig. 37";
+    const std::string figure = "the loss shrinks with refinement, Fig. 37";
     const double period = reference::ElasticPendulum({}).heavy_period().value;
     const auto near_figure = [&](const std::string& level) {
       return declare("york1997/period-" + level, {{}, 0.03 * period}, Origin::literature,
@@ -394,38 +393,73 @@ class Pendulum final : public Case {
     const auto shrinks = [&](const std::string& id) {
       return declare("york1997/" + id, {1, {}}, Origin::literature, figure);
     };
-    const auto whole = [&](double level) {
+    // Once the string has torn, a run is as roundings will: these bands hold what ensembles of runs show (ci/ensembles).
+    const auto chaotic = [](Gate gate, StopBand stops) {
+      gate.expected_failure->stops = std::move(stops);
+      return gate;
+    };
+    const StopBand on_20{125000, 175000, "velocity"}, on_40{270000, 350000, "position"};
+    const auto whole = [&](double level, Range band, const StopBand& stops) {
       const std::string id = "york1997/length-" + to_text(level);
       return value_gate(
           "york1997", "length_drift", level,
-          expected_failure(
-              declare(id, {-0.01, 0.01}, Origin::literature,
-                      "Fig. 37 shows swings to 1.8 s, so the string is whole; it stretches by 0.001, and a "
-                      "hundredth of its length cannot be seen there"),
-              "after a whole swing the noise of its light points has torn the string: the bob falls to the "
-              "floor from 1.3 s on, and lies there with a velocity that no node sees",
-              {0.02, 0.3}, "2026-11-22 7c0a6a5"),
+          chaotic(expected_failure(
+                      declare(id, {-0.01, 0.01}, Origin::literature,
+                              "Fig. 37 shows swings to 1.8 s, so the string is whole; it stretches by 0.001, and a "
+                              "hundredth of its length cannot be seen there"),
+                      "after a whole swing the noise of its light points has torn the string: the bob falls to the "
+                      "floor from 1.3 s on, and lies there with a velocity that no node sees; some of the runs whose "
+                      "masses "
+                      "differ by 1e-14 of themselves stop there",
+                      band, "2026-11-23 5825b24"),
+                  stops),
           Tier::full);
     };
     return {
-        whole(20),
-        whole(40),
+        whole(20, {0.02, 0.28}, on_20),
+        whole(40, {0.011, 0.30}, on_40),
         error_gate("york1997", "period", 10, near_figure("10")),
         error_gate(
             "york1997", "period", 5,
             expected_failure(near_figure("5"), "the bob starts half a cell from the left wall and never swings across",
-                             {0.1, 1.2}, stamp),
+                             {0.93, 1.13}, "2026-11-23 5825b24"),
             Tier::full),
         ratio_gate("york1997", "half_loss", 10, 20, shrinks("half-loss-10-20"), Tier::full),
         ratio_gate("york1997", "half_loss", 20, 40, shrinks("half-loss-20-40"), Tier::full),
         ratio_gate("york1997", "amplitude_loss", 20, 40, shrinks("loss-20-40"), Tier::full),
-        ratio_gate("york1997", "amplitude_loss", 10, 20,
-                   expected_failure(shrinks("loss-10-20"),
-                                    "on the way back it grows between h = 0.1 and 0.05: under FLIP and linear "
-                                    "shapes the string's light points keep what noise each crossing of a cell's side "
-                                    "gives them and leave the chord by a tenth of its length on both meshes",
-                                    {0.5, 0.99}, stamp),
-                   Tier::full)};
+        loss_on_10_over_20(chaotic(
+            expected_failure(shrinks("loss-10-20"),
+                             "on the way back it grows between h = 0.1 and 0.05: under FLIP and linear "
+                             "shapes the string's light points keep what noise each crossing of a cell's side "
+                             "gives them and leave the chord by a tenth of its length on both meshes; by how much is "
+                             "chance, and in eight of thirteen runs that differ by roundings alone it does shrink",
+                             {0.05, 0.99}, "2026-11-23 5825b24"),
+            on_20))};
+  }
+
+  // A bob that does not come back has lost its whole amplitude.
+  static CaseGate loss_on_10_over_20(Gate gate) {
+    gate.quantity = "amplitude_loss at 10 over 20";
+    return study_gate(
+        "york1997", std::move(gate),
+        [](const StudyResult& s) {
+          Measured measured;
+          std::vector<double> losses;
+          for (const double level : {10.0, 20.0}) {
+            const RunResult& run = s.level(level)->run;
+            if (run.stop) {
+              measured.stopped = Measured::Stop{run.stop->step, run.stop->field};
+              measured.note = run.stop->reason;
+              return measured;
+            }
+            const double loss = run.find("amplitude_loss")->error;
+            losses.push_back(std::isnan(loss) ? 1 : loss);
+          }
+          measured.value = losses[0] / losses[1];
+          measured.scale = 1;
+          return measured;
+        },
+        {10, 20}, Tier::full);
   }
 
   // The period's error over T h^2/(8 L^2).

@@ -288,8 +288,9 @@ class NormalsCylinder final : public Case {
     }
     as_drawn(study_of("york1997", "connectivity"), Tier::quick, all);
     for (const char* scheme : {"default", "york1997"}) {
-      all.push_back(bursts(study_of(scheme, "york-quadratic")));
-      all.push_back(bursts(study_of(scheme, "york-cubic")));
+      const bool his = scheme == std::string("york1997");
+      all.push_back(bursts(study_of(scheme, "york-quadratic"), his ? Range{0.61, 0.74} : Range{0.52, 0.64}));
+      all.push_back(bursts(study_of(scheme, "york-cubic"), his ? Range{0.385, 0.475} : Range{0.50, 0.61}));
     }
     for (CaseGate& gate : modern_gates()) all.push_back(std::move(gate));
     all.push_back(restart_gate("modern", "runs with fitted normals", {{"t_end", 2e-3}}));
@@ -316,13 +317,13 @@ class NormalsCylinder final : public Case {
   static CaseGate held(const std::string& study, Tier tier) {
     return value_gate(study, "radius_change_max", york_cells, held_gate(study), tier);
   }
-  static CaseGate bursts(const std::string& study) {
+  static CaseGate bursts(const std::string& study, Range band) {
     return value_gate(
         study, "radius_change_max", york_cells,
         expected_failure(held_gate(study),
                          "the gradient of a smoothed colour is not normal to the membrane: its stress does not act "
                          "along it, and it flies on to the held sides (York's Figs. 73 to 75: 0.2 m and more)",
-                         {0.1, 1.2}));
+                         band, "2026-11-23 5825b24"));
   }
 
   static void accuracy(const std::string& study, std::vector<CaseGate>& all) {

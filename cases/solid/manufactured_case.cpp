@@ -1,5 +1,7 @@
 #include "cases/solid/manufactured_case.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <utility>
 
@@ -92,11 +94,28 @@ CaseGate energy_monotone_gate(const std::string& study) {
   return g;
 }
 
-CaseGate missed_order(const std::string& study, double order, const std::string& cause, Range band) {
-  return fitted_order_gate(study, worst,
-                           expected_failure(declare(study + "/order", {order, {}}, Origin::target,
-                                                    "the order that the plan asks of a scheme for solids"),
-                                            cause, band, "2026-11-21 a96ec71"));
+CaseGate missed_order(const std::string& study, const std::vector<double>& levels, double order,
+                      const std::string& cause, Range band) {
+  Gate gate = expected_failure(
+      declare(study + "/order", {order, {}}, Origin::target, "the order that the plan asks of a scheme for solids"),
+      cause, band, "2026-11-23 5825b24");
+  gate.quantity = fmt::format("fitted order of {} from {} to {} cells", worst, levels.front(), levels.back());
+  return study_gate(
+      study, std::move(gate),
+      [levels](const StudyResult& s) {
+        std::vector<Level> fitted;
+        for (const double level : levels) {
+          const StudyLevel* at = s.level(level);
+          const Measure* m = at ? at->run.find(worst) : nullptr;
+          fitted.push_back({.h = at ? at->h : level,
+                            .error = m ? m->error : std::nan(""),
+                            .reference_bound = m ? m->reference_bound : 0,
+                            .offset_errors = {},
+                            .dropped = {}});
+        }
+        return measured_order(fit_order(fitted, Weighting::equal));
+      },
+      levels);
 }
 
 }  // namespace plumbline

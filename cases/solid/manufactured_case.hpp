@@ -41,6 +41,8 @@ CaseGate displacement_gate(const std::string& study, double level, double most, 
 // midpoint step, no load.
 CaseGate energy_monotone_gate(const std::string& study);
 // The order that the target asks for and a scheme misses: as an expected failure with the band of its estimate.
-CaseGate missed_order(const std::string& study, double order, const std::string& cause, Range band);
+// Fitted over these levels alone, so that each tier judges the same number.
+CaseGate missed_order(const std::string& study, const std::vector<double>& levels, double order,
+                      const std::string& cause, Range band);
 
 }  // namespace plumbline

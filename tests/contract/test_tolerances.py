@@ -85,3 +85,43 @@ def test_wrong_calls_and_files(plumbline):
     result = plumbline("tolerances", "damaged.json", json=True)
     assert result.code == 4
     validate("error", json.loads(result.out))
+
+
+def test_values_are_recorded_kept_and_moved_with_a_reason(plumbline):
+    (plumbline.folder / "tolerances.json").write_bytes(LEDGER.read_bytes())
+    plumbline("verify", "cell-crossing", "--json", "judged.json")
+    judged = json.loads((plumbline.folder / "judged.json").read_text(encoding="utf-8"))
+
+    def record(*more):
+        (plumbline.folder / "judged.json").write_text(json.dumps(judged), encoding="utf-8")
+        return plumbline("tolerances", "tolerances.json", "--record", "judged.json", *more, json=True)
+
+    result = record()
+    document = result.json()
+    validate("tolerances", document)
+    assert result.code == 1 and document["values"] > document["ranges"] > 10
+    missing = [entry for entry in document["discrepancies"] if entry["case"] == "sod"]
+    assert missing and all(entry["kind"] == "unrecorded" for entry in missing)
+    assert "plumbline verify sod --json judged.json" in missing[0]["message"] and "--record judged.json" in missing[0]["message"]
+    assert not [entry for entry in document["discrepancies"] if entry["case"] == "cell-crossing"]
+    file = plumbline.folder / "regressions.json"
+    before = file.read_bytes()
+    line = next(line for line in json.loads(before)["recorded"] if "low" in line and line["low"] > 0)
+    gate = next(gate for gate in judged["gates"] if gate["id"] == line["id"])
+    gate["measured"] *= 1.5
+    assert record().code == 1 and file.read_bytes() == before, "a value within its range keeps its line"
+    for moved in (10, 0.1):
+        gate["measured"] = moved * line["measured"]
+        refused = record()
+        assert refused.code == 2 and line["id"] in refused.json()["error"]["message"] and file.read_bytes() == before
+    assert record("--why", "the boxes are narrower").code == 1
+    (now,) = [entry for entry in json.loads(file.read_bytes())["recorded"] if entry["id"] == line["id"]]
+    assert now["measured"] == gate["measured"] and now["moved"]["why"] == "the boxes are narrower"
+
+
+def test_runs_with_other_settings_are_not_recorded(plumbline):
+    (plumbline.folder / "tolerances.json").write_bytes(LEDGER.read_bytes())
+    result = plumbline("verify", "cell-crossing", "--set", "ppc=3", "--json", "judged.json")
+    assert json.loads((plumbline.folder / "judged.json").read_text(encoding="utf-8"))["regressions"] == 0, result.out
+    refused = plumbline("tolerances", "tolerances.json", "--record", "judged.json")
+    assert refused.code == 2 and "--set" in refused.err and not (plumbline.folder / "regressions.json").exists()

@@ -155,6 +155,22 @@ def test_known_failures_are_listed_by_owner(tmp_path):
     assert "known failures, 1 of the default scheme" in shown.text
 
 
+def test_recorded_values_that_hold_stand_beside_their_gate(tmp_path):
+    """The range of a recorded value is a line of the gate's row; one that is left is a row of its own, and comes first."""
+    judged = [
+        gate("sod", "default", "default/error", "density.L1", None, 0.5, "PASS", 0.01, study="default"),
+        gate("sod", "default", "default/error/regression", "density.L1", 0.004, 0.03, "PASS", 0.01, study="default"),
+        gate("sod", "default", "default/other", "velocity.L1", None, 0.5, "PASS", 0.1, study="default"),
+        gate("sod", "default", "default/other/regression", "velocity.L1", 0.004, 0.03, "FAIL", 0.1, study="default"),
+    ]
+    write_verdicts(tmp_path, judged)
+    shown = Page(rendered(tmp_path))
+    assert [(verdict, name) for verdict, name, _ in shown.gate_rows("case-sod")] == [
+        ("FAIL", "default/other/regression"), ("PASS", "default/error"), ("PASS", "default/other")]  # fmt: skip
+    assert "recorded: 0.004 … 0.03" in shown.text
+    assert "4 of 4 declared gates executed" in shown.text
+
+
 def test_counts_and_executed_gates(source, parsed):
     tiles = dict(re.findall(r"<dt>(\w+)</dt><dd>(\d+)</dd>", source))
     assert tiles == {

@@ -68,6 +68,49 @@ TEST(VerifyCase, TheFullTierAddsItsStudiesAndGates) {
   EXPECT_TRUE(ids(v).count("late/ledger"));
 }
 
+Regressions recorded_of_described() {
+  const auto line = [](const std::string& study, const std::string& id, std::optional<Range> within) {
+    return RecordedValue{"toy", study, id, "quick", 0.125, within, "2026-11-23 5825b24", {}};
+  };
+  return Regressions({line("default", "default/error", Range{0.05, 0.3}), line("default", "default/mass", {}),
+                      line("york", "york/finite", {})});
+}
+
+Selection with(const Regressions& recorded, std::vector<std::string> schemes = {},
+               std::vector<std::string> settings = {}) {
+  Selection selection;
+  selection.schemes = std::move(schemes);
+  selection.settings = std::move(settings);
+  selection.recorded = &recorded;
+  return selection;
+}
+
+// Values of 0.125 and 0.25: the second has no recorded range.
+TEST(VerifyCase, RecordedValuesAreGatesOfTheirOwn) {
+  const Regressions recorded = recorded_of_described();
+  const Verification v = verified(ToyCase(described()), Tier::quick, with(recorded));
+  EXPECT_EQ(v.declared, 11);
+  EXPECT_EQ(v.regressions, 1);
+  EXPECT_TRUE(complete(v));
+  const auto on_record = std::find_if(v.gates.begin(), v.gates.end(), [](const JudgedGate& g) { return of_record(g); });
+  ASSERT_NE(on_record, v.gates.end());
+  EXPECT_EQ(on_record->gate.id, "default/error/regression");
+  EXPECT_EQ(on_record->judgement.verdict, Verdict::pass);
+  std::set<std::string> names;
+  for (const auto& [case_name, study, id, tier] : v.unrecorded) names.insert(id);
+  EXPECT_EQ(names, (std::set<std::string>{"default/finite", "default/momentum", "default/ledger", "york/mass",
+                                          "york/momentum", "york/ledger"}));
+}
+
+TEST(VerifyCase, OtherChoicesAndTiersAreNotComparedWithRecordedValues) {
+  const Regressions recorded = recorded_of_described();
+  EXPECT_EQ(verified(ToyCase(described()), Tier::full, with(recorded)).regressions, 0);
+  const Verification v = verified(ToyCase(described()), Tier::quick, with(recorded, {}, {"weight=2"}));
+  EXPECT_EQ(v.regressions, 0);
+  EXPECT_TRUE(v.unrecorded.empty());
+  EXPECT_TRUE(complete(verified(ToyCase(described()), Tier::quick, with(recorded, {"default"}))));
+}
+
 // A study that throws is invalid, with what was said; the other study of the case keeps its verdicts, and nothing is skipped.
 TEST(VerifyCase, WhatThrowsFailsAlone) {
   Toy toy = described();
