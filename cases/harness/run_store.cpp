@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cstdio>
 
 #include "cases/harness/fingerprint.hpp"
 #include "cases/harness/input_file.hpp"
@@ -28,7 +29,9 @@ auto RunStore::guarded(const std::string& file, Read read) -> decltype(read()) {
   try {
     return read();
   } catch (const std::exception& error) {
-    if (told_.insert(file).second) fmt::print(stderr, "plumbline: not used again: {}\n", valid_utf8(error.what()));
+    // A notice that cannot be written stops no run.
+    if (told_.insert(file).second)
+      std::fputs(fmt::format("plumbline: not used again: {}\n", valid_utf8(error.what())).c_str(), stderr);
     return std::nullopt;
   }
 }

@@ -24,8 +24,7 @@ struct Verification {
   std::vector<NotApplicable> not_applicable;
   int declared = 0;     // gates that cases and integrators say they have in this tier, and ranges recorded of them
   int regressions = 0;  // gates on recorded values among `gates`
-  std::vector<RecordedValue::Key> unrecorded =
-      {};  // gates of the cases' own studies that pass without a recorded value
+  std::vector<RecordedValue::Key> unrecorded;  // gates of the cases' own studies that pass without a recorded value
   std::vector<const Case*> entries;
 };
 
