@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "cases/commands/command.hpp"
+#include "cases/comparison/bands.hpp"
 #include "cases/comparison/recording.hpp"
 #include "cases/comparison/tolerances.hpp"
 #include "cases/harness/input_file.hpp"
@@ -21,10 +22,11 @@ int ranges(const std::vector<RecordedValue>& values) {
 
 std::string today() { return build_provenance().started.substr(0, 10); }
 
-// Recorded values stand in the ledger's folder.
-std::string regressions_beside(const std::string& file) {
-  return (std::filesystem::path(file).parent_path() / "regressions.json").string();
+// Recorded values and ensembles stand in the ledger's folder.
+std::string beside(const std::string& file, const char* name) {
+  return (std::filesystem::path(file).parent_path() / name).string();
 }
+std::string regressions_beside(const std::string& file) { return beside(file, "regressions.json"); }
 
 Json document(const std::string& file, const std::vector<LedgerLine>& recorded, std::size_t declared,
               const std::vector<RecordedValue>& values, const std::vector<Discrepancy>& found) {
@@ -74,6 +76,9 @@ int execute(const CommonOptions& common, const TolerancesOptions& options) {
     out.line("{}: values of {} gates recorded, {} of them with a range", file, values.size(), ranges(values));
   } else {
     out.line("{}: not there, so no recorded value is looked at; --record writes it", file);
+  }
+  if (const std::string file = beside(options.file, "ensembles.json"); is_there(file)) {
+    for (Discrepancy& d : wide_bands(cases(), read_ensembles(file))) found.push_back(std::move(d));
   }
   for (const Discrepancy& d : found) out.line("{}", d.message);
   out.line("{}: {} gates recorded, {} declared, {}", options.file, recorded.size(), declared.size(),

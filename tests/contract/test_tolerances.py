@@ -89,7 +89,7 @@ def test_wrong_calls_and_files(plumbline):
 
 def test_values_are_recorded_kept_and_moved_with_a_reason(plumbline):
     (plumbline.folder / "tolerances.json").write_bytes(LEDGER.read_bytes())
-    plumbline("verify", "cell-crossing", "--json", "judged.json")
+    plumbline("verify", "normals-cell", "--json", "judged.json")
     judged = json.loads((plumbline.folder / "judged.json").read_text(encoding="utf-8"))
 
     def record(*more):
@@ -103,17 +103,17 @@ def test_values_are_recorded_kept_and_moved_with_a_reason(plumbline):
     missing = [entry for entry in document["discrepancies"] if entry["case"] == "sod"]
     assert missing and all(entry["kind"] == "unrecorded" for entry in missing)
     assert "plumbline verify sod --json judged.json" in missing[0]["message"] and "--record judged.json" in missing[0]["message"]
-    assert not [entry for entry in document["discrepancies"] if entry["case"] == "cell-crossing"]
+    assert not [entry for entry in document["discrepancies"] if entry["case"] == "normals-cell"]
     file = plumbline.folder / "regressions.json"
     before = file.read_bytes()
-    line = next(line for line in json.loads(before)["recorded"] if "low" in line and line["low"] > 0)
+    line = next(line for line in json.loads(before)["recorded"] if "low" in line and 0 < 8 * line["low"] < line["high"])
     gate = next(gate for gate in judged["gates"] if gate["id"] == line["id"])
     gate["measured"] *= 1.5
     assert record().code == 1 and file.read_bytes() == before, "a value within its range keeps its line"
     for moved in (10, 0.1):
         gate["measured"] = moved * line["measured"]
         refused = record()
-        assert refused.code == 2 and line["id"] in refused.json()["error"]["message"] and file.read_bytes() == before
+        assert refused.code == 2 and line["id"] in refused.json("error")["error"]["message"] and file.read_bytes() == before
     assert record("--why", "the boxes are narrower").code == 1
     (now,) = [entry for entry in json.loads(file.read_bytes())["recorded"] if entry["id"] == line["id"]]
     assert now["measured"] == gate["measured"] and now["moved"]["why"] == "the boxes are narrower"
@@ -125,3 +125,14 @@ def test_runs_with_other_settings_are_not_recorded(plumbline):
     assert json.loads((plumbline.folder / "judged.json").read_text(encoding="utf-8"))["regressions"] == 0, result.out
     refused = plumbline("tolerances", "tolerances.json", "--record", "judged.json")
     assert refused.code == 2 and "--set" in refused.err and not (plumbline.folder / "regressions.json").exists()
+
+
+def test_bands_wider_than_the_rule_need_an_ensemble(plumbline):
+    (plumbline.folder / "tolerances.json").write_bytes(LEDGER.read_bytes())
+    document = json.loads((LEDGER.parent / "ensembles.json").read_text(encoding="utf-8"))
+    left_out = document["ensembles"].pop()
+    (plumbline.folder / "ensembles.json").write_text(json.dumps(document), encoding="utf-8")
+    result = plumbline("tolerances", "tolerances.json", json=True)
+    validate("tolerances", result.json())
+    (wide,) = [entry for entry in result.json()["discrepancies"] if entry["kind"] == "wide"]
+    assert result.code == 1 and (wide["case"], wide["id"]) == (left_out["case"], left_out["id"]) and "a factor 1.35" in wide["message"]
