@@ -4,6 +4,7 @@
 
 #include "cases/harness/budget.hpp"
 #include "cases/harness/experiment.hpp"
+#include "cases/harness/signals.hpp"
 
 namespace plumbline {
 
@@ -16,6 +17,7 @@ RunEstimate estimate_run(const Case& entry, const Settings& settings) {
   require_memory(size, settings);
   Simulation simulation(std::move(scene), settings.text("integrator"), step_control(settings));
   simulation.step(HUGE_VAL);
+  throw_if_interrupted();
   constexpr double rate = 1e7;  // point-steps per second of one slow core
   RunEstimate estimate;
   estimate.points = simulation.points();
