@@ -37,8 +37,10 @@ def load_requirements(path=REQUIREMENTS_FILE):
 
 
 def matches(case, gate, pattern):
-    """Whether a pattern [case, gate] takes a gate. A gate that stands on every study must be asked for by name."""
+    """Whether a pattern [case, gate] takes a gate. A gate that stands on every study must be asked for by name; one on a recorded
+    value belongs where the gate does that it stands beside."""
     wanted_case, wanted_gate = pattern
+    gate = gate.removesuffix(tables.RECORDED)
     name = gate.rsplit("/", 1)[-1]
     if name in GENERIC and wanted_gate.rsplit("/", 1)[-1] != name:
         return False

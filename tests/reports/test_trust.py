@@ -42,6 +42,7 @@ def test_fault_is_named(requirements, gates, words):
 def test_gate_that_stands_on_every_study_must_be_asked_for_by_name():
     assert not trust.matches("noh", "default/mass", ["noh", "*/*"]) and trust.matches("noh", "default/mass", ["*", "*/mass"])
     assert trust.matches("noh", "default/drift", ["noh", "*/*"]) and not trust.matches("sod", "default/drift", ["noh", "*/*"])
+    assert trust.matches("noh", "default/mass/regression", ["*", "*/mass"]) and not trust.matches("noh", "default/mass/regression", ["noh", "*/*"])
 
 
 def gate(name, margin, origin="target", verdict="PASS", high=1.0, low=None):
