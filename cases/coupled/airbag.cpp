@@ -72,7 +72,7 @@ class AirbagCase : public Case {
     s.title = spec_.title;
     s.source = "York 1997, SAND97-1893, section 6.3, input A.4.8 and A.4.9 (after de Coo 1989)";
     s.claim =
-        "The probe is stopped and thrown back, no gas escapes, every joule is accounted for, and no probe sinks deeper "
+        "The probe is stopped and thrown back, no gas escapes, all energy is accounted for, and no probe sinks deeper "
         "than a bag that cannot stretch would let it.";
     s.physics = physics;
     s.equations = {"p = (γ − 1) ρ e", "V = Σ (a² + ab + b²)/6 · (y₂ − y₁),  Fₚ = −pₐ ∂V/∂xₚ",

@@ -1,12 +1,28 @@
 #include "cases/harness/estimate.hpp"
 
 #include <cmath>
+#include <memory>
 
 #include "cases/harness/budget.hpp"
+#include "cases/harness/cannot_run.hpp"
 #include "cases/harness/experiment.hpp"
 #include "cases/harness/signals.hpp"
 
 namespace plumbline {
+namespace {
+
+std::unique_ptr<Simulation> stepped_once(const Case& entry, const Settings& settings, Scene scene) {
+  try {
+    auto simulation = std::make_unique<Simulation>(std::move(scene), settings.text("integrator"),
+                                                   step_control(settings));
+    simulation->step(HUGE_VAL);
+    return simulation;
+  } catch (const CannotWork& parts) {
+    throw cannot_run(entry, settings, parts);
+  }
+}
+
+}  // namespace
 
 RunEstimate estimate_run(const Case& entry, const Settings& settings) {
   require_memory(foreseen_size(entry, settings), settings);  // a problem may fill its bodies as soon as it is made
@@ -15,14 +31,13 @@ RunEstimate estimate_run(const Case& entry, const Settings& settings) {
   Scene scene = problem->scene();
   const SceneSize size = size_of(scene);
   require_memory(size, settings);
-  Simulation simulation(std::move(scene), settings.text("integrator"), step_control(settings));
-  simulation.step(HUGE_VAL);
+  const auto simulation = stepped_once(entry, settings, std::move(scene));
   throw_if_interrupted();
   constexpr double rate = 1e7;  // point-steps per second of one slow core
   RunEstimate estimate;
-  estimate.points = simulation.points();
-  estimate.steps = std::ceil(problem->end_time() / simulation.last_dt());
-  require_steps(problem->end_time(), simulation.last_dt(), settings);
+  estimate.points = simulation->points();
+  estimate.steps = std::ceil(problem->end_time() / simulation->last_dt());
+  require_steps(problem->end_time(), simulation->last_dt(), settings);
   estimate.cells = size.cells;
   estimate.bytes = size.bytes();
   estimate.seconds = static_cast<double>(estimate.points) * estimate.steps / rate;

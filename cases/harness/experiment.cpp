@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cases/harness/budget.hpp"
+#include "cases/harness/cannot_run.hpp"
 #include "cases/harness/errors.hpp"
 #include "cases/harness/guarded_integrator.hpp"
 #include "cases/harness/signals.hpp"
@@ -251,8 +252,7 @@ RunResult run_experiment(const Case& entry, const std::string& scheme, const Set
     throw_if_interrupted();  // one that came while they were worked out is not lost
     result.finished = true;
   } catch (const CannotWork& parts) {
-    throw MissingTraits("integrator", settings.text("integrator"), "another integrator, or other choices",
-                        "case=" + entry.name(), parts.lacks);
+    throw cannot_run(entry, settings, parts);
   } catch (const InadmissibleState& state) {
     result.stop = Stop{state.reason, state.body, state.field, state.step, state.time, state.point, state.value};
   } catch (const MisbehavingIntegrator& error) {

@@ -46,6 +46,12 @@ def test_combination_that_cannot_work_names_both_choices(plumbline, choice, how)
     refused(plumbline, "run", "sod", "--cells", 20, *how, "--set", choice, says=["energy", *choice.split("=")])
 
 
+@pytest.mark.parametrize("more", [[], ["--dry-run"]])
+def test_scene_that_an_integrator_cannot_move_names_both(plumbline, more):
+    error = refused(plumbline, "run", "piston-shock", "--scheme", "york1997", *more, says=["musl", "piston-shock", "returnable-loss"])
+    assert (error["key"], error["value"]) == ("integrator", "musl") and error["allowed"]
+
+
 @pytest.mark.parametrize("arguments, nearest", [
     (["run", "sodd"], "sod"),
     (["explain", "spring-mas"], "spring-mass"),

@@ -54,7 +54,7 @@ def targets(dice, catalog):
         path.write_text("older\n", encoding="utf-8")
         name = "out/x"
     elif what in ("nowhere", "long", "bytes", "full", "empty"):
-        name = {"nowhere": "/nonexistent/x", "long": "x" * 300, "bytes": b"\xff\xfe", "full": "/dev/full", "empty": ""}[what]
+        name = {"nowhere": "/dev/null/x", "long": "x" * 300, "bytes": b"\xff\xfe", "full": "/dev/full", "empty": ""}[what]
     if where == "results" and call[0] not in ("run", "converge", "verify"):
         call = ("run", "sod", "--cells", "4")
     outcome = yield Call((*call, "--json" if where == "json" else "--results", name), floor=40, why=what)
