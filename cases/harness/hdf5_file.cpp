@@ -188,7 +188,7 @@ void Hdf5Writer::commit(Flush flush) {
   H5Fclose(impl_->file);
   impl_->file = -1;
   seal(file);
-  (flush == Flush::to_disk ? write_text_file : write_sealed_file)(impl_->path, file);
+  write_sealed_file(impl_->path, file, flush == Flush::to_disk);
 }
 
 namespace {

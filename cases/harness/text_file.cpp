@@ -41,10 +41,12 @@ int write_new(const std::string& path, const std::string& text, int flags, bool 
   return error;
 }
 
-void write_whole(const std::string& path, const std::string& content, bool flush) {
+void write_whole(const std::string& path, const std::string& content, bool flush, bool replaces_pipes) {
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+  const bool replaced = std::filesystem::is_regular_file(status) ||
+                        (replaces_pipes && status.type() == std::filesystem::file_type::fifo);
+  if (std::filesystem::exists(status) && !replaced) {
     if (const int error = write_new(path, content, 0, false); error != 0) fail(path, error);
     return;
   }
@@ -91,8 +93,10 @@ void remove_abandoned(const std::string& folder) {
   }
 }
 
-void write_text_file(const std::string& path, const std::string& text) { write_whole(path, text, true); }
+void write_text_file(const std::string& path, const std::string& text) { write_whole(path, text, true, false); }
 
-void write_sealed_file(const std::string& path, const std::string& content) { write_whole(path, content, false); }
+void write_sealed_file(const std::string& path, const std::string& content, bool flush) {
+  write_whole(path, content, flush, true);
+}
 
 }  // namespace plumbline

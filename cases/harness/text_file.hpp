@@ -14,9 +14,10 @@ void write_text_file(const std::string& path, const std::string& text);
 // and permissions. Writes nothing.
 void require_writable(const std::string& path);
 
-// The same for a sealed file, of which a sweep writes thousands: it need not be on disk when this returns. Should the power
-// fail before it is, its seal tells.
-void write_sealed_file(const std::string& path, const std::string& content);
+// The same as write_text_file for a sealed file. Of those a sweep writes thousands, which need not be on disk when this
+// returns (`flush` false): should the power fail before they are, the seal tells. A pipe, whose reader may never come, is
+// replaced.
+void write_sealed_file(const std::string& path, const std::string& content, bool flush);
 
 // The name under which this process writes `path` until it is whole: `path`.HOST-PROCESS.part.
 std::string temporary_name(const std::string& path);

@@ -16,8 +16,8 @@ import contract
 RED = {"FAIL", "XPASS", "INVALID"}
 SCALES = 3            # largest error of a green run, in scales of what is measured
 SENTINEL = 1e290      # no result of a case is of this size
-# What people read who have called a function, not a program.
-INSIDE = re.compile(r"std::|terminate called|what\(\)|type_error|parse_error\.|json\.exception|HDF5-DIAG|basic_string|vector::_M|bad_alloc"
+# What people read who have called a function, not a program; of what a plug-in threw its type is told.
+INSIDE = re.compile(r"(?<!threw )(?<!no )std::|terminate called|what\(\)|type_error|parse_error\.|json\.exception|HDF5-DIAG|basic_string|vector::_M|bad_alloc"
                     r"|Assertion|AddressSanitizer|runtime error:|\bstod\b|\bstoi\b|bad optional|bad variant|filesystem error: ")
 DEFINITIONS = {"run", "converge", "verify", "reference", "stability", "bench", "sweep", "export", "score", "scoreboard", "diff", "tolerances",
                "list", "explain"}

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <filesystem>
 #include <thread>
 
 #include "cases/harness/errors.hpp"
@@ -65,6 +66,19 @@ TEST(TextFile, APipeIsWrittenTo) {
   std::thread writer([&] { write_text_file(pipe, "through"); });
   EXPECT_EQ(bytes(pipe), "through");
   writer.join();
+}
+
+// Where a result stood somebody made a pipe, and nobody reads it.
+TEST(SealedFile, APipeIsReplaced) {
+  const TemporaryFolder folder;
+  const std::string pipe = folder / "result.h5";
+  for (const bool flush : {false, true}) {
+    std::filesystem::remove(pipe);
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    write_sealed_file(pipe, "whole", flush);
+    EXPECT_TRUE(std::filesystem::is_regular_file(pipe));
+    EXPECT_EQ(bytes(pipe), "whole");
+  }
 }
 
 TEST(TextFile, TemporaryNamesTellWhoseTheyAre) {
