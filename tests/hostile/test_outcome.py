@@ -88,6 +88,7 @@ REFUSED = "sys.stderr.write('plumbline: no\\n');"
     (says({"case": "noh", "measures": {"shock_position": {**MEASURE, "error": None}}}), RUN, {}, []),
     (says({"case": "sod", "measures": {"density.L1": {**MEASURE, "relative_error": 3.1}}}), RUN, {}, ["large error"]),
     (says({"case": "sod", "measures": {"density.L1": {**MEASURE, "relative_error": 3.1}}}), ("sweep", "sod"), {}, []),
+    (says({"case": "sod", "measures": {"shock_position": {**MEASURE, "error": None}}}), ("sweep", "sod"), {}, []),
     (says({"case": "sod", "measures": {"density.L1": {**MEASURE, "relative_error": None}}}), RUN, {}, []),
     (says({"case": "sod", "measures": {"density.L1": {**MEASURE, "error": None}}}), RUN, {}, ["not finite"]),
     (says({"case": "sod", "measures": {"drift": {**MEASURE, "relative_error": None, "value": 0.1, "reference": 0.0}}}), RUN, {}, []),
