@@ -20,9 +20,11 @@ double memory_of_machine() {
   return bytes;
 }
 
-// A sanitizer keeps several times the memory of the program for itself.
+// A sanitizer keeps several times the memory of the program for itself. g++ and clang++ tell it each in its own way.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool limits_itself = false;
+#elif defined(__has_feature)
+constexpr bool limits_itself = !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
 #else
 constexpr bool limits_itself = true;
 #endif

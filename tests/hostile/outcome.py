@@ -45,6 +45,8 @@ def of_status(outcome):
         yield Fault("hang", f"{outcome.late}: {outcome.seconds:.0f} s on the clock, estimate {call.estimate:.2g} s")
     elif code == -signal.SIGPIPE and call.stdout == "gone":
         pass
+    elif call.interrupted and call.interrupted[1] < 0.1 and code == -call.interrupted[0] and not (outcome.err or outcome.out or outcome.new):
+        pass  # it came before the program had begun
     elif code < 0:
         yield Fault("crash", f"ended by signal {signal.Signals(-code).name}: {last_line(outcome)}")
     elif call.interrupted and code == ENDED_BY_SIGNAL + call.interrupted[0]:
@@ -105,7 +107,7 @@ def of_files(outcome):
     if outcome.code == 2 and new:
         yield Fault("leftover", f"refused, and written: {', '.join(new[:3])}")
     target = call.option("--json")
-    if outcome.code in (0, 1, 3) and isinstance(target, str) and target not in ("", "-") and not (outcome.folder / target).exists():
+    if outcome.code in (0, 1, 3) and isinstance(target, str) and target not in ("", "-") and not os.path.exists(outcome.folder / target):
         yield Fault("lost output", f"--json {target} is not there")
     if outcome.code == 0 and call.command == "run" and not {"--dry-run", "--help"} & set(call.arguments):
         if not any(name.endswith(".h5") and what[0] == "file" for name, what in outcome.after.items()):
