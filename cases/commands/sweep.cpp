@@ -81,6 +81,10 @@ Work work_of(const SweepOptions& options, RunStore* store) {
 
 int print_plan(const Invocation& invocation, const SweepOptions& options) {
   CommonOptions target = invocation.options;
+  if (!target.json.empty()) {
+    throw UsageError("--json", target.json, "without --plan", {},
+                     "--json tells what became of runs, and --plan makes none: it writes the plan itself");
+  }
   target.json = options.plan;
   std::optional<ResultsFolder> folder;
   std::optional<RunStore> store;

@@ -64,6 +64,11 @@ def test_plan_of_a_tier(plumbline):
     assert {"usl", "musl"} <= schemes, "the integrators' own studies are among them"
 
 
+def test_a_plan_has_no_other_document(plumbline):
+    result = plumbline("sweep", "sod", "--plan", "-", "--json", "out.json")
+    assert result.code == 2 and result.err.count("--plan") and not result.out and plumbline.files(".") == []
+
+
 def test_swept_tier_is_all_that_verify_needs(plumbline):
     swept = plumbline("sweep", "spring-mass", "stability-york", "--jobs", 2, json=True, timeout=600)
     document = swept.json()

@@ -124,7 +124,7 @@ def document(outcome):
         raw = outcome.out
     elif isinstance(target := call.option("--json"), str) and target not in ("", "-") and outcome.code in (0, 1, 3):
         path = outcome.folder / target
-        raw = path.read_bytes() if path.is_file() else None
+        raw = path.read_bytes() if os.path.isfile(path) else None
     return None if raw is None else contract.parse(raw.decode("utf-8"))
 
 
