@@ -7,6 +7,7 @@
 
 #include "cases/harness/archive.hpp"
 #include "cases/harness/errors.hpp"
+#include "cases/harness/whole.hpp"
 #include "cases/solid/collision.hpp"
 #include "kernel/materials/linear_elastic.hpp"
 #include "reference/airbag_lumped.hpp"
@@ -199,8 +200,8 @@ Body airbag_probe(const AirbagSpec& spec, const GridSpec& grid, int ppc, double 
   elastic->poissons_ratio = probe_poisson;
   elastic->density = spec.mass / (std::numbers::pi * spec.radius * spec.radius * probe_height);
   const double wanted = grid.h / ppc;
-  const int across = std::max(1, static_cast<int>(std::lround(spec.radius / wanted)));
-  const int up = std::max(1, static_cast<int>(std::lround(probe_height / wanted)));
+  const int across = std::max(1, whole(std::round(spec.radius / wanted)));
+  const int up = std::max(1, whole(std::round(probe_height / wanted)));
   const double wide = spec.radius / across, high = probe_height / up;
   Body body = make_body("probe", elastic, across * up, 2, true);
   body.spacing = std::sqrt(wide * high);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cases/harness/schemes.hpp"
+#include "cases/harness/whole.hpp"
 #include "kernel/materials/segment_membrane.hpp"
 #include "kernel/simulation.hpp"
 
@@ -113,8 +114,7 @@ GridSpec airbag_grid(int cells) {
   grid.dim = 2;
   grid.axisymmetric = true;
   grid.h = box_height / cells;
-  grid.cells = {static_cast<int>(std::ceil(box_radius / grid.h - 1e-9)),
-                static_cast<int>(std::ceil(room_above / grid.h - 1e-9)), 1};
+  grid.cells = {whole(std::ceil(box_radius / grid.h - 1e-9)), whole(std::ceil(room_above / grid.h - 1e-9)), 1};
   grid.walls[0] = {Wall::symmetry, Wall::symmetry};
   grid.walls[1] = {Wall::symmetry, Wall::free};
   return grid;
@@ -123,7 +123,7 @@ GridSpec airbag_grid(int cells) {
 Bag unstretched_bag(const GridSpec& grid, int ppc, double membrane_ppc, double crown, const BagPressures& pressures,
                     std::shared_ptr<const IdealGas> gas) {
   const Curve outline = york_outline(crown);
-  const int segments = std::max(8, static_cast<int>(std::lround(length(outline) * membrane_ppc / grid.h)));
+  const int segments = std::max(8, whole(std::round(length(outline) * membrane_ppc / grid.h)));
   const Curve points = evenly(outline, segments);
   const double energy = pressures.inside / ((bag_gamma - 1) * bag_density);  // [York 4.4]
   // no point nearer to the skin than half of what lies between points: on average they are as far in

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "cases/harness/whole.hpp"
 #include "kernel/materials/segment_membrane.hpp"
 #include "kernel/materials/uniaxial_membrane.hpp"
 
@@ -140,8 +141,8 @@ Body fill_polygon(const std::string& name, std::shared_ptr<const IdealGas> gas, 
   const double spacing = grid.h / std::sqrt(static_cast<double>(ppc));
   Curve places;
   double weights = 0;
-  const auto across = static_cast<int>(std::lround(grid.cells[0] * grid.h / spacing)) + 1;
-  const auto up = static_cast<int>(std::lround(grid.cells[1] * grid.h / spacing)) + 1;
+  const auto across = whole(std::round(grid.cells[0] * grid.h / spacing)) + 1;
+  const auto up = whole(std::round(grid.cells[1] * grid.h / spacing)) + 1;
   for (int j = 0; j < up; ++j) {
     for (int i = 0; i < across; ++i) {
       const Place at{grid.origin[0] + (i + 0.5) * spacing, grid.origin[1] + (j + 0.5) * spacing};

@@ -9,6 +9,7 @@
 #include "cases/harness/archive.hpp"
 #include "cases/harness/case.hpp"
 #include "cases/harness/gates.hpp"
+#include "cases/harness/whole.hpp"
 #include "reference/membrane_equilibrium.hpp"
 
 namespace plumbline {
@@ -134,7 +135,7 @@ class MembraneExpansionRun final : public Problem {
   static Curve corners() { return {{0, 0}}; }
   bool by_segments() const { return settings_.text("membrane.strain") == "segments"; }
   int segments() const {
-    return std::max(4, static_cast<int>(std::lround(settings_.number("membrane.ppc") * dog_bone_length / h_)));
+    return std::max(4, whole(std::round(settings_.number("membrane.ppc") * dog_bone_length / h_)));
   }
 
   // At rest, of the membrane as it is made of straight segments.

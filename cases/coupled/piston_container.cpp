@@ -8,6 +8,7 @@
 #include "cases/harness/archive.hpp"
 #include "cases/harness/extremes.hpp"
 #include "cases/harness/gates.hpp"
+#include "cases/harness/whole.hpp"
 #include "cases/membrane/string.hpp"
 #include "kernel/materials/linear_elastic.hpp"
 #include "reference/piston_container.hpp"
@@ -49,9 +50,7 @@ Container container_from(const Settings& s) {
   at.york_points = s.text("layout") == "york";
   at.piston_alone = s.text("start") == "piston";
   at.strain = s.text("membrane.strain");
-  const auto count = [&](double length, double ppc) {
-    return std::max(2, static_cast<int>(std::lround(length / at.h * ppc)));
-  };
+  const auto count = [&](double length, double ppc) { return std::max(2, whole(std::round(length / at.h * ppc))); };
   at.gas_points = count(p.gas_length, s.number("ppc"));
   at.spring_segments = count(p.spring_length, s.number("membrane.ppc"));
   return at;

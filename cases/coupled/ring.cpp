@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "cases/harness/whole.hpp"
 #include "reference/bessel.hpp"
 
 namespace plumbline {
@@ -14,7 +15,7 @@ constexpr int beyond = 3;  // cells of the grid outside the ring: the kernel rea
 
 int chords_of(const Settings& settings) {
   const double arc = 0.5 * std::numbers::pi * settings.integer("cells");  // in cells
-  return std::max(4, static_cast<int>(std::lround(arc * settings.number("membrane.ppc"))));
+  return std::max(4, whole(std::round(arc * settings.number("membrane.ppc"))));
 }
 
 Curve lattice_cell(double x, double y, double side) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "cases/harness/whole.hpp"
+
 namespace plumbline {
 namespace {
 
@@ -15,7 +17,7 @@ struct Strip {
 };
 
 std::vector<Strip> strips(double low, double high, double h, int lines, bool radial) {
-  const int count = std::max(1, static_cast<int>(std::lround((high - low) / h * lines)));
+  const int count = std::max(1, whole(std::round((high - low) / h * lines)));
   const double width = (high - low) / count;
   std::vector<Strip> all;
   for (int k = 0; k < count; ++k) {

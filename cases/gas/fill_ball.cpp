@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/harness/whole.hpp"
+
 namespace plumbline {
 namespace {
 
@@ -102,7 +104,7 @@ class LatticeCell {
 // to no mass, and where the gas ends in nothing, of next to no energy.
 std::vector<Part> lattice(const GasBall& ball, double gamma, double size) {
   const LatticeCell cells(ball, gamma, size);
-  const int count = static_cast<int>(std::ceil(ball.radius / size));
+  const int count = whole(std::ceil(ball.radius / size));
   const int deep = ball.geometry.dim == 3 ? count : 1;
   const auto place = [&](const std::array<int, 3>& cell) {
     return static_cast<std::size_t>((cell[2] * count + cell[1]) * count + cell[0]);
@@ -130,7 +132,7 @@ std::vector<Part> lattice(const GasBall& ball, double gamma, double size) {
 
 // A quarter turn in equal angles.
 std::vector<Interval> quarter(double arc, double width) {
-  const int count = std::max(1, static_cast<int>(std::lround(arc / width)));
+  const int count = std::max(1, whole(std::round(arc / width)));
   std::vector<Interval> all;
   for (int k = 0; k < count; ++k) all.push_back({pi / 2 * k / count, pi / 2 * (k + 1) / count});
   return all;
@@ -175,7 +177,7 @@ std::vector<Sector> lines(double height, int count) {
 std::vector<Part> shells(const GasBall& ball, double gamma, const std::function<double(double)>& per_length, double h,
                          int lines_a_cell) {
   const RadialGeometry& geometry = ball.geometry;
-  const int on_height = static_cast<int>(std::lround(slice_height(h) / h)) * lines_a_cell;
+  const int on_height = whole(std::round(slice_height(h) / h)) * lines_a_cell;
   std::vector<Part> parts;
   for (const Interval& shell : equal_shares({0, ball.radius}, per_length)) {
     double volume = 0, mass = 0, heat = 0, moment = 0;

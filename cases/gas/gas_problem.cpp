@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/harness/whole.hpp"
+
 namespace plumbline {
 namespace {
 
 using Samples = std::vector<FieldSample>;
 
-int whole_cells(double length, double h) { return static_cast<int>(std::ceil(length / h - 1e-9)); }
+int whole_cells(double length, double h) { return whole(std::ceil(length / h - 1e-9)); }
 
 void append(std::vector<Measure>& all, const std::vector<Measure>& more) {
   all.insert(all.end(), more.begin(), more.end());
@@ -74,7 +76,7 @@ GasProblem::Layout GasProblem::layout() const {
   const double h = grid.h, offset = settings_.number("offset");
   const auto axis = static_cast<std::size_t>(flow_.axis);
   for (std::size_t d = 0; d < static_cast<std::size_t>(flow_.dim); ++d) {
-    grid.cells[d] = static_cast<int>(std::lround((flow_.high[d] - flow_.low[d]) / h));
+    grid.cells[d] = whole(std::round((flow_.high[d] - flow_.low[d]) / h));
     grid.origin[d] = flow_.low[d];
   }
   const int below = whole_cells(flow_.margin[0], h), above = whole_cells(flow_.margin[1], h);

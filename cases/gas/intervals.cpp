@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "cases/harness/whole.hpp"
+
 namespace plumbline {
 namespace {
 
@@ -84,7 +86,7 @@ std::vector<Interval> equal_shares(const Interval& layer, const std::function<do
   for (int k = 0; k < parts; ++k) cumulative.push_back(cumulative.back() + integral(measure, {edge(k), edge(k + 1)}));
   const double total = cumulative.back();
   // A share above 1 by rounding alone needs no further interval.
-  const int count = std::max(1, static_cast<int>(std::ceil(total * (1 - 1e-12))));
+  const int count = std::max(1, whole(std::ceil(total * (1 - 1e-12))));
   std::vector<Interval> all;
   double from = layer.from;
   for (int k = 1; k <= count; ++k) {

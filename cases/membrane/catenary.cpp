@@ -3,6 +3,7 @@
 
 #include "cases/harness/archive.hpp"
 #include "cases/harness/gates.hpp"
+#include "cases/harness/whole.hpp"
 #include "cases/membrane/mode_watch.hpp"
 #include "cases/membrane/string.hpp"
 #include "reference/catenary.hpp"
@@ -40,7 +41,7 @@ class CatenaryProblemRun final : public Problem {
     Scene scene;
     scene.grid.dim = 2;
     const double h = scene.grid.h = p.span / settings_.number("cells");
-    const int under = static_cast<int>(std::ceil(below / h)) + 1, over = static_cast<int>(std::ceil(above / h));
+    const int under = whole(std::ceil(below / h)) + 1, over = whole(std::ceil(above / h));
     scene.grid.cells = {settings_.integer("cells"), under + over, 1};
     scene.grid.origin = {0, -under * h, 0};
     scene.grid.walls[0] = {Wall::no_slip, Wall::no_slip};
@@ -121,8 +122,8 @@ class CatenaryProblemRun final : public Problem {
   // E λ (λ − 1) on its volume is the tension E A (λ − 1) on the stretched length.
   StringState at_rest() const {
     const double length = exact_.problem().length, compliance = exact_.problem().compliance;
-    const int count = std::max(4, static_cast<int>(std::lround(settings_.number("cells") * settings_.number("ppc") *
-                                                               length / exact_.problem().span)));
+    const int count = std::max(
+        4, whole(std::round(settings_.number("cells") * settings_.number("ppc") * length / exact_.problem().span)));
     StringState state;
     for (int p = 0; p <= count; ++p) {
       const double at = length * p / count, strain = compliance * exact_.tension(at).value;

@@ -4,6 +4,7 @@
 
 #include "cases/harness/archive.hpp"
 #include "cases/harness/gates.hpp"
+#include "cases/harness/whole.hpp"
 #include "cases/membrane/hydrostatic_load.hpp"
 #include "cases/membrane/string.hpp"
 #include "reference/geo_tube.hpp"
@@ -43,7 +44,7 @@ class GeoTubeRun final : public Problem {
   explicit GeoTubeRun(const Settings& settings)
       : settings_(settings),
         exact_(tube_from(settings)),
-        count_(std::max(8, static_cast<int>(std::lround(0.5 * settings.number("cells") * settings.number("ppc"))))),
+        count_(std::max(8, whole(std::round(0.5 * settings.number("cells") * settings.number("ppc"))))),
         from_circle_(settings.text("start") == "circle") {
     const double half = 0.5 * exact_.problem().perimeter;
     for (int p = 0; p <= count_; ++p) {
@@ -60,7 +61,7 @@ class GeoTubeRun final : public Problem {
     const double h = scene.grid.h = exact_.problem().perimeter / settings_.number("cells");
     const double across = larger(0.5 * exact_.width().value, from_circle_ ? radius() : 0);
     const double up = larger(exact_.height().value, from_circle_ ? 2 * radius() : 0);
-    const auto cells = [h](double size) { return static_cast<int>(std::ceil((size + room) / h)) + 1; };
+    const auto cells = [h](double size) { return whole(std::ceil((size + room) / h)) + 1; };
     scene.grid.cells = {cells(across), cells(up), 1};
     scene.grid.walls[0] = {Wall::symmetry, Wall::free};
     scene.grid.walls[1] = {Wall::symmetry, Wall::free};

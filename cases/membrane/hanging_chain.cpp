@@ -3,6 +3,7 @@
 
 #include "cases/harness/archive.hpp"
 #include "cases/harness/gates.hpp"
+#include "cases/harness/whole.hpp"
 #include "cases/membrane/mode_watch.hpp"
 #include "cases/membrane/string.hpp"
 #include "reference/hanging_chain.hpp"
@@ -32,7 +33,7 @@ class HangingChainProblemRun final : public Problem {
     Scene scene;
     scene.grid.dim = 2;
     const double h = scene.grid.h = p.length / settings_.number("cells");
-    const int beside = std::max(2, static_cast<int>(std::lround(room / h)));
+    const int beside = std::max(2, whole(std::round(room / h)));
     scene.grid.cells = {2 * beside, settings_.integer("cells") + beside, 1};
     scene.grid.origin = {-beside * h, -beside * h, 0};
     scene.grid.walls[0] = {Wall::symmetry, Wall::symmetry};
@@ -91,8 +92,7 @@ class HangingChainProblemRun final : public Problem {
   // carries what hangs below them, so that the tension is ρ g s exactly whatever the stiffness.
   StringState displaced() const {
     const double length = exact_.problem().length, stretch = settings_.number("stretch");
-    const int segments = std::max(4,
-                                  static_cast<int>(std::lround(settings_.number("cells") * settings_.number("ppc"))));
+    const int segments = std::max(4, whole(std::round(settings_.number("cells") * settings_.number("ppc"))));
     StringState state = straight_string({0, length}, {0, 0}, segments + 1);
     for (std::size_t p = 0; p < state.place.size(); ++p) {
       const double s = state.place[p][1];

@@ -4,6 +4,7 @@
 #include "cases/harness/archive.hpp"
 #include "cases/harness/extremes.hpp"
 #include "cases/harness/gates.hpp"
+#include "cases/harness/whole.hpp"
 #include "cases/membrane/string.hpp"
 #include "reference/elastic_pendulum.hpp"
 
@@ -26,7 +27,7 @@ struct Swing {
 };
 
 // 20, 40, 80 and 320 points on York's four meshes. [York Figs. 32-35]
-int york_points(double cells) { return static_cast<int>(std::lround((cells < 40 ? 4 : 8) * cells)); }
+int york_points(double cells) { return whole(std::round((cells < 40 ? 4 : 8) * cells)); }
 
 Swing swing_from(const Settings& s) {
   Swing swing;
@@ -42,9 +43,8 @@ Swing swing_from(const Settings& s) {
   swing.end_time = s.number("t_end");
   swing.york_box = s.text("box") == "york";
   swing.york_points = s.text("layout") == "york";
-  swing.points = s.text("layout") == "ppc"
-                     ? 1 + std::max(1, static_cast<int>(std::lround(length * cells * s.number("ppc"))))
-                     : york_points(cells);
+  swing.points = s.text("layout") == "ppc" ? 1 + std::max(1, whole(std::round(length * cells * s.number("ppc"))))
+                                           : york_points(cells);
   swing.strain = s.text("strain");
   return swing;
 }
@@ -54,7 +54,7 @@ Swing swing_from(const Settings& s) {
 GridSpec swing_grid(const Swing& at) {
   const double h = at.h, low = at.york_box ? 0 : -0.4;
   const double top = at.york_box ? 1 : at.pendulum.pivot_y;
-  const auto cells = [h](double length) { return static_cast<int>(std::ceil(length / h - 1e-9)); };
+  const auto cells = [h](double length) { return whole(std::ceil(length / h - 1e-9)); };
   GridSpec grid;
   grid.dim = 2;
   grid.h = h;

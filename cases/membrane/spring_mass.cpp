@@ -5,6 +5,7 @@
 #include "cases/harness/archive.hpp"
 #include "cases/harness/extremes.hpp"
 #include "cases/harness/gates.hpp"
+#include "cases/harness/whole.hpp"
 #include "kernel/materials/uniaxial_membrane.hpp"
 #include "reference/heavy_spring.hpp"
 
@@ -50,7 +51,7 @@ class SpringMassProblem final : public Problem {
     Scene scene;
     scene.grid.dim = 1;
     scene.grid.h = 1.0 / settings_.number("cells");
-    scene.grid.cells[0] = static_cast<int>(std::lround(support / scene.grid.h));
+    scene.grid.cells[0] = whole(std::round(support / scene.grid.h));
     scene.grid.walls[0] = {Wall::free, Wall::symmetry};
     scene.gravity[0] = -at_.spring.gravity;
     scene.shape = settings_.text("shape");
@@ -128,7 +129,7 @@ class SpringMassProblem final : public Problem {
     membrane->youngs_modulus = s.youngs_modulus;
     membrane->density = s.density;
     membrane->one_way = false;
-    const int segments = std::max(2, static_cast<int>(std::lround(s.length / h * settings_.number("ppc"))));
+    const int segments = std::max(2, whole(std::round(s.length / h * settings_.number("ppc"))));
     const int points = segments + 1;
     Body body = make_body("spring", membrane, points, 1);
     const double spacing = s.length / segments;

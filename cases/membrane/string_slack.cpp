@@ -5,6 +5,7 @@
 #include "cases/harness/archive.hpp"
 #include "cases/harness/extremes.hpp"
 #include "cases/harness/gates.hpp"
+#include "cases/harness/whole.hpp"
 #include "cases/membrane/string.hpp"
 #include "reference/slack_string.hpp"
 
@@ -36,7 +37,7 @@ Slack slack_from(const Settings& s) {
       1 / cells,
       s.number("t_end"),
       s.text("layout"),
-      std::max(2, static_cast<int>(std::lround(length * cells * s.number("ppc")))),
+      std::max(2, whole(std::round(length * cells * s.number("ppc")))),
       s.text("strain")};
 }
 
@@ -56,7 +57,7 @@ StringState york_points(const Slack& at) {
 // by which it is pushed together, and that of segments from -s.
 StringState even_points(const Slack& at) {
   const double length = at.string.length, spacing = length / at.segments;
-  const int kept = at.layout == "clear" ? static_cast<int>(std::ceil(1.5 * at.h / spacing - 1e-9)) : 0;
+  const int kept = at.layout == "clear" ? whole(std::ceil(1.5 * at.h / spacing - 1e-9)) : 0;
   const int slack = std::max(1, at.segments - kept);
   const double share = at.string.slack / (slack * spacing);
   StringState state = straight_string({support, 0}, {support - length, 0}, at.segments + 1);
@@ -87,7 +88,7 @@ class StringSlackProblem final : public Problem {
     Scene scene;
     scene.grid.dim = 1;
     scene.grid.h = at_.h;
-    scene.grid.cells[0] = static_cast<int>(std::lround(support / at_.h));
+    scene.grid.cells[0] = whole(std::round(support / at_.h));
     scene.grid.walls[0] = {Wall::free, Wall::symmetry};
     scene.gravity[0] = -at_.string.gravity;
     const bool whole = at_.layout == "york";

@@ -5,6 +5,7 @@
 #include "cases/harness/archive.hpp"
 #include "cases/harness/gates.hpp"
 #include "cases/harness/restart_gate.hpp"
+#include "cases/harness/whole.hpp"
 #include "cases/membrane/mode_watch.hpp"
 #include "cases/membrane/string.hpp"
 #include "reference/string_vibration.hpp"
@@ -45,7 +46,7 @@ class StringVibrationCase final : public Problem {
     Scene scene;
     scene.grid.dim = 2;
     scene.grid.h = p.length / settings_.number("cells");
-    const int beside = std::max(2, static_cast<int>(std::lround(room / scene.grid.h)));
+    const int beside = std::max(2, whole(std::round(room / scene.grid.h)));
     scene.grid.cells = {settings_.integer("cells"), 2 * beside, 1};
     scene.grid.origin = {0, -beside * scene.grid.h, 0};
     scene.grid.walls[0] = {Wall::no_slip, Wall::no_slip};
@@ -92,8 +93,7 @@ class StringVibrationCase final : public Problem {
  private:
   StringState displaced() const {
     const reference::StringVibrationProblem& p = exact_.problem();
-    const int segments = std::max(4,
-                                  static_cast<int>(std::lround(settings_.number("cells") * settings_.number("ppc"))));
+    const int segments = std::max(4, whole(std::round(settings_.number("cells") * settings_.number("ppc"))));
     StringState state = straight_string({0, 0}, {p.length, 0}, segments + 1, p.strain);
     for (auto& place : state.place) place[1] = exact_.displacement(place[0], 0).value;
     return state;

@@ -8,6 +8,7 @@
 #include "cases/harness/extremes.hpp"
 #include "cases/harness/gates.hpp"
 #include "cases/harness/restart_gate.hpp"
+#include "cases/harness/whole.hpp"
 #include "cases/normals/marked_points.hpp"
 #include "kernel/materials/segment_membrane.hpp"
 #include "reference/released_ring.hpp"
@@ -90,7 +91,7 @@ class CylinderProblem final : public Problem {
     Scene scene;
     scene.grid.dim = 2;
     scene.grid.h = at_.ring.radius / cells;
-    scene.grid.cells[0] = scene.grid.cells[1] = static_cast<int>(std::lround(domain * cells));
+    scene.grid.cells[0] = scene.grid.cells[1] = whole(std::round(domain * cells));
     for (std::size_t d = 0; d < 2; ++d) scene.grid.walls[d] = {Wall::symmetry, Wall::no_slip};
     auto gas = std::make_shared<IdealGas>();
     gas->gamma = at_.ring.gamma;

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "cases/harness/gates.hpp"
+#include "cases/harness/whole.hpp"
 #include "cases/normals/marked_points.hpp"
 
 namespace plumbline {
@@ -111,13 +112,13 @@ class NormalsFirstStep final : public Case {
     const double b = settings.number("aspect");
     const int points = settings.is_set("membrane_points")
                            ? settings.integer("membrane_points")
-                           : static_cast<int>(std::lround(cells * settings.number("ppc") * std::numbers::pi / 2));
+                           : whole(std::round(cells * settings.number("ppc") * std::numbers::pi / 2));
     const std::string& interior = settings.text("interior");
     const int inside = interior == "16" ? 4 : interior == "4" ? 2 : 0;
     GridSpec grid;
     grid.dim = 2;
     grid.h = 1.0 / cells;
-    grid.cells[0] = grid.cells[1] = static_cast<int>(std::lround(domain * cells));
+    grid.cells[0] = grid.cells[1] = whole(std::round(domain * cells));
     grid.walls[0][0] = grid.walls[1][0] = Wall::symmetry;
     return normals_problem(settings, grid, quarter(points, b, cells, inside));
   }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/harness/whole.hpp"
 #include "cases/solid/fill_solid.hpp"
 
 namespace plumbline {
@@ -18,14 +19,14 @@ struct Place {
 };
 
 std::vector<Place> places_on_circles(const Annulus& a, double spacing) {
-  const int circles = std::max(1, static_cast<int>(std::lround((a.outer - a.inner) / spacing)));
+  const int circles = std::max(1, whole(std::round((a.outer - a.inner) / spacing)));
   const double width = (a.outer - a.inner) / circles, turn = (a.quarter ? 0.5 : 2.0) * std::numbers::pi;
   std::vector<Place> places;
   for (int c = 0; c < circles; ++c) {
     const double low = a.inner + c * width, high = low + width, middle = 0.5 * (low + high);
     // The first moment of a band over its area, for a share of small angle.
     const double radius = 2.0 / 3 * (high * high * high - low * low * low) / (high * high - low * low);
-    const int count = std::max(a.quarter ? 1 : 4, static_cast<int>(std::lround(turn * middle / width)));
+    const int count = std::max(a.quarter ? 1 : 4, whole(std::round(turn * middle / width)));
     for (int k = 0; k < count; ++k) {
       const double angle = (k + 0.5) * turn / count;
       places.push_back({{a.centre[0] + radius * std::cos(angle), a.centre[1] + radius * std::sin(angle)},
@@ -80,8 +81,7 @@ Piece piece_of(const Annulus& a, double x, double y, double edge) {
 
 // All pieces of at least half a square.
 std::vector<Piece> pieces_of(const Annulus& a, double spacing) {
-  const int reach = static_cast<int>(std::ceil(a.outer / spacing)) + 1, low = a.quarter ? 0 : -reach,
-            count = reach - low;
+  const int reach = whole(std::ceil(a.outer / spacing)) + 1, low = a.quarter ? 0 : -reach, count = reach - low;
   std::vector<Piece> grid(static_cast<std::size_t>(count * count));
   const auto at = [&](int i, int j) -> Piece& { return grid[static_cast<std::size_t>((i - low) * count + (j - low))]; };
   for (int i = low; i < reach; ++i) {

@@ -4,6 +4,7 @@
 
 #include "cases/harness/archive.hpp"
 #include "cases/harness/gates.hpp"
+#include "cases/harness/whole.hpp"
 #include "cases/solid/collision.hpp"
 #include "cases/solid/manufactured_case.hpp"
 #include "kernel/materials/linear_elastic.hpp"
@@ -144,7 +145,7 @@ class SpringProblem final : public Problem {
   Scene scene() const override {
     Scene scene;
     const double h = 1 / settings_.number("cells");
-    scene.grid = spring_grid(static_cast<int>(std::lround(1 / h)), h);
+    scene.grid = spring_grid(whole(std::round(1 / h)), h);
     Body body = spring_body("spring");
     for (int p = 0; p < ten; ++p) {
       const double below = first + p * apart;
@@ -232,9 +233,9 @@ class DriftProblem final : public Problem {
   Scene scene() const override {
     Scene scene;
     const double stretch = settings_.number("stretch"), apart_now = h_ / settings_.number("ppc") * stretch;
-    const int points = static_cast<int>(std::lround(length() / apart_now));
+    const int points = whole(std::round(length() / apart_now));
     scene.grid.h = h_;
-    scene.grid.cells[0] = static_cast<int>(std::ceil((length() + drift * h_) / h_)) + 40;
+    scene.grid.cells[0] = whole(std::ceil((length() + drift * h_) / h_)) + 40;
     scene.grid.origin[0] = -20 * h_;
     Body body = make_body("bar", material_, points, 1);
     body.spacing = apart_now / stretch;

@@ -6,6 +6,7 @@
 #include "cases/harness/archive.hpp"
 #include "cases/harness/judged_at_end.hpp"
 #include "cases/harness/schemes.hpp"
+#include "cases/harness/whole.hpp"
 #include "cases/solid/collision.hpp"
 #include "cases/solid/fill_solid.hpp"
 #include "kernel/materials/linear_elastic.hpp"
@@ -150,7 +151,7 @@ class ElasticBarProblem final : public Problem, public JudgedAtEnd {
   GridSpec grid() const {
     GridSpec grid;
     grid.h = h_;
-    const int room = static_cast<int>(std::ceil(bar_.margin / h_)) + 2;
+    const int room = whole(std::ceil(bar_.margin / h_)) + 2;
     grid.cells[0] = settings_.integer("cells") + (bar_.fixed ? 1 : 2) * room;
     grid.origin[0] = bar_.fixed ? 0 : -room * h_;
     grid.walls[0] = {bar_.fixed ? Wall::symmetry : Wall::free, Wall::free};

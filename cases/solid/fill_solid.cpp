@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "cases/harness/whole.hpp"
+
 namespace plumbline {
 
 Body fill_solid(std::string name, std::shared_ptr<const Material> material, const SolidShape& shape, double density,
@@ -12,7 +14,7 @@ Body fill_solid(std::string name, std::shared_ptr<const Material> material, cons
   const double spacing = grid.h / ppc;
   std::array<int, 3> count{1, 1, 1};
   for (std::size_t d = 0; d < static_cast<std::size_t>(grid.dim); ++d) {
-    count[d] = static_cast<int>(std::lround(std::ceil((shape.high[d] - shape.low[d]) / spacing - 1e-6)));
+    count[d] = whole(std::round(std::ceil((shape.high[d] - shape.low[d]) / spacing - 1e-6)));
   }
   std::vector<std::array<double, 3>> places;
   for (int k = 0; k < count[2]; ++k) {

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "cases/harness/restart_gate.hpp"
+#include "cases/harness/whole.hpp"
 #include "cases/solid/annulus_points.hpp"
 #include "cases/solid/manufactured_case.hpp"
 
@@ -123,7 +124,7 @@ class MmsRing final : public ManufacturedCase {
     setup.exact = reference::mms_ring(problem);
     setup.grid.dim = 2;
     setup.grid.h = problem.outer / settings.number("cells");
-    const int cells = static_cast<int>(std::ceil((problem.outer + problem.amplitude) / setup.grid.h)) + 2;
+    const int cells = whole(std::ceil((problem.outer + problem.amplitude) / setup.grid.h)) + 2;
     setup.grid.cells = {cells, cells, 1};
     for (std::size_t d = 0; d < 2; ++d) setup.grid.walls[d] = {Wall::symmetry, Wall::free};
     const Annulus quarter{problem.inner, problem.outer, {0, 0}, true};

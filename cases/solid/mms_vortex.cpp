@@ -1,6 +1,7 @@
 // A ring whose circles turn by different angles: shear and rotation, no change of volume.
 #include <cmath>
 
+#include "cases/harness/whole.hpp"
 #include "cases/solid/annulus_points.hpp"
 #include "cases/solid/manufactured_case.hpp"
 
@@ -97,7 +98,7 @@ class MmsVortex final : public ManufacturedCase {
     setup.exact = reference::mms_vortex(problem);
     setup.grid.dim = 2;
     setup.grid.h = 1 / settings.number("cells");
-    const int cells = static_cast<int>(std::ceil(problem.outer / setup.grid.h)) + 2;
+    const int cells = whole(std::ceil(problem.outer / setup.grid.h)) + 2;
     setup.grid.cells = {2 * cells, 2 * cells, 1};
     setup.grid.origin = {-cells * setup.grid.h, -cells * setup.grid.h, 0};
     const Annulus ring{problem.inner, problem.outer};

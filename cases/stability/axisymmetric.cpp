@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cases/harness/schemes.hpp"
+#include "cases/harness/whole.hpp"
 #include "cases/laboratory/problem.hpp"
 #include "cases/stability/gas_patch.hpp"
 
@@ -17,7 +18,7 @@ struct Box {
 
 Box box_of(const Settings& s) { return {s.text("geometry") == "axis", s.integer("width"), s.integer("height")}; }
 
-int lines_per_cell(const Settings& s) { return static_cast<int>(std::lround(std::sqrt(s.number("ppc")))); }
+int lines_per_cell(const Settings& s) { return whole(std::round(std::sqrt(s.number("ppc")))); }
 
 // Rings in the middles of equal strips, in proportion to their radius.
 Body gas_body(const Settings& s, const Box& box) {

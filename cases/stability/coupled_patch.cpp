@@ -4,6 +4,7 @@
 
 #include "cases/coupled/membrane.hpp"
 #include "cases/harness/schemes.hpp"
+#include "cases/harness/whole.hpp"
 #include "cases/membrane/string.hpp"
 #include "cases/stability/gas_patch.hpp"
 
@@ -18,7 +19,7 @@ void number_members(Patch& patch) {
 }
 
 Body box_of_gas(const Settings& settings, int width, int height) {
-  const int per_cell = static_cast<int>(std::lround(std::sqrt(settings.number("ppc"))));
+  const int per_cell = whole(std::round(std::sqrt(settings.number("ppc"))));
   const int across = width * per_cell, up = height * per_cell;
   Body body = make_body("gas", gas_material(settings, 0, Side::closing, false), across * up, 2);
   std::size_t p = 0;

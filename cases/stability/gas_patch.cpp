@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cases/harness/schemes.hpp"
+#include "cases/harness/whole.hpp"
 
 namespace plumbline {
 namespace {
@@ -76,8 +77,7 @@ void set_in_motion(const GasLattice& lattice, int cells, bool affine, Body& body
 Patch gas_patch(const Settings& settings, const GasLattice& lattice, const Extent& extent) {
   const bool moves = lattice.compression != 0;
   const int margin = extent.margin + (moves ? braking_cells : 0), cells = extent.core + 2 * margin, dim = lattice.dim;
-  const int per_cell = dim == 1 ? settings.integer("ppc")
-                                : static_cast<int>(std::lround(std::sqrt(settings.number("ppc"))));
+  const int per_cell = dim == 1 ? settings.integer("ppc") : whole(std::round(std::sqrt(settings.number("ppc"))));
   Patch patch;
   patch.directions = dim;
   patch.step = {{{1, 0, 0}, {0, 1, 0}}};

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/harness/whole.hpp"
 #include "cases/laboratory/step_map.hpp"
 #include "kernel/materials/linear_elastic.hpp"
 
@@ -45,7 +46,7 @@ Patch YorkBar::patch() const {
 namespace {
 
 int step_count(double courant) {
-  return static_cast<int>(std::ceil(YorkBar::end_time / (courant * YorkBar::courant_step) - 1e-9));
+  return whole(std::ceil(YorkBar::end_time / (courant * YorkBar::courant_step) - 1e-9));
 }
 
 // v and sigma as StepMap orders them, each in units of c and rho c^2.
