@@ -10,6 +10,7 @@
 #include <map>
 
 #include "cases/harness/checkpoint_file.hpp"
+#include "cases/harness/errors.hpp"
 #include "cases/harness/fingerprint.hpp"
 
 namespace plumbline {
@@ -20,7 +21,10 @@ class TemporaryFile {
  public:
   TemporaryFile() {
     static std::atomic<int> count = 0;
-    path_ = std::filesystem::temp_directory_path() / fmt::format("plumbline-restart-{}-{}.h5", ::getpid(), count++);
+    std::error_code none;
+    const auto folder = std::filesystem::temp_directory_path(none);
+    if (none) throw FileError("TMPDIR", "there is no folder for temporary files: " + none.message());
+    path_ = folder / fmt::format("plumbline-restart-{}-{}.h5", ::getpid(), count++);
   }
   ~TemporaryFile() {
     std::error_code ignored;
