@@ -30,7 +30,7 @@ Bounded early_series(Bounded s, Bounded b) {
       return {sum.value, sum.bound + highest(part) * next / (1 - next) * rounding::inflate};
     }
   }
-  throw std::runtime_error("affine_expansion: the series does not converge");
+  throw std::domain_error("affine_expansion: the series does not converge");
 }
 
 /// Integral from 1 to e^growth of (1 - y^-n / 2)^(-1/2) dy.
@@ -44,7 +44,7 @@ Bounded late_series(Bounded growth, Bounded n) {
       return {sum.value, sum.bound + highest(part) * rounding::inflate};  // each further term is at most half the last
     }
   }
-  throw std::runtime_error("affine_expansion: the series does not converge");
+  throw std::domain_error("affine_expansion: the series does not converge");
 }
 
 }  // namespace

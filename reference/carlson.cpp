@@ -47,7 +47,7 @@ Bounded carlson_RF(Bounded x, Bounded y, Bounded z) {
     }
     duplicate(t);
   }
-  throw std::runtime_error("carlson_RF: arguments out of range");
+  throw std::domain_error("carlson_RF: arguments out of range");
 }
 
 Bounded carlson_RD(Bounded x, Bounded y, Bounded z) {
@@ -72,7 +72,7 @@ Bounded carlson_RD(Bounded x, Bounded y, Bounded z) {
     const Bounded lambda = duplicate(t);
     sum = sum + Bounded(quarter) / (sqrt(before) * (before + lambda));  // [DLMF 19.26.20]
   }
-  throw std::runtime_error("carlson_RD: arguments out of range");
+  throw std::domain_error("carlson_RD: arguments out of range");
 }
 
 LegendreFD legendre_FD(Bounded sine, Bounded cosine, Bounded delta) {

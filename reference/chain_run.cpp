@@ -90,7 +90,7 @@ void ChainRun::advance_to(double time) {
     double step = step_;
     const int status = gsl_odeiv2_evolve_apply(system_->evolve, system_->control, system_->step, &system_->equations,
                                                &time_, time, &step, state_.data());
-    if (status != GSL_SUCCESS || !std::isfinite(state_[0])) throw std::runtime_error("ChainRun: no step succeeds");
+    if (status != GSL_SUCCESS || !std::isfinite(state_[0])) throw std::domain_error("ChainRun: no step succeeds");
     if (time_ < time || step > step_) step_ = step;  // the last step before `time` may have been cut short
   }
 }
@@ -116,7 +116,7 @@ void ChainRun::advance_to_turn(bool swing) {
       return;
     }
   }
-  throw std::runtime_error("ChainRun: the motion does not turn");
+  throw std::domain_error("ChainRun: the motion does not turn");
 }
 
 double ChainRun::x() const { return state_[2 * system_->nodes - 2]; }

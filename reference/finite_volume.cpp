@@ -138,7 +138,7 @@ class Tube {
       means_[i] = means_[i] + (dt / width_) * (inflow - outflow);
       gas_[i] = primitive(means_[i], gamma_);
       if (!(gas_[i].density > 0 && gas_[i].pressure > 0)) {
-        throw std::runtime_error("finite volumes: density or energy is no longer positive");
+        throw std::domain_error("finite volumes: density or energy is no longer positive");
       }
       inflow = outflow;
     }
@@ -184,7 +184,7 @@ FiniteVolumeSolution solve_finite_volume(const GasProblem& problem, int cells, d
   for (double time = 0; time < problem.end_time; ++solution.steps) {
     // The speeds of the first steps are not known before the jumps break up (Toro, section 6.3.2).
     double dt = (solution.steps < 5 ? 0.2 : 1) * courant * tube.stable_step();
-    if (!(dt > 0)) throw std::runtime_error("finite volumes: no stable step");
+    if (!(dt > 0)) throw std::domain_error("finite volumes: no stable step");
     if (time + dt >= problem.end_time * (1 - 1e-14)) dt = problem.end_time - time;
     tube.step(dt);
     time = dt == problem.end_time - time ? problem.end_time : time + dt;

@@ -207,7 +207,7 @@ void Gas::step(double dt) {
     g.velocity -= rate * (A_l + A_r) / 2 * (r.pressure - l.pressure);
     total_[j] -= rate * (A_r * r.pressure * r.velocity - A_l * l.pressure * l.velocity);
     const double volume = shell_volume(edges_[j], edges_[j + 1], d_);
-    if (!(volume > 0)) throw std::runtime_error("Lagrangian gas: a cell turned inside out");
+    if (!(volume > 0)) throw std::domain_error("Lagrangian gas: a cell turned inside out");
     g.density = masses_[j] / volume;
     g.pressure = keeps_entropy(j) ? adiabat_[j] * std::pow(g.density, gamma_)
                                   : (gamma_ - 1) * g.density * std::max(total_[j] - g.velocity * g.velocity / 2, 0.0);
@@ -279,10 +279,10 @@ LagrangianSolution solve_lagrangian(const GasProblem& problem, const std::vector
   std::int64_t steps = 0;
   for (double time = 0; time < problem.end_time; ++steps) {
     dt = std::min(1.2 * dt, courant * gas.stable_step());
-    if (!(dt > 0)) throw std::runtime_error("Lagrangian gas: no stable step");
+    if (!(dt > 0)) throw std::domain_error("Lagrangian gas: no stable step");
     const bool last = time + dt >= problem.end_time * (1 - 1e-14);
     if (steps > 100000 + 100 * static_cast<std::int64_t>(mesh.size())) {
-      throw std::runtime_error("Lagrangian gas: the stable step has become too small to go on");
+      throw std::domain_error("Lagrangian gas: the stable step has become too small to go on");
     }
     gas.step(last ? problem.end_time - time : dt);
     time = last ? problem.end_time : time + dt;

@@ -21,10 +21,10 @@ constexpr int most_iterations = 200;  // about ten are usual; callers polish and
 
 double brent_root(const std::function<double(double)>& f, double low, double high) {
   // GSL reports a bad bracket or value through a process-wide handler that aborts: it never gets to see one.
-  if (!(f(low) < 0) || !(f(high) > 0)) throw std::runtime_error("brent_root: the function does not change sign");
+  if (!(f(low) < 0) || !(f(high) > 0)) throw std::domain_error("brent_root: the function does not change sign");
   auto checked = [&f](double x) {
     const double value = f(x);
-    if (!std::isfinite(value)) throw std::runtime_error("brent_root: the function is not finite");
+    if (!std::isfinite(value)) throw std::domain_error("brent_root: the function is not finite");
     return value;
   };
   std::function<double(double)> target = checked;
@@ -51,7 +51,7 @@ Bounded enclose_root(const std::function<Bounded(double)>& f, double guess, doub
     const bool above = high >= greatest || certainly_below(0.0, f(high));
     if (below && above) return {guess, radius * rounding::inflate + rounding::unit * std::abs(guess)};
   }
-  throw std::runtime_error("enclose_root: no error bound can be certified");
+  throw std::domain_error("enclose_root: no error bound can be certified");
 }
 
 }  // namespace plumbline::reference

@@ -51,7 +51,7 @@ SwingState Swing::after(double step) const {
   gsl_odeiv2_step_reset(stepper_->step);
   gsl_odeiv2_step_apply(stepper_->step, time_, step, y.data(), error.data(), nullptr, nullptr, &stepper_->system);
   for (double value : y) {
-    if (!std::isfinite(value)) throw std::runtime_error("Swing: the integration left the finite numbers");
+    if (!std::isfinite(value)) throw std::domain_error("Swing: the integration left the finite numbers");
   }
   return y;
 }

@@ -173,7 +173,7 @@ TwoBarRun run_two_bar(const TwoBarProblem& problem, int elements, int aspect) {
   run.energy_kept = bar.energy() / before;
   run.contact_work = bar.contact_work() / before;
   run.impulse = bar.impulse() / mass;
-  if (!(run.energy_kept <= 1 + 1e-9)) throw std::runtime_error("two_bar: the mesh is not stable for this problem");
+  if (!(run.energy_kept <= 1 + 1e-9)) throw std::domain_error("two_bar: the mesh is not stable for this problem");
   return run;
 }
 

@@ -25,8 +25,8 @@ struct Ensemble {
 
 inline constexpr std::size_t least_members = 16;
 
-// The range of the values, widened by half its width to either side: of seventeen members of one distribution the next
-// lies outside their range once in nine times, outside this one next to never.
+// The range of the values, widened by half its width to either side. Of seventeen members of one distribution the next lies
+// outside their range once in nine times; how rarely outside the widened one depends on the distribution. Half is a choice.
 Range widened(const Ensemble& ensemble);
 
 // FileError for a file that is not there or holds no ensembles.

@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 
+#include "cases/exchange/balance.hpp"
 #include "cases/exchange/result_file.hpp"
 #include "cases/harness/errors.hpp"
 #include "cases/harness/results.hpp"
@@ -21,46 +22,10 @@ constexpr const char* kept_reason =
     "the share of a number in single precision is 6e-8; a sum of such numbers is not off by more than ten times that "
     "unless something is lost";
 
-// What points carry in sum.
-struct Sums {
-  double mass = 0, speed = 0;  // sum m, sum m |v|
-  std::array<double, 3> momentum{0, 0, 0};
-
-  void add(const Columns& points, int dim) {
-    for (int p = 0; p < points.points(); ++p) {
-      const double m = points(column::mass)[p];
-      double square = 0;
-      for (int d = 0; d < dim; ++d) {
-        const double v = points(column::velocity, d)[p];
-        momentum[static_cast<std::size_t>(d)] += m * v;
-        square += v * v;
-      }
-      mass += m;
-      speed += m * std::sqrt(square);
-    }
-  }
-};
-
-// Directions along which nothing outside the bodies pushes.
-std::vector<int> free_directions(const Scene& scene) {
-  std::vector<int> directions;
-  const bool loaded = std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& b) { return bool(b.load); });
-  for (int d = 0; d < scene.grid.dim; ++d) {
-    const auto k = static_cast<std::size_t>(d);
-    const auto& walls = scene.grid.walls[k];
-    bool pushed = loaded || scene.gravity[k] != 0 || walls[0] != Wall::free || walls[1] != Wall::free ||
-                  (scene.grid.axisymmetric && d == 0);
-    for (const Piston& piston : scene.pistons) pushed = pushed || piston.direction == d;
-    if (!pushed) directions.push_back(d);
-  }
-  return directions;
-}
-
-// What is compared with the start, of one file.
-struct Balance {
-  double mass = 0;                 // relative difference
-  std::optional<double> momentum;  // largest difference over sum m |v|; none where something pushes in all directions
-};
+constexpr const char* energy_reason =
+    "the start's energy and the most that loads and pistons can have added, of all points, also where no field is "
+    "judged; "
+    "twice that, for programs that do not conserve it";
 
 struct Judged {
   RunResult run;
@@ -122,9 +87,7 @@ Judged judge_file(const Case& entry, const ResultFile& file, const std::vector<s
   require_fit(file, entry, settings, problem->end_time());
   const Scene scene = problem->scene();
   const std::vector<HandedIn> bodies = file.points(scene);
-  Sums start, end;
-  for (const Body& body : scene.bodies) start.add(body.points, scene.grid.dim);
-  for (const HandedIn& body : bodies) end.add(body.columns, scene.grid.dim);
+  const Balanced found = balance_of(*problem, settings, bodies);
   const auto simulation = simulation_of(*problem, settings, bodies, problem->end_time());
   Judged judged{RunResult(entry.name(), "foreign:" + file.program, physics_of(entry, settings)), {}, {}};
   RunResult& run = judged.run;
@@ -136,20 +99,14 @@ Judged judge_file(const Case& entry, const ResultFile& file, const std::vector<s
   run.dt = file.steps > 0 ? file.time / static_cast<double>(file.steps) : 0;
   run.points = simulation->points();
   run.wall_s = file.wall_s;
-  run.ledger = ledger_of(start.mass, end.mass);
+  run.ledger = ledger_of(found.mass_at_start, found.mass_at_end);
   run.measures = measures_at_end(*problem, *simulation);
   run.profile = problem->profile(*simulation);
   if (run.profile.kind != "space") run.profile = {};
   run.finished = true;
   run.file = ResultsFolder::run_name(run);
   judged.idle = measures_of_start(*entry.problem(settings), settings);
-  judged.balance.mass = std::abs(end.mass / start.mass - 1);
-  for (const int d : free_directions(scene)) {
-    const auto k = static_cast<std::size_t>(d);
-    const double scale = std::max(start.speed, end.speed);
-    const double off = scale > 0 ? std::abs(end.momentum[k] - start.momentum[k]) / scale : 0;
-    judged.balance.momentum = std::max(judged.balance.momentum.value_or(0), off);
-  }
+  judged.balance = found.balance;
   return judged;
 }
 
@@ -223,13 +180,13 @@ void judge_fields(const StudyResult& study, const std::vector<std::vector<Measur
 // Gates that hold for any program.
 void judge_generic(const std::vector<Balance>& balances, const StudyResult& study, Score& score) {
   Balance worst;
-  for (const Balance& b : balances) {
-    worst.mass = larger(worst.mass, b.mass);
-    if (b.momentum) worst.momentum = larger(worst.momentum.value_or(0), *b.momentum);
-  }
+  for (const Balance& b : balances) worst.take_worse(b);
   const std::string id = study.plan.id;
   std::vector<CaseGate> gates{
       kept_gate(id + "/foreign-mass", "relative difference of the points' mass to the start's", worst.mass)};
+  Gate energy = declare(id + "/foreign-energy", {{}, 2.0}, Origin::theory, energy_reason);
+  energy.quantity = "energy of motion and heat over all that there can be";
+  gates.push_back(measured_gate(std::move(energy), worst.energy));
   if (worst.momentum) {
     gates.push_back(
         kept_gate(id + "/foreign-momentum", "difference of momentum to the start's over sum m |v|", worst.momentum));

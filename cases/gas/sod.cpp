@@ -32,8 +32,7 @@ class Sod final : public Case {
     s.source = "York 1997, SAND97-1893, section 4.1, Figs. 13 and 14; Sod 1978, doi 10.1016/0021-9991(78)90023-2";
     s.claim =
         "Density, velocity, pressure and energy converge at first order to the exact Riemann solution, with every "
-        "exchange of "
-        "energy booked.";
+        "exchange of energy booked.";
     s.physics =
         "A diaphragm parts dense gas at high pressure from thin gas at low pressure, both at rest. At t = 0 it "
         "vanishes: "

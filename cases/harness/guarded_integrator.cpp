@@ -119,36 +119,18 @@ class Guarded final : public TimeIntegrator {
   }
 
   std::vector<IntegratorParameter> parameters() override {
-    if (!integrator_) return {};
-    return watched(original_, {"parameters"}, [&] {
-      std::vector<IntegratorParameter> all = integrator_->parameters();
-      for (const IntegratorParameter& parameter : all) {
-        if (!parameter.value) misbehave("parameters", "named a parameter without a value");
-      }
-      return all;
-    });
+    return listed("parameters", &TimeIntegrator::parameters, "named a parameter without a value",
+                  [](const IntegratorParameter& parameter) { return parameter.value != nullptr; });
   }
 
   std::vector<State*> memory() override {
-    if (!integrator_) return {};
-    return watched(original_, {"memory"}, [&] {
-      std::vector<State*> all = integrator_->memory();
-      for (const State* state : all) {
-        if (!state) misbehave("memory", "named a state that is none");
-      }
-      return all;
-    });
+    return listed("memory", &TimeIntegrator::memory, "named a state that is none",
+                  [](const State* state) { return state != nullptr; });
   }
 
   std::vector<double*> kept() override {
-    if (!integrator_) return {};
-    return watched(original_, {"kept"}, [&] {
-      std::vector<double*> all = integrator_->kept();
-      for (const double* number : all) {
-        if (!number) misbehave("kept", "named a number that is none");
-      }
-      return all;
-    });
+    return listed("kept", &TimeIntegrator::kept, "named a number that is none",
+                  [](const double* number) { return number != nullptr; });
   }
 
   Claims claims() const override {
@@ -166,6 +148,18 @@ class Guarded final : public TimeIntegrator {
  private:
   [[noreturn]] void misbehave(const char* call, const char* did) const {
     throw MisbehavingIntegrator(original_.entry.name, did, call, 0, 0);
+  }
+
+  // What the integrator lists of itself. `did`: what it did if one entry is none.
+  template <class Entry, class IsOne>
+  std::vector<Entry> listed(const char* call, std::vector<Entry> (TimeIntegrator::*list)(), const char* did,
+                            IsOne is_one) {
+    if (!integrator_) return {};
+    return watched(original_, {call}, [&] {
+      std::vector<Entry> all = (integrator_.get()->*list)();
+      if (!std::all_of(all.begin(), all.end(), is_one)) misbehave(call, did);
+      return all;
+    });
   }
 
   const Original& original_;

@@ -35,8 +35,8 @@ std::string what_was_thrown();
 
 // What a thread lets an integrator of a plug-in do, as others may read it at any time.
 struct WatchedCall {
-  std::atomic<const char*> integrator =
-      nullptr;                           // its name, which outlives the program's work; null: nothing is under way
+  // Its name, which outlives the program's work; null: nothing is under way.
+  std::atomic<const char*> integrator = nullptr;
   std::atomic<const char*> call = "";    // of TimeIntegrator
   std::atomic<long> step = 0;            // 0: no step
   std::atomic<double> time = 0;          // of its start, s

@@ -29,13 +29,13 @@ struct RecordedValue {
 };
 
 // How far a bound may be from the measured value before a recorded range has to stand beside it, and how far from the recorded
-// value that range goes: three. A loss or gain of ten is outside, and no difference of compilers and processors is known to
-// move a number that is not chaotic by more than 1e-6 of itself.
+// value that range goes: three, so that a loss or gain of ten is outside. Roundings move numbers that are not chaotic by far
+// less.
 inline constexpr double loose_factor = 3, recorded_factor = 3;
 // Of orders: differences.
 inline constexpr double loose_order = 0.3, recorded_order = 0.3;
-// Where a value is rounding it may be anything below the one recorded: the range goes from 0 to 30 times it, sums in another
-// order being what compilers differ in, and never ends below 64 units in the last place of 1.
+// A value that is rounding may be anything below the one recorded, and changes with the order of sums: the range goes from 0
+// to 30 times it and never ends below 64 units in the last place of 1. Both are choices.
 inline constexpr double rounding_factor_recorded = 30, least_rounding = 64 * 0x1p-52;
 // Bounds up to here are those of rounding, whatever their origin; all identities are, and values below this share of theirs.
 inline constexpr double rounding_bound = 1e-9, rounding_share = 1e-10;

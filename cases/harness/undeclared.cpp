@@ -30,7 +30,7 @@ bool has_a_limit(const std::string& integrator) {
   return !entry || entry->make()->claims().limit.value_or(0) < std::numeric_limits<double>::infinity();
 }
 
-// Limits of waves are Courant numbers below 3 for every method in `plumbline stability`: omega dt is at most 2.83 for explicit
+// Where `plumbline stability` finds a limit of waves it is a Courant number below 3: omega dt is at most 2.83 for explicit
 // methods [Butcher 2016, 4th-order Runge-Kutta], and a mesh whose highest frequency were below c/h would not resolve a cell.
 constexpr double far_above = 4;
 

@@ -213,6 +213,23 @@ def test_the_start_handed_back_is_green_nowhere(plumbline):
             _, start = exported(plumbline, case, "--cells", cells)
             result, said = verdict(plumbline, case, hand_in(plumbline, start))
             assert result.code == 1 and said in ("FAIL", "INVALID"), (case, cells, result.text)
+            assert energy_verdict(result) == "PASS", (case, cells)
+
+
+def energy_verdict(result):
+    return next(gate["verdict"] for gate in result.json("score")["gates"] if gate["id"].endswith("/foreign-energy"))
+
+
+def test_one_point_that_is_too_fast_is_seen_wherever_it_is(plumbline):
+    """Fields are judged where the reference is known; what no field shows is in the sum of all energies."""
+    def fast(file):
+        body = next(iter(file["bodies"].values()))
+        body["velocity"][-1] = 1e200
+    scored = [entry["name"] for entry in plumbline("list", json=True).json("list")["cases"] if entry["scored"]]
+    for case in scored:
+        _, start = exported(plumbline, case, "--cells", "12")
+        result, _ = verdict(plumbline, case, hand_in(plumbline, start, change=fast))
+        assert result.code == 1 and energy_verdict(result) in ("FAIL", "INVALID"), (case, result.text)
 
 
 @pytest.fixture(scope="module")

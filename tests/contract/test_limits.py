@@ -43,6 +43,17 @@ def test_more_than_the_machine_has_is_refused_with_the_estimate(plumbline, argum
     assert time.monotonic() - began < 20
 
 
+def test_more_cells_than_an_int_counts_are_refused(plumbline):
+    result = plumbline("run", "bar-vibration", "--set", "youngs_modulus=5e-324", "--dry-run", json=True, timeout=20)
+    assert result.code == 2 and "2147483647" in result.json("error")["error"]["allowed"]
+
+
+def test_choices_for_which_no_reference_is_known_are_refused(plumbline):
+    """Each within its range, together beyond what the reference can solve."""
+    result = plumbline("run", "toro-3", "--set", "right.density=5e-324", "--dry-run", json=True, timeout=20)
+    assert result.code == 2 and result.json("error")["error"]["value"] == "right.density=5e-324"
+
+
 def test_memory_that_nobody_foresaw_is_refused_too(plumbline):
     """What is asked for beside the points: the limit on allocations."""
     result = plumbline("export", "mms-ring", "--cells", 128, "--set", "ppc=8", "--output", "x.h5", "--max-memory", "100MB", json=True)

@@ -267,9 +267,19 @@ def test_what_is_no_file_is_not_waited_for(plumbline, arguments, what):
         path.mkdir()
     else:
         path.symlink_to("/dev/zero" if what == "device" else "in")
-    result = plumbline(*arguments, "in", json=True, timeout=60)
+    plans = "--plan" in arguments  # takes no --json
+    result = plumbline(*arguments, "in", json=not plans, timeout=60)
     assert result.code == 4 and result.err.startswith("plumbline: in: "), result.text
-    assert result.json("error")["error"]["key"] == "in"
+    if not plans:
+        assert result.json("error")["error"]["key"] == "in"
+
+
+def test_no_folder_for_temporary_files(plumbline):
+    """The gate that needs one says so in our words, and the others are judged."""
+    result = plumbline("verify", "mms-ring", json=True, environment={"TMPDIR": str(plumbline.folder / "none")})
+    invalid = [gate for gate in result.json("verify")["gates"] if gate["verdict"] == "INVALID"]
+    assert result.code == 1 and len(invalid) == 1 and invalid[0]["id"].endswith("restart"), result.text
+    assert "no folder for temporary files" in json.dumps(invalid[0])
 
 
 def test_plan_from_a_pipe(plumbline):

@@ -13,12 +13,12 @@ TEST(Root, BrentFindsACubeRoot) {
 }
 
 TEST(Root, RefusesABracketWithoutAChangeOfSign) {
-  EXPECT_THROW(brent_root([](double t) { return t * t + 1; }, -1, 1), std::runtime_error);
-  EXPECT_THROW(brent_root([](double t) { return t; }, 1, 2), std::runtime_error);
+  EXPECT_THROW(brent_root([](double t) { return t * t + 1; }, -1, 1), std::domain_error);
+  EXPECT_THROW(brent_root([](double t) { return t; }, 1, 2), std::domain_error);
 }
 
 TEST(Root, RefusesAValueThatIsNotFinite) {
-  EXPECT_THROW(brent_root([](double t) { return std::abs(t) < 0.9 ? std::nan("") : t; }, -1, 1), std::runtime_error);
+  EXPECT_THROW(brent_root([](double t) { return std::abs(t) < 0.9 ? std::nan("") : t; }, -1, 1), std::domain_error);
 }
 
 TEST(Root, EnclosureHoldsTheRootOfAGuessThatIsOff) {
@@ -42,7 +42,7 @@ TEST(Root, EnclosureCountsTheRoundingOfTheFunction) {
 
 TEST(Root, EnclosureThatCannotBeCertifiedThrows) {
   auto flat = [](double) { return Bounded(0, 1); };
-  EXPECT_THROW(enclose_root(flat, 1, 1, -rounding::infinity, rounding::infinity), std::runtime_error);
+  EXPECT_THROW(enclose_root(flat, 1, 1, -rounding::infinity, rounding::infinity), std::domain_error);
 }
 
 }  // namespace
