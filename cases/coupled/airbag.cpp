@@ -12,37 +12,6 @@
 namespace plumbline {
 namespace {
 
-constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 440 190" role="img" aria-label="A cylinder falls on a bag of gas that lies on a plate; a tether inside holds a ring of the bag's top down">
-<g stroke="currentColor" stroke-width="1.5" fill="none"><path d="M20 172h250" stroke-width="3"/><path d="M145 171c80 0 126 -14 126 -70c0 -60 -58 -82 -90 -82q-12 -4 -36 -6q-24 2 -36 6c-32 0 -90 22 -90 82c0 56 46 70 126 70z" transform="translate(0 30) scale(1 .82)" fill="currentColor" fill-opacity=".08"/><path d="M145 170L181 46M145 170L109 46" stroke-dasharray="4 3"/><rect x="100" y="6" width="90" height="33" fill="currentColor" fill-opacity=".22"/><path d="M145 12v20m-5 -7l5 7l5 -7"/><path d="M145 2v186" stroke-dasharray="8 3 2 3" stroke-width=".7"/></g>
-<g fill="currentColor" font-size="12"><text x="196" y="26">probe, v₀</text><text x="285" y="60">skin: E = 6e7, ν = 0.4</text><text x="285" y="78">0.5 mm, 0.3672 kg</text><text x="285" y="96">gas: γ = 1.4</text><text x="285" y="114">4000 Pa above outside</text><text x="172" y="110">tether</text><text x="278" y="176">plate</text></g></svg>)svg";
-
-constexpr const char* physics =
-    "A bag of air lies on a plate and is hit from above by a solid cylinder, the probe. The gas is pressed together, "
-    "the "
-    "bag gets flatter and wider, the probe is stopped and thrown back. Everything is a figure of revolution.\n\n"
-    "The skin is 0.5 mm thick and carries no compression: it wrinkles. A band of it that stretches along and around "
-    "has "
-    "the stresses of a thin sheet, one that stretches in one direction alone pulls in that direction alone (tension "
-    "field). Its density is such that the bag weighs 0.3672 kg, as York scaled the masses of his points.\n\n"
-    "The bag is blown up with a tether inside, which holds a ring of 0.08 m radius on the top side down to 0.299 m, so "
-    "that the bag has the flat shape of the tests (580 x 315 mm). At impact the tether is let go, as York does, and "
-    "the "
-    "probe's face stands at the bag's pole: displacements count from there. Here the tether has no mass and the gas "
-    "does "
-    "not feel it; York's was a cone that the gas had to flow around, and `tether=kept` leaves it in. Blowing up is a "
-    "run "
-    "of its own before time 0: from York's outline, unstretched, with a drag on all points and a pump that holds the "
-    "pressure, until nothing moves.\n\n"
-    "York's input gives the gas 4000 Pa and nothing outside: it takes the gauge pressure as absolute. Both bags press "
-    "alike at first. But when the volume falls by a small share s, the pressure rises by γ p s with the absolute p: "
-    "105325 Pa, not 4000. York's gas is 26 times too soft (its sound travels at 68 m/s, as if it had 11 K), and the "
-    "probe sinks in further and stays longer. `pressure=physical`, the default, has air of 101325 Pa outside, "
-    "`pressure=york` is his.\n\n"
-    "The pressure outside pulls on the skin's points with the exact derivative of the volume they bound, so that its "
-    "work is pₐ times the change of that volume and can be booked. What maps and strains take from the skin heats the "
-    "gas. The probe touches the skin by points; gas and skin share one velocity field, so no gas passes through.";
-
 // The largest of read(run) over the levels; NaN wins.
 template <class Read>
 CaseGate largest_gate(const std::string& study, Gate gate, const std::string& quantity, Read read) {
@@ -66,53 +35,7 @@ class AirbagCase : public Case {
  public:
   explicit AirbagCase(AirbagSpec spec) : spec_(std::move(spec)) {}
 
-  Statement statement() const override {
-    Statement s;
-    s.name = spec_.name;
-    s.title = spec_.title;
-    s.source = "York 1997, SAND97-1893, section 6.3, input A.4.8 and A.4.9 (after de Coo 1989)";
-    s.claim =
-        "The probe is stopped and thrown back, no gas escapes, all energy is accounted for, and no probe sinks deeper "
-        "than a bag that cannot stretch would let it.";
-    s.physics = physics;
-    s.equations = {"p = (γ − 1) ρ e", "V = Σ (a² + ab + b²)/6 · (y₂ − y₁),  Fₚ = −pₐ ∂V/∂xₚ",
-                   "W(D) = p₀V₀/(γ − 1) ((1 − D/V₀)^(1 − γ) − 1) − pₐ D ≤ m v₀²/2 + skin"};
-    s.sketch = sketch;
-    s.cells_along = "the height of York's box, 0.5 m";
-    s.reference_name = "airbag";
-    s.reference_text =
-        "No exact answer exists, and the measured curves are lost. A bound: a skin that does not stretch along the "
-        "meridian and wrinkles freely around has, at each gap between plate and probe, a shape of largest volume. No "
-        "bag "
-        "of that meridian and gas lets a rigid probe deeper, whatever moves in it and whatever is lost. The model gets "
-        "the longest meridian that the run saw and, beside the probe's energy, that of the skin at the start. So it "
-        "bounds the displacement from above, and the speed of the rebound with what the gas can give by swelling.";
-    s.reference_bound = "Computed for the arguments asked; below 1e-12 m.";
-    s.theory_orders = {
-        {"max_displacement", 1,
-         "probe, skin and plate touch a share of a cell before they meet, and the skin's pull is smeared "
-         "over a cell"}};
-    s.known_limits = {
-        "York's curves and de Coo's measurements (Figs. 60 and 63) are lost but as pictures: there is no digit to "
-        "compare "
-        "with.",
-        "York's skin accumulates strain; on an axisymmetric grid that is not there. `york1997` therefore has segments "
-        "for the skin, too, and York's choices for the rest.",
-        "The plate is a wall of symmetry: the bag cannot slide off it, but does not stick along it either.",
-        "Contact is frictionless, and there is no gravity, as in York's input. The tests had a support spring, which "
-        "neither York nor this models.",
-        "Let go, the tethered bag swells, and pushes the probe as it does: the rebound may even be a little faster "
-        "than "
-        "the impact. The energy is that of skin and pressure; the bound of the rebound has it in.",
-        "At the physical pressure gas is never quite at rest on the grid, and the bump inside the ring of the tether, "
-        "which "
-        "the narrow probe meets first, stands up to 3 mm lower on some meshes than on others. On the three coarse "
-        "meshes of "
-        "the quick tier its uncertainty therefore comes out too small. The full tier counts.",
-        "York filled the bag with a first run of his own, which is not printed: its shape here comes from his outline, "
-        "stretched by its own pressure."};
-    return s;
-  }
+  std::string name() const override { return spec_.name; }
 
   Kind kind() const override { return Kind::coupled; }
 
@@ -293,7 +216,6 @@ std::string AirbagCase::in_words(const GridConvergence& known) {
 struct Airbag200 final : AirbagCase {
   Airbag200()
       : AirbagCase({.name = "airbag-200",
-                    .title = "A narrow probe falls on an airbag",
                     .mass = 6.03,
                     .radius = 0.1,
                     .speed = 3.9,
@@ -305,7 +227,6 @@ PLUMBLINE_CASE(Airbag200);
 struct Airbag500 final : AirbagCase {
   Airbag500()
       : AirbagCase({.name = "airbag-500",
-                    .title = "A wide probe falls on an airbag",
                     .mass = 8.05,
                     .radius = 0.25,
                     .speed = 4.7,

@@ -13,7 +13,7 @@ namespace plumbline {
 
 // What York's two simulations differ in. York, Table 7
 struct AirbagSpec {
-  std::string name, title;
+  std::string name;
   double mass = 0;    // of the probe, kg
   double radius = 0;  // of the probe, m
   double speed = 0;   // at impact, m/s

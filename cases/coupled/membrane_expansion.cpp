@@ -22,12 +22,6 @@ constexpr int rows_wanted = 3000;        // of the history
 constexpr double specific_energy = 250;  // J/kg
 const MembraneMaterial bag{1e6, 0.3, 0.5, 0.1};
 
-constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 360 170" role="img" aria-label="A quarter of a dog-bone bag with gas inside, and the cylinder that it becomes">
-<g fill="none" stroke="currentColor" stroke-width="1.5"><path d="M110 8v150h170"/><path d="M160 158V104q0 -6 6 -6h36q6 0 6 -6v-9q0 -5 -5 -7l-46 -14q-20 -6 -47 -7" stroke-width="2"/><path d="M250 158a140 140 0 0 0 -140 -140" stroke-dasharray="5 4"/></g>
-<path d="M110 158h43v-65h47v-9l-47 -16l-43 -5z" fill="currentColor" opacity=".2"/>
-<g fill="currentColor" font-size="12"><text x="152" y="169">0.5</text><text x="244" y="169">1.4</text><text x="92" y="60">1</text><text x="116" y="130">gas</text><text x="214" y="96">membrane</text></g></svg>)svg";
-
 class MembraneExpansionRun final : public Problem {
  public:
   explicit MembraneExpansionRun(const Settings& settings)
@@ -217,7 +211,7 @@ CaseGate beside(const std::string& study, const std::string& other, const std::s
 
 class MembraneExpansion final : public Case {
  public:
-  Statement statement() const override;
+  std::string name() const override { return "membrane-expansion"; }
   Kind kind() const override { return Kind::coupled; }
   std::vector<Key> keys() const override {
     return {positive_key("t_end", 8.5, "s", "end time; York's is 8.5 to 10"),
@@ -245,77 +239,6 @@ class MembraneExpansion final : public Case {
   std::vector<CaseGate> gates() const override;
   GateCount gate_count() const override { return {55, 76}; }
 };
-
-Statement MembraneExpansion::statement() const {
-  Statement s;
-  s.name = "membrane-expansion";
-  s.title = "York's membrane expansion: dog-bone to cylinder";
-  s.source = "York 1997, SAND97-1893, section 6.2, tables 4 to 6, input A.4.7";
-  s.claim =
-      "Gas blows a dog-bone bag up to a cylinder and comes to rest: radius, pressure and hoop stress converge to the "
-      "state that energy conservation demands, and stress fits both the radius and the pressure.";
-  s.physics =
-      "A quarter of a bag on [0, 1.6 m]². Gas with ρ = 1, i = 250 J/kg, γ = 1.4, μ = 0.1 Pa s fills two polygons, "
-      "0.47463 m²; the membrane, ρ = 0.5, E = 10⁶ Pa, ν = 0.3, t = 0.1 m, no stress under compression, stands about "
-      "0.07 "
-      "m outside. Pressure throws it outwards, it overshoots, breathes, and viscosity brings gas and membrane to rest "
-      "as a circle.\n\n"
-      "The outline is not printed in the report. This one joins York's two printed ends, (0.5, 0) and (0, 1), by a "
-      "polygon with rounded corners; its quarter length is 2.19919 m, which his point volumes imply. The end depends "
-      "on "
-      "the length alone.\n\n"
-      "The end is known without a simulation: all energy is the gas's or the membrane's. The membrane of straight "
-      "segments has its own rest length (corners cut by chords: 0.08 % at 16 cells) and the reference is solved for "
-      "it, with what the ledger booked as lost taken off (`membrane.loss=booked`; with `gas` nothing is lost).\n\n"
-      "The radius proves little: the strain is 4·10⁻⁴, so an inextensible bag would pass. What discriminates is the "
-      "hoop stress, once against the strain that the radius implies, E′(πR/2L − 1) (`hoop_from_radius`: 0.07 % of "
-      "radius is all of the stress), once against pR/t (`hoop_from_pressure`).\n\n"
-      "Where York's ten per cent come from. At rest the virial of all forces vanishes node by node, whatever the "
-      "shapes "
-      "and however coarse the grid: Σ σ_p V_p over the membrane = 2 Σ V_p p_p over the gas = 2(γ − 1)U (`virial`, "
-      "which "
-      "his scheme meets to 0.2 % here while the bag still moves). So the mean hoop stress is as good as the energy, "
-      "and no property of the "
-      "membrane can spoil it. But pR/t takes a mean pressure, and Σ V_p p_p is fixed: if the gas points' volumes add "
-      "up "
-      "to more than the bag encloses (`volume_ratio`), their pressure is low by as much, and stress seems high against "
-      "it: σt/(pR) ≈ `volume_ratio` · πR/2L. So york1997 has 1.06 at 8 cells with volumes 13 % too large, 1.04 at 16 "
-      "cells with 4 %. York averages pressure over interior grid points, which is lower still (27.0 "
-      "against 28.6 here at 16 cells); his stress of 417 Pa is 416 here. His 447 at 32 cells is above what the virial "
-      "allows for any mean (432) and can only be a peak.\n\n"
-      "Two weaknesses are mended in `default`. Points of one layer have motions that no node sees; as the bag unfolds "
-      "these freeze in, and single stresses scatter by more than their mean though the mean is right. Each step takes "
-      "out of the segments' forces what a pass to the nodes and back does not return (`membrane.relaxation`). And the "
-      "gas's volume: nodal volumes are what of each cell lies inside the membrane, by Green's theorem, and points "
-      "share "
-      "these volumes instead of densities, so that they sum to the space enclosed.";
-  s.equations = {"pR = σt,  σ = E′(πR/2L − 1),  E′ = E/(1 − ν²)", "p πR²/4 = (γ − 1)(U₀ − lost − ½ E′ t L ε²)",
-                 "Σ σ_p V_p = 2 Σ p_p V_p  (at rest)",
-                 "δx_p = θτ (F_p/m_p − Σ N_ip A_i),  A_i = Σ F_p N_ip / Σ m_p N_ip",
-                 "V_p = m_p Σ N_ip |cell_i|/M_i,  |cell_i| = ∫_inside N_i dA"};
-  s.sketch = sketch;
-  s.cells_along = "the domain's side of 1.6 m; York's meshes h = 0.4, 0.2, 0.1, 0.05 are at 4, 8, 16, 32";
-  s.reference_name = "membrane-equilibrium";
-  s.reference_text =
-      "First law and equilibrium of the bag at rest, for the run's own chords and its own booked loss. Means over the "
-      "last ten breathing periods.";
-  s.reference_bound = "Rounding of closed forms, computed with the value.";
-  s.theory_orders = {{"pressure", 1, "gas and membrane meet inside cells, so the gas's edge is known to a cell"},
-                     {"radius_0", 1, "as pressure"}};
-  s.known_limits = {
-      "`membrane.strain=accumulated`, the only law that needs no connectivity: strain summed from the grid's rates "
-      "while "
-      "the bag folds and unfolds misses 2.6 % of the length at 16 cells, so radii are that much too large; the mean "
-      "stress is right all the same, as the virial demands.",
-      "On 4 and 8 cells a bag of six or eleven cells cannot become round.",
-      "Under `york1997` on 4 cells the bag folds as roundings will. Twelve runs whose viscosities differ by 3e-15 of "
-      "themselves end with radii of 1.148 to 1.204 m at 0 and 1.155 to 1.284 m at 90 degrees, and with "
-      "pressures of 28.9 to 32.9 Pa: so the last two, of which York's are some, are measured and not judged there.",
-      "The mean radius is short by 3·10⁻⁵ at 16 and at 32 cells, from waves of the shape along the grid, which is 7 % "
-      "of "
-      "the strain: `hoop_from_radius` can be judged no closer."};
-  return s;
-}
 
 std::vector<StudyPlan> MembraneExpansion::studies() const {
   return {

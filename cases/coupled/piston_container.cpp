@@ -18,12 +18,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 420 120" role="img" aria-label="A column of gas from a wall to a piston, a spring from the piston to a second wall">
-<g fill="none" stroke="currentColor" stroke-width="1.5"><path d="M30 20v60M390 20v60"/><path d="M22 28l8-8m-8 20l8-8m-8 20l8-8m-8 20l8-8m-8 20l8-8m360-40l8-8m-8 20l8-8m-8 20l8-8m-8 20l8-8m-8 20l8-8"/><path d="M30 26h176M30 74h176" stroke-width="1"/><path d="M222 50h14l6-12l12 24l12-24l12 24l12-24l12 24l12-24l12 24l6-12h50"/></g>
-<g fill="currentColor"><path d="M206 24h16v52h-16z"/><circle cx="50" cy="40" r="2"/><circle cx="50" cy="60" r="2"/><circle cx="80" cy="40" r="2"/><circle cx="80" cy="60" r="2"/><circle cx="110" cy="40" r="2"/><circle cx="110" cy="60" r="2"/><circle cx="140" cy="40" r="2"/><circle cx="140" cy="60" r="2"/><circle cx="170" cy="40" r="2"/><circle cx="170" cy="60" r="2"/>
-<g font-size="12"><text x="26" y="100">y = 0</text><text x="198" y="100">y = 20</text><text x="368" y="100">y = 40</text><text x="60" y="16">gas: ρ = 1e-4, β = 1.58e6</text><text x="196" y="16">m</text><text x="270" y="24">K = EA/20 = 100</text></g></g></svg>)svg";
-
 // One struct for points and reference.
 struct Container {
   reference::PistonContainerProblem problem;
@@ -230,52 +224,7 @@ double omega_error_in_theory(const RunResult& run) {
 
 class PistonContainerCase final : public Case {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "piston-container";
-    s.title = "Piston between a spring and a column of gas";
-    s.source = "York 1997, SAND97-1893, section 6.1, Table 3, Fig. 46";
-    s.claim =
-        "Gas and spring points that share a grid with one heavy point give the frequency of the coupled system at "
-        "second order, with the constant that theory gives; York's input gives his period.";
-    s.physics =
-        "A piston of mass m closes a column of gas and is held by a spring, K = 100. The gas is York's: inviscid and "
-        "adiabatic with p = −β ∇·U of its displacement, so that its points carry their strain (his own note). The gas "
-        "is 790 times as stiff as the spring: in a vacuum the lighter piston would take 0.2 s for a period, here it "
-        "takes 0.0071 s.\n\n"
-        "The spring is a row of membrane points that carry pull and pressure. Its first point is the piston. "
-        "York's formula has a spring without mass; the default has one of 1e-5 kg/m³, 0.2 % of the lighter piston, and "
-        "is judged against the frequency with that mass and against York's.\n\n"
-        "`start` = mode: all points start with the velocity of one mode, which then is all there is. `start` = piston: "
-        "the piston alone moves at first, as York's.\n\n"
-        "York's input is not his text. The spring in it has the density 1e-3, 20 % of the lighter piston, and four of "
-        "its half waves fit into the piston's period: the piston moves in two modes at once, 865.4 and 909.4 rad/s, "
-        "with 50 % and 46 % of its velocity. Over the two periods of his Fig. 46 they do not part, and the time "
-        "between extremes of the exact motion reads 885.9 rad/s, close to the 886.4 of a spring without mass by "
-        "chance; what york1997 is judged by is that same reading. His E = 2010 there is 2000 here, so that K = 100. "
-        "His printed step of 5e-5 s is 3.1 times the limit of points at cell centres, 2 h/c: such a run stops after a "
-        "few steps, and york1997 takes half the limit, 8.0e-6 s.";
-    s.equations = {"p = −β ∇·U", "K + ρ c A ω cot(ωL/c) = m ω²,  c = √(β/ρ)",
-                   "ρ c A ω cot(ωL/c) + ρ_s c_s A ω cot(ωL/c_s) = m ω²,  c_s = √(E/ρ_s)"};
-    s.sketch = sketch;
-    s.cells_along = "the whole line of 40 m";
-    s.reference_name = "piston-container";
-    s.reference_text =
-        "Roots of the frequency equation, one between any two neighbouring poles, and the sum of all modes for a "
-        "piston "
-        "that starts alone.";
-    s.reference_bound = "Computed: enclosed roots, what the modes left out can add, rounding.";
-    s.theory_orders = {
-        {"omega", 2,
-         "the piston's kernel strains with the gas and adds the inertia (15/19)² m s² h²/3, s = 1/L nearly: ω is "
-         "too low by the share 0.10 h²/L²"}};
-    s.known_limits = {
-        "The step is that of sound in the gas, 89 times faster than in York's spring: short waves of the heavy spring "
-        "pass through so many maps that a mode with two of them on the spring loses half its energy in two periods at "
-        "40 cells, a seventh at 160.",
-        "The piston moves by 5e-5 of the gas's length at most: at 1e-2 the strains' squares would count."};
-    return s;
-  }
+  std::string name() const override { return "piston-container"; }
 
   Kind kind() const override { return Kind::coupled; }
 

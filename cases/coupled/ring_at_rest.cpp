@@ -11,11 +11,6 @@
 namespace plumbline {
 namespace {
 
-constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 360 164" role="img" aria-label="A quarter ring of chords, pressed outward by the gas and held by its tension">
-<g fill="none" stroke="currentColor" stroke-width="1.5"><path d="M90 144h150M90 144v-136" stroke-dasharray="4 3" stroke-width="1"/><path d="M210 144l-4 -31l-12 -29l-19 -25l-25 -19l-29 -12l-31 -4" stroke-width="2.5"/><path d="M170 75l13 -8m-6 0l6 0l-2 6M149 55l8 -13m-6 4l6 -4l1 7M186 99l15 -7m-7 0l7 0l-3 6M121 48l3 -13m-5 5l5 -5l3 6"/></g>
-<g fill="currentColor"><circle cx="210" cy="144" r="3"/><circle cx="206" cy="113" r="3"/><circle cx="194" cy="84" r="3"/><circle cx="175" cy="59" r="3"/><circle cx="150" cy="40" r="3"/><circle cx="121" cy="28" r="3"/><circle cx="90" cy="24" r="3"/><g font-size="12"><text x="110" y="110">gas: p</text><text x="216" y="70">T = p · apothem</text><text x="206" y="158">R</text></g></g></svg>)svg";
-
 class RingAtRestRun final : public Problem {
  public:
   explicit RingAtRestRun(const Settings& settings)
@@ -102,46 +97,7 @@ class RingAtRestRun final : public Problem {
 
 class RingAtRest final : public Case {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "ring-at-rest";
-    s.title = "A ring in equilibrium with its gas stays there";
-    s.source = "York 1997, section 6.2: the state that his bag should come to";
-    s.claim =
-        "A membrane around a gas that starts in exact equilibrium keeps its hoop stress to 0.1 %, where York's was "
-        "off by 10 %: soft, and as stiff as his.";
-    s.physics =
-        "A ring of membrane holds a gas at rest, 30.8 Pa, at the radius 1.4 m. In the continuum nothing moves. On the "
-        "grid membrane and gas pull at each node as sums over points, and what of these sums does not cancel sets the "
-        "ring in motion.\n\n"
-        "The start is the equilibrium of the polygon, not of the circle: the gas pushes each vertex with p l "
-        "cos(θ/2), two chords pull it back with 2 T sin(θ/2), so T = p × apothem. That is the virial identity of the "
-        "discrete ring and gas, Σ T l = 2 Σ V p = 2 (γ − 1) U, which the grid keeps exactly: a motion that grows in "
-        "proportion to the place lies in the shapes' space, and does no work here. Gas points stand at the centroids "
-        "of lattice cells as the polygon cuts them, with the mass of the cut cell, so that the push on the nodes next "
-        "to the ring is that of its edge. With whole points inside (`edge=whole`) the gas has a jagged edge, and the "
-        "hoop stress swings by more than ten times as much.\n\n"
-        "Ten periods of breathing, 2π/√((k_s + 2γp/R)/m_l), the gas taken as a spring without mass. The hoop stress "
-        "of the stiff ring (York's E = 1e6, strained by 4e-4) is the sharper test: there 0.1 % of the stress is half "
-        "a micrometre of radius.";
-    s.equations = {"p l cos(θ/2) = 2 T sin(θ/2):  T = p R cos(θ/2)", "Σ T l = 2 p A = 2 (γ − 1) U",
-                   "T = E't (l/L − 1)"};
-    s.sketch = sketch;
-    s.cells_along = "the radius of 1.4 m";
-    s.reference_name = "gas-ring";
-    s.reference_text = "The equilibrium itself, in closed form.";
-    s.reference_bound = "Rounding.";
-    s.theory_orders = {
-        {"hoop_drift", 1,
-         "forces at the ring are off by a share that depends on how it cuts the cells, differently in each: over "
-         "the n = R/h cells along it they cancel to 1/√n; what is left is balanced by bends over a cell. Order 1 at "
-         "least for the soft ring, 1/2 for the stiff one, which does not bend but swings as a whole"}};
-    s.known_limits = {
-        "Nothing damps the swing but the maps' filter.",
-        "Strain summed from rates (`membrane.strain=accumulated`) keeps the mean as well, but scatters from point to "
-        "point by patterns that no node sees."};
-    return s;
-  }
+  std::string name() const override { return "ring-at-rest"; }
 
   Kind kind() const override { return Kind::coupled; }
 

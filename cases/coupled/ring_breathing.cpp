@@ -13,11 +13,6 @@
 namespace plumbline {
 namespace {
 
-constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 360 164" role="img" aria-label="A quarter ring filled with gas that moves outward and inward">
-<g fill="none" stroke="currentColor" stroke-width="1.5"><path d="M90 144h170M90 144v-136" stroke-dasharray="4 3" stroke-width="1"/><path d="M210 144a120 120 0 0 0 -120 -120" stroke-width="3"/><path d="M222 144a132 132 0 0 0 -132 -132" stroke-dasharray="4 4" stroke-width="1"/><path d="M198 144a108 108 0 0 0 -108 -108" stroke-dasharray="4 4" stroke-width="1"/><path d="M163 71l24 -24m-7 1l7 -1l-1 7M163 71m1 -7l-1 7l7 -1"/></g>
-<g fill="currentColor" font-size="12"><text x="104" y="128">gas: c = √(γp/ρ)</text><text x="196" y="44">v = v₀ J₁(kr)/J₁(kR)</text><text x="228" y="110">ring: T = p R</text><text x="206" y="158">R</text></g></svg>)svg";
-
 class RingBreathingRun final : public Problem {
  public:
   explicit RingBreathingRun(const Settings& settings)
@@ -81,50 +76,7 @@ Override accumulated() { return {"membrane.strain", "accumulated"}; }
 
 class RingBreathing final : public Case {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "ring-breathing";
-    s.title = "A ring filled with gas breathes";
-    s.source = "H. Lamb, Hydrodynamics, 6th ed., article 191, for the gas; with the ring's equation, derived";
-    s.claim =
-        "Gas and membrane on one grid swing with the exact frequencies of the coupled system, far from those of the "
-        "ring alone and of the gas alone.";
-    s.physics =
-        "A ring of membrane of the radius 1.4 m is held round by the gas inside, 30.8 Pa, as in York's bag, but soft "
-        "(E = 2000 Pa): the gas stretches it by 19.6 %. Ring and gas breathe: all motion is radial, small and without "
-        "friction. Gas alone between walls would have its first frequency at 32.4 rad/s, the ring alone 47.4; "
-        "together they swing with 25.685, 46.766 and 69.064 rad/s. So each is off by far more than the tolerance if "
-        "gas and ring exchange the wrong force, mass or work.\n\n"
-        "R = 1.4 is the stretched radius, and what the prestress does depends on the law of the membrane. Segments "
-        "have the tension T = E't (R/R₀ − 1), which stiffens the ring by dT/dR and softens it by T/R: the prestress "
-        "cancels, k_s = E't/R². Strain summed from rates acts in points of constant volume, as if the ring thinned "
-        "while it stretches: k_s = E't (1 − 2ε)/R², with t the thickness at rest, and other frequencies (23.719 "
-        "first). Each run is judged by the frequencies of its own law.\n\n"
-        "Quarter of the ring, between mirrors. It starts at rest's place with the velocity of one mode, in gas and "
-        "ring, 0.3 % of the speed of sound. The mode's share in the velocities of all points, weighted with their "
-        "masses, gives the frequency by its zeros over four periods: modes are orthogonal under the mass of gas and "
-        "ring together.";
-    s.equations = {"m_l ω² = k_s + ρ ω² J₀(kR)/(k J₁(kR)),  k = ω/c", "k_s = (dT/dR − T/R)/R = E't/R²  (segments)",
-                   "v_r(r) = v₀ J₁(kr)/J₁(kR),  δp(r) = −ρ ω² ξ J₀(kr)/(k J₁(kR))", "q = Σ m v·φ / Σ m φ² = v₀ cos ωt"};
-    s.sketch = sketch;
-    s.cells_along = "the radius of 1.4 m";
-    s.reference_name = "gas-ring";
-    s.reference_text = "Roots between neighbouring zeros of J1, by bracketing.";
-    s.reference_bound = "Computed: residual of the root over the slope, and the Bessel functions' own bounds.";
-    s.theory_orders = {{"omega", 2,
-                        "polygon, shapes and step are of second order; sharpening takes the leading smoothing out of "
-                        "the inside; at the ring, where the gas ends within the kernel, the mass it moves is blurred "
-                        "over a cell"},
-                       {"damping", 3, "the affine transfer loses (kh)^4 a step, and steps follow h"}};
-    s.known_limits = {
-        "The damping is the maps' filter. What it takes heats the gas: gas and ring together keep their energy.",
-        "The ring at rest on the grid is not quite at rest (see ring-at-rest). At a thousandth of the speed of sound "
-        "that would move the third frequency by 0.1 % at 16 cells, so the ring starts three times as fast.",
-        "Within a kernel of the ring the density, and so the pressure in the pictures, is off by 1 % and jagged. "
-        "Nothing depends on it: a gas without friction pushes with the product of volume and pressure, (γ − 1) m e.",
-        "York's scheme does not hold the soft ring: gas leaks through it, and it slackens."};
-    return s;
-  }
+  std::string name() const override { return "ring-breathing"; }
 
   Kind kind() const override { return Kind::coupled; }
 

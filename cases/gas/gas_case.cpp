@@ -13,20 +13,6 @@ void york_step(Settings& settings, const std::string& scheme) {
   if (scheme == "york1997" && !settings.is_set("dt") && !settings.is_set("cfl")) settings.set("cfl", 0.021, "gas");
 }
 
-std::vector<std::string> gas_equations() {
-  return {"∂ρ/∂t + ∂(ρu)/∂x = 0", "ρ Du/Dt = −∂(p + q)/∂x", "ρ De/Dt = −(p + q) ∂u/∂x", "p = (γ − 1) ρ e",
-          "q = ρ (c_L c h |∂u/∂x| + c_Q h² (∂u/∂x)²) where ∂u/∂x < 0"};
-}
-
-std::vector<Statement::TheoryOrder> first_order_at_jumps() {
-  std::vector<Statement::TheoryOrder> orders;
-  for (const char* measure : {"density.L1", "velocity.L1", "pressure.L1", "energy.L1"}) {
-    orders.push_back(
-        {measure, 1, "shock and contact are jumps; a scheme of any order spreads them over a number of cells"});
-  }
-  return orders;
-}
-
 std::vector<CaseGate> target_order(const std::string& study, const std::string& measure, double order,
                                    const std::string& reason) {
   const std::string id = study + "/" + measure.substr(0, measure.find('.'));

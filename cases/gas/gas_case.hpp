@@ -1,4 +1,4 @@
-// What gas cases have in common beside the problem: York's choices for a case of his kind, and sentences of statements.
+// What gas cases have in common beside the problem: York's choices for a case of his kind, and gates.
 #pragma once
 
 #include <string>
@@ -12,12 +12,6 @@ namespace plumbline {
 // dt = 1e-4 s at h = 0.01 m with c + |u| up to 2.1 m/s. [York 4.1]
 std::vector<Override> york_points(const std::string& scheme);
 void york_step(Settings& settings, const std::string& scheme);
-
-// Equations of an ideal gas with artificial viscosity, as text.
-std::vector<std::string> gas_equations();
-
-// Orders that theory allows where there are jumps, for density, velocity, pressure and energy.
-std::vector<Statement::TheoryOrder> first_order_at_jumps();
 
 // The gates that the plan asks of a study in which a field's error falls: the estimate at least `order`, the low end of
 // its interval at least 0.1 below that.

@@ -15,14 +15,8 @@ namespace {
 
 constexpr double domain = 1.2;  // m
 constexpr double deposit = 2;   // cells: the energy is set free within this radius
-constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 360 150" role="img" aria-label="A blast wave runs outwards from the centre; nearly all gas is in a thin shell behind it">
-<g stroke="currentColor" stroke-width="1.5" fill="none"><path d="M110 10v125h200"/><path d="M110 45a90 90 0 0 1 90 90" stroke-dasharray="4 3"/><path d="M176 69l25 -25m-9 1l9 -1l-1 9"/></g>
-<path d="M110 45a90 90 0 0 1 90 90h-15a75 75 0 0 0 -75 -75z" fill="currentColor" opacity=".4"/><path d="M110 135v-75a75 75 0 0 1 75 75z" fill="currentColor" opacity=".06"/>
-<g fill="currentColor" font-size="12"><text x="114" y="128">hot, thin</text><text x="212" y="149">R(t)</text><text x="240" y="60">cold, at rest</text></g></svg>)svg";
-
 struct SedovText {
-  std::string name, title, of, energy_of;
+  std::string name, energy_of;
   int dimension;
   double energy;
 };
@@ -98,43 +92,7 @@ class SedovCase final : public Case {
  public:
   explicit SedovCase(SedovText text) : text_(std::move(text)), registered_(this) {}
 
-  Statement statement() const override {
-    Statement s;
-    s.name = text_.name;
-    s.title = text_.title;
-    s.source =
-        "L. I. Sedov, Similarity and Dimensional Methods in Mechanics, 1959, chapter IV; J. R. Kamm, F. X. Timmes, "
-        "LA-UR-07-2849, 2007";
-    s.claim = "The blast wave stands within one cell of its place, from nothing but the energy set free.";
-    s.physics =
-        "Energy is set free " + text_.of +
-        " of cold gas at rest, γ = 1.4. A shock runs outwards, R ∝ t^(2/(d+2)), and sweeps nearly all gas into a thin "
-        "shell behind it: six times the density at the shock, next to nothing at the centre, where the gas is as hot "
-        "as it is thin. The only number that sets the shock's place is the energy; a scheme that loses or makes some "
-        "misses it.\n\n"
-        "The energy is given to the points within two cells of the centre, the same for each unit of mass: about the "
-        "smallest region whose pressure a kernel of three cells still sees as round. The similarity solution has it "
-        "in a point; what the region's size changes dies out as the swept mass outgrows the region's own, (2h/R)^d.\n\n"
-        "`shock_position` is the outermost place at which the density passes halfway between the gas at rest and the "
-        "densest point: the middle of the numerical shock, wherever its peak has got to. On coarse meshes the peak is "
-        "cut off (`peak_density`), because density falls to half of it within R/20.\n\n"
-        "Near vacuum: the gas that was heated first expands to a density near zero. Points of it are few and far "
-        "apart: less than one in a cell, near the centre. They are as many as they were; grid density there is that "
-        "of single points.\n\n"
-        "Specific energy is infinite at the exact centre: its norms say little and no gate uses them.";
-    s.equations = gas_equations();
-    s.equations.push_back("E = α(d, γ) ρ R^(d+2)/t²");
-    s.sketch = sketch;
-    s.cells_along = "a radius of 1.2 m";
-    s.reference_name = "sedov";
-    s.reference_text = "The similarity solution in closed form by a parameter; α by quadrature.";
-    s.reference_bound = "Computed: quadrature, residual of the root, and rounding carried through.";
-    s.theory_orders = {{"density.L1", 1, "the shock is spread over a number of cells"},
-                       {"shock_position", 1, "a share of a cell; the region that holds the energy adds (2h/R)^d"},
-                       {"peak_density", 1, "what a kernel averages of a profile that falls linearly behind the shock"}};
-    s.known_limits = {"Gas at the centre is resolved by the few points that were there at the start."};
-    return s;
-  }
+  std::string name() const override { return text_.name; }
 
   Kind kind() const override { return Kind::gas; }
 
@@ -211,10 +169,8 @@ class SedovCase final : public Case {
 };
 
 // Energies of Kamm and Timmes's size: alpha rho, so that the shock is at 1 m after 1 s.
-const SedovCase cylindrical{{"sedov-cylindrical", "Sedov's blast from an axis", "on an axis",
-                             "set free per length of the whole axis", 2, 0.9840740}};
-const SedovCase spherical{
-    {"sedov-spherical", "Sedov's blast from a point", "at a point", "set free, in the whole sphere", 3, 0.8510719}};
+const SedovCase cylindrical{{"sedov-cylindrical", "set free per length of the whole axis", 2, 0.9840740}};
+const SedovCase spherical{{"sedov-spherical", "set free, in the whole sphere", 3, 0.8510719}};
 
 }  // namespace
 }  // namespace plumbline

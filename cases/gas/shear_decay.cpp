@@ -16,12 +16,6 @@ namespace {
 // either end: the front of the sound, and five of those lengths beyond it.
 constexpr double height = 3, half_strip = 0.1;  // m
 
-constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 360 110" role="img" aria-label="Gas sliding up at the left wall and down at the right wall, half a cosine between">
-<g fill="none" stroke="currentColor" stroke-width="1.5"><path d="M80 5v100M280 5v100"/><path d="M80 55h200" stroke-dasharray="4 3"/><path d="M80 20c60 0 60 70 200 70"/>
-<path d="M90 55v-33m-4 7l4 -7l4 7M130 55v-24m-4 7l4 -7l4 7M230 55v24m-4 -7l4 7l4 -7M270 55v33m-4 -7l4 7l4 -7"/></g>
-<g fill="currentColor" font-size="12"><text x="20" y="58">slip wall</text><text x="290" y="58">slip wall</text></g></svg>)svg";
-
 reference::ShearDecayProblem shear_of(const Settings& settings) {
   reference::ShearDecayProblem shear;
   shear.amplitude = settings.number("amplitude");
@@ -32,37 +26,7 @@ reference::ShearDecayProblem shear_of(const Settings& settings) {
 
 class ShearDecayCase final : public Case {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "shear-decay";
-    s.title = "A shear flow decays by viscosity";
-    s.source = "York 1997, SAND97-1893, eq. 4.1; L. D. Landau, E. M. Lifshitz, Fluid Mechanics, 2nd ed., section 24";
-    s.claim = "Physical viscosity enters with York's mu and nothing else: the decay converges at second order.";
-    s.physics =
-        "Gas slides along slip walls, up on one side and down on the other, u_y = U cos πx. The stress 2μ e_xy of "
-        "York's "
-        "(4.1) brings it to rest at the rate ν π²; nothing else acts on it, so that a factor in μ, a shear strain "
-        "counted twice or a map that smooths shows in the rate itself. The heat is a hundred thousandth of the "
-        "internal energy and part of the reference.\n\n"
-        "The walls above and below hold the gas up: what they send is kept out of the strip that is judged. "
-        "Artificial viscosity acts in compression alone and stays out of it.";
-    s.equations = {"ρ ∂u_y/∂t = μ ∂²u_y/∂x²", "u_y = U cos(kx) exp(−ν k² t)", "σ = 2μ e − ⅔ μ tr(e) 1 − p 1",
-                   "p = (γ − 1) ρ e"};
-    s.sketch = sketch;
-    s.cells_along = "the distance of the slip walls of 1 m, half a wave";
-    s.reference_name = "shear-decay";
-    s.reference_text =
-        "Closed form for a gas of constant density; heat and its sound to second order in U/c, what is left out "
-        "bounded.";
-    s.reference_bound = "Computed: orders of U/c left out, and rounding carried through.";
-    s.theory_orders = {{"velocity.L1", 2,
-                        "nothing jumps; shapes, step and points are of second order, and the smoothing of the maps is "
-                        "undone to its leading term"}};
-    s.known_limits = {
-        "APIC keeps of a point's velocity what is affine over a kernel: shear of a wavelength of a few cells decays "
-        "by the maps, too, at each step."};
-    return s;
-  }
+  std::string name() const override { return "shear-decay"; }
 
   Kind kind() const override { return Kind::gas; }
 

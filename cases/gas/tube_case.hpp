@@ -8,16 +8,13 @@
 
 namespace plumbline {
 
-// What a tube says of itself.
+// What differs between tubes, beside what NAME.md says of each.
 struct TubeDescription {
-  std::string name, title, source, claim;
-  std::string physics;           // first paragraph: what happens
-  std::string near_vacuum = {};  // what the thinnest gas of it does, if any is near vacuum
+  std::string name;
   ShockTube tube;
   double order = 0.8;  // target for the fitted order of density.L1
   bool cold = false;   // a gas with next to no energy: what maps take from points must be returned
   std::string order_reason = "shock and contact allow 1; 0.8 is asked of every tube of the table";
-  std::vector<std::string> known_limits = {};
 };
 
 // Registers itself with the first mention of a static object, as a case of the file that mentions it.
@@ -25,7 +22,7 @@ class TubeCase final : public Case {
  public:
   explicit TubeCase(TubeDescription description, const char* file = __builtin_FILE());
 
-  Statement statement() const override;
+  std::string name() const override { return about_.name; }
   Kind kind() const override { return Kind::gas; }
   Traits needs() const override { return about_.cold ? Traits{Trait::returned_loss} : Traits{}; }
   std::vector<Key> keys() const override { return shock_tube_keys(about_.tube); }

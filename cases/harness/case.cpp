@@ -5,6 +5,7 @@
 #include <map>
 
 #include "cases/harness/errors.hpp"
+#include "cases/harness/prose.hpp"
 #include "cases/laboratory/scene_limit.hpp"
 #include "kernel/integrator_traits.hpp"
 #include "kernel/splitting.hpp"
@@ -98,6 +99,8 @@ void settle_step(const Case& entry, Settings& settings) {
 }
 
 }  // namespace
+
+Statement Case::statement() const { return written_statement(name()); }
 
 Settings Case::settings(const std::string& scheme, const std::vector<Override>& overrides,
                         const std::vector<std::string>& typed) const {

@@ -106,7 +106,8 @@ struct GateCount {
 class Case {
  public:
   virtual ~Case() = default;
-  virtual Statement statement() const = 0;
+  virtual std::string name() const = 0;
+  virtual Statement statement() const;  // NAME.md and NAME.svg beside the code: harness/prose.hpp
   virtual Kind kind() const = 0;
   virtual std::vector<Key> keys() const = 0;                                          // the case's own
   virtual std::vector<Override> points_and_end(const std::string& scheme) const = 0;  // what it sets beside the scheme
@@ -133,7 +134,6 @@ class Case {
   // nor dt is left set.
   Settings settings(const std::string& scheme, const std::vector<Override>& overrides,
                     const std::vector<std::string>& typed = {}) const;
-  std::string name() const { return statement().name; }
 };
 
 const std::vector<const Case*>& cases();         // in the order of their names

@@ -14,11 +14,6 @@ namespace {
 
 constexpr double room = 0.2;  // m, of the grid beside and above the tube
 
-constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 360 150" role="img" aria-label="Half a tube filled with liquid on a floor, pressed outward the more the deeper">
-<g fill="none" stroke="currentColor" stroke-width="1.5"><path d="M90 130h230"/><path d="M90 12v118" stroke-dasharray="4 4" stroke-width="1"/><path d="M90 130h107c30 0 52 -14 52 -50c0 -36 -50 -54 -159 -56" stroke-width="2.5"/><path d="M150 32l2 -14m-3 5l3 -5l3 4M232 58l14 -8m-6 0l6 0l-2 6M249 84h22m-6 -4l6 4l-6 4M236 116l18 16m-7 -2l7 2l-2 -7"/></g>
-<g fill="currentColor" font-size="12"><text x="104" y="84">p = p₀ − w y</text><text x="258" y="44">T = const</text><text x="110" y="146">contact b/2</text><text x="62" y="80">H</text></g></svg>)svg";
-
 reference::GeoTubeProblem tube_from(const Settings& s) {
   reference::GeoTubeProblem p;
   p.perimeter = s.number("perimeter");
@@ -190,46 +185,7 @@ class GeoTubeRun final : public Problem {
 
 class GeoTubeCase final : public Case {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "geo-tube";
-    s.title = "A tube filled with liquid lies on a floor";
-    s.source = "R. H. Plaut, S. Suherman, Acta Mechanica 129 (1998) 207; D. Leshchinsky et al. 1996";
-    s.claim =
-        "A membrane under the pressure of a liquid stays in its exact shape, and finds it: pressure, tension, bending "
-        "and contact with a floor together.";
-    s.physics =
-        "A closed tube of membrane without weight, 4 m around, is filled with water under a pressure of 2000 Pa at "
-        "its top and lies on a flat floor without friction. Pressure is normal to the membrane, so the tension is the "
-        "same everywhere; pressure grows with depth, so the curvature does: the shape is the elastica. Where it meets "
-        "the floor the curvature jumps to zero. The membrane stretches by the strain T/E't.\n\n"
-        "Half of the tube is computed, with a mirror at its middle. The liquid is a load: its pressure p(y) = p₀ − w "
-        "y, linear on each segment between two points, pushes those with (2 p_a + p_b)/6 and (p_a + 2 p_b)/6 of the "
-        "segment's length. The floor is a wall of the grid: along it points slide, through it nothing goes.\n\n"
-        "In the first study the tube starts in its exact shape and must stay there while a transverse wave could run "
-        "around it. In the second it starts as a circle that touches the floor in one point, with a drag, and must "
-        "lie down into the same shape: the contact forms by itself.";
-    s.equations = {"T dθ/ds = p = p₀ − w y", "T (1 − cos θ) = p₀ y − w y²/2,  2 T = p₁ H + w H²/2",
-                   "k² = 4 w T/p₀²:  y = 4 (T/p₀) sin²φ/(1 + Δ),  φ = θ/2,  Δ² = 1 − k² sin²φ",
-                   "b = 4 (T/p₀) (2 D(k) − K(k)),  L = L₀ (1 + T/E't)"};
-    s.sketch = sketch;
-    s.cells_along = "the perimeter of 4 m";
-    s.reference_name = "geo-tube";
-    s.reference_text = "Elliptic integrals after Carlson; the modulus by bracketing from the length.";
-    s.reference_bound = "Computed: residual of the root, and rounding.";
-    s.theory_orders = {{"departure", 1.5,
-                        "chords of an arc are of second order, as are the maps; at the end of the contact the "
-                        "curvature jumps, and forces spread over a cell bend the membrane across it by a share of h: "
-                        "between 1 and 2"},
-                       {"tension", 2, "chords of an arc: pressure times length of chord over the angle between two"}};
-    s.known_limits = {
-        "The wall of the grid is no contact: a point that stands on it stays on it, and one that comes near "
-        "approaches it ever more slowly. Contact can form, but end only where points never reached the floor.",
-        "Off the floor by less than a cell a point shares its nodes with it: there forces towards the floor count by "
-        "the distance in cells alone, and what lies down needs time.",
-        "York did not run it; at the Courant number of his pendulum his scheme is unstable under this load."};
-    return s;
-  }
+  std::string name() const override { return "geo-tube"; }
 
   Kind kind() const override { return Kind::membrane; }
 

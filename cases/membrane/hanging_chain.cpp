@@ -13,11 +13,6 @@ namespace {
 
 constexpr double room = 0.4;  // m, to the walls beside and below the chain: two cells and more
 
-constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 360 160" role="img" aria-label="A chain hanging from a wall in its first mode, the free end swings most">
-<g fill="none" stroke="currentColor" stroke-width="1.5"><path d="M120 14h120"/><path d="M130 14l6-7m20 7l6-7m20 7l6-7m20 7l6-7m20 7l6-7"/><path d="M180 14v132" stroke-dasharray="4 4" stroke-width="1"/><path d="M180 14c6 50 20 90 52 132"/><path d="M180 14c-6 50-20 90-52 132" stroke-dasharray="2 4" stroke-width="1"/></g>
-<g fill="currentColor"><circle cx="180" cy="14" r="2.5"/><circle cx="184" cy="40" r="2.5"/><circle cx="190" cy="66" r="2.5"/><circle cx="200" cy="93" r="2.5"/><circle cx="213" cy="120" r="2.5"/><circle cx="232" cy="146" r="2.5"/><g font-size="12"><text x="246" y="150">A</text><text x="250" y="80">T = ρ g s</text><text x="60" y="80">g ↓</text></g></g></svg>)svg";
-
 class HangingChainProblemRun final : public Problem {
  public:
   explicit HangingChainProblemRun(const Settings& settings)
@@ -117,32 +112,7 @@ class HangingChainProblemRun final : public Problem {
 
 class HangingChainCase final : public Case {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "hanging-chain";
-    s.title = "Small swing of a heavy hanging chain";
-    s.source = "D. Bernoulli 1733; H. Lamb, Hydrodynamics, 6th ed., article 195";
-    s.claim = "A chain whose tension falls to nothing at its free end swings with the period of its Bessel mode.";
-    s.physics =
-        "A heavy chain of membrane points hangs from the top wall. Its tension is the weight of what hangs below: ρ g "
-        "L at "
-        "the support and zero at the free end, where the wave speed vanishes, too. Released from rest in the shape of "
-        "its "
-        "first mode, with an amplitude of a thousandth of its length, it swings.\n\n"
-        "The chain starts in the balance of its own weight: strain at the support is `stretch`, points stand evenly "
-        "and "
-        "weigh the same, so the tension is exact whatever the stiffness.";
-    s.equations = {"y_tt = g (s y_s)_s,  s from the free end", "y = A J₀(2ω√(s/g)) cos ωt",
-                   "J₀(2ω√(L/g)) = 0:  ω = ½ j₀₁ √(g/L) = 3.7661 rad/s"};
-    s.sketch = sketch;
-    s.cells_along = "the chain's length of 1 m";
-    s.reference_name = "hanging-chain";
-    s.reference_text = "Closed form with the zeros of J0 by GSL.";
-    s.reference_bound = "Computed: rounding and the zeros' own bound.";
-    s.theory_orders = {{"period", 2, "the maps smooth force and motion by the share k²h²/8 each"}};
-    s.known_limits = {"At the free end the kernel is half empty: light nodes move there with the last point."};
-    return s;
-  }
+  std::string name() const override { return "hanging-chain"; }
 
   Kind kind() const override { return Kind::membrane; }
 

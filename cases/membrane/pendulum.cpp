@@ -11,12 +11,6 @@
 namespace plumbline {
 namespace {
 
-constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 380 170" role="img" aria-label="A bob on a string of points, held at the top wall, swings through the vertical">
-<g fill="none" stroke="currentColor" stroke-width="1.5"><path d="M60 12h240"/><path d="M70 12l6-7m20 7l6-7m20 7l6-7m20 7l6-7m20 7l6-7m20 7l6-7m20 7l6-7m20 7l6-7m20 7l6-7m20 7l6-7"/><path d="M190 12v140" stroke-dasharray="4 4" stroke-width="1"/><path d="M143 152a148 148 0 0 0 94 0" stroke-dasharray="2 4" stroke-width="1"/><path d="M190 60a48 48 0 0 1-15-3" stroke-width="1"/></g>
-<g fill="currentColor"><circle cx="190" cy="12" r="3"/><circle cx="185" cy="27" r="2.5"/><circle cx="180" cy="42" r="2.5"/><circle cx="175" cy="57" r="2.5"/><circle cx="170" cy="72" r="2.5"/><circle cx="165" cy="87" r="2.5"/><circle cx="160" cy="102" r="2.5"/><circle cx="155" cy="117" r="2.5"/><circle cx="150" cy="132" r="2.5"/><circle cx="143" cy="152" r="8"/>
-<g font-size="12"><text x="198" y="30">(0.33333, 0.99990)</text><text x="20" y="158">(0.101, 0.303)</text><text x="172" y="76">18.4°</text><text x="240" y="95">L = 0.7346, m = 3.3</text><text x="240" y="112">g = 20 ↓</text></g></g></svg>)svg";
-
 // One struct for points and reference.
 struct Swing {
   reference::ElasticPendulumProblem pendulum;
@@ -193,52 +187,7 @@ class PendulumProblem final : public Problem {
 
 class Pendulum final : public Case {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "pendulum";
-    s.title = "Heavy bob on a string of membrane points";
-    s.source = "York 1997, SAND97-1893, section 5.7, Figs. 30-38";
-    s.claim =
-        "A string of points swings as the elastic pendulum does: the errors of period and amplitude fall at second "
-        "order, and the points stay on a straight line.";
-    s.physics =
-        "A bob of 3.3 kg hangs from a light elastic string, one layer of membrane points, whose upper end is held by "
-        "the "
-        "top wall of the grid. Released at 18.4 degrees, it swings through the vertical while it bounces on the "
-        "string, "
-        "two hundred times a second in radians; a string without tension carries none (the one-way law).\n\n"
-        "York's Table 1 says 19.8 degrees and L = 0.73; the coordinates of his input, used here, give 18.437 degrees "
-        "and "
-        "L = 0.7346. His section follows from points per cell and is 0.175; here it is his Table 1's 0.1, which "
-        "changes "
-        "the period by 2e-4.\n\n"
-        "His box is the second configuration: its left wall stands 0.1 from the bob, two cells of his third mesh. A "
-        "wall "
-        "in reach of a kernel mirrors it and disturbs the swing, so the default box keeps all walls but the top out of "
-        "reach; its top stands where the string is held, in York's box 1e-4 above.";
-    s.equations = {"m r̈ = m g + T e,  T = EA (|r|/L − 1), not below 0", "T₀ = 4 √(L/g) K(sin θ₀/2) of the rigid string",
-                   "factor of the string's mass: √((1 + μ/3)/(1 + μ/2)),  μ = ρAL/m"};
-    s.sketch = sketch;
-    s.cells_along = "a length of 1 m, the height of York's box";
-    s.reference_name = "elastic-pendulum";
-    s.reference_text =
-        "The elastic pendulum with the one-way law, integrated by GSL's rk8pd piece by piece between slack and taut, "
-        "and "
-        "the string's own mass to first order.";
-    s.reference_bound =
-        "Computed: twice the last change on halving the step, rounding, and a bound for the string's waves.";
-    s.theory_orders = {{"period", 2,
-                        "the bob's mass is spread over its kernel, which turns with the string and adds the inertia m "
-                        "D, D = h^2/4: the "
-                        "period is too long by the share h^2/(8 L^2)"},
-                       {"amplitude_loss", 2, "the affine transfer loses what is not affine over a kernel"}};
-    s.known_limits = {
-        "`york1997` on 20 and 40 cells: the string tears at 1.3 and 1.4 s, after the swing that is judged; the bob "
-        "falls.",
-        "A wall within 1.5 h of the string disturbs the swing: York's box at h = 0.2 and 0.1.",
-        "Period errors below 3e-4 depend on the spacing of the points: points per cell must grow as York's do."};
-    return s;
-  }
+  std::string name() const override { return "pendulum"; }
 
   Kind kind() const override { return Kind::membrane; }
 

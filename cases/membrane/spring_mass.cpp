@@ -14,12 +14,6 @@ namespace {
 
 constexpr double support = 2.0;  // height of the fixed top of the grid, m [York 5.5]
 
-constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 360 150" role="img" aria-label="A mass hanging from a row of membrane points below a fixed support">
-<g stroke="currentColor" stroke-width="1.5" fill="none"><path d="M130 20h100"/><path d="M135 20l8-8m12 8l8-8m12 8l8-8m12 8l8-8m12 8l8-8"/><path d="M180 20v96"/></g>
-<g fill="currentColor"><circle cx="180" cy="28" r="3"/><circle cx="180" cy="40" r="3"/><circle cx="180" cy="52" r="3"/><circle cx="180" cy="64" r="3"/><circle cx="180" cy="76" r="3"/><circle cx="180" cy="88" r="3"/><circle cx="180" cy="100" r="3"/><circle cx="180" cy="118" r="9"/>
-<g font-size="12"><text x="240" y="24">y = 2, fixed</text><text x="200" y="70">E = 1e6, A = 0.1, L = 0.3</text><text x="200" y="122">m = 3.33</text><text x="60" y="75">g = 250 ↓</text></g></g></svg>)svg";
-
 // One struct for points and references.
 struct Parameters {
   reference::SpringProblem spring;
@@ -161,42 +155,7 @@ constexpr const char* smooth = "own measurement of a smooth motion: nothing but 
 
 class SpringMass final : public Case {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "spring-mass";
-    s.title = "Mass on a spring of membrane points";
-    s.source = "York 1997, SAND97-1893, section 5.5, Fig. 26";
-    s.claim =
-        "The period of the hanging mass approaches the exact one at second order with the constant that theory gives, "
-        "and York's ten points give his figure.";
-    s.physics =
-        "A mass hangs from a light elastic spring, one layer of membrane points below a fixed support. Gravity acts "
-        "from t = 0 on; "
-        "the mass falls, is caught and oscillates about its static position.\n\n"
-        "york1997 is judged against the massless spring, as York does; the refinement study of the default scheme "
-        "against the "
-        "spring with distributed mass, x tan x = m_s/m with m_s = ρAL.";
-    s.equations = {"m ü = m g − k u,  k = EA/L,  ω = √(k/m)", "u(t) = (m g/k)(1 − cos ωt)",
-                   "x tan x = m_s/m,  ω = x c/L,  c = √(E/ρ)"};
-    s.sketch = sketch;
-    s.cells_along = "a length of 1 m";
-    s.reference_name = "spring-mass";
-    s.reference_text =
-        "Closed form for the massless spring; modal series with the roots of x tan x = m_s/m for the spring with mass.";
-    s.reference_bound = "Computed: residual of each root, truncation of the series, rounding.";
-    s.theory_orders = {
-        {"period", 2,
-         "the affine transfer gives the smeared mass the added inertia m D/L^2, D = h^2/4; without it the order is 1"},
-        {"energy_drift", 1, "the step follows h, and the drift follows the step"}};
-    s.known_limits = {
-        "At York's gravity the spring stretches by 1.7 %; points that cross cells feel it, the linear references do "
-        "not know it.",
-        "The energy-conserving step holds its stress over the step and amplifies elastic oscillations: not for "
-        "membranes alone.",
-        "Energy is not conserved exactly: the stress is advanced once a step (flows `integration` and `constitutive` "
-        "book it)."};
-    return s;
-  }
+  std::string name() const override { return "spring-mass"; }
 
   Kind kind() const override { return Kind::membrane; }
 

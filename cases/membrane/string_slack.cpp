@@ -14,12 +14,6 @@ namespace {
 
 constexpr double support = 2.0;  // height of the fixed top of the grid, m (York, section 5.6)
 
-constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 360 160" role="img" aria-label="A mass on a string: slack and falling, taut, and flying up again">
-<g stroke="currentColor" stroke-width="1.5" fill="none"><path d="M50 16h60M150 16h60M250 16h60"/><path d="M80 16c-14 12 14 20 0 30s14 20 0 30s10 12 0 18"/><path d="M180 16v104"/><path d="M280 16c-14 12 14 20 0 30s14 20 0 30s10 12 0 18"/><path d="M105 88v24m-4-7l4 7l4-7M305 112v-24m-4 7l4-7l4 7" stroke-width="1"/></g>
-<g fill="currentColor"><circle cx="80" cy="100" r="8"/><circle cx="180" cy="124" r="8"/><circle cx="280" cy="100" r="8"/>
-<g font-size="12"><text x="52" y="150">free fall</text><text x="166" y="150">taut</text><text x="248" y="150">free flight</text></g></g></svg>)svg";
-
 // One struct for points and reference.
 struct Slack {
   reference::SlackStringProblem string;
@@ -204,39 +198,7 @@ class StringSlackProblem final : public Problem {
 
 class StringSlack final : public Case {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "string-slack";
-    s.title = "Mass on a string with initial slack";
-    s.source = "York 1997, SAND97-1893, section 5.6, Figs. 27-29";
-    s.claim =
-        "A slack string bears nothing, takes up its slack, bounces the mass and lets it go, each at the exact time.";
-    s.physics =
-        "The mass and string of section 5.5, the string 0.02 longer than it stands. The mass falls freely until the "
-        "string "
-        "is straight, is caught, thrown back and flies up to where it started. The one-way law lets negative strain "
-        "accumulate without stress; it must come back to zero exactly when the string is straight.\n\n"
-        "York puts all slack into six of his ten points, which fill two whole cells: with linear shapes the slack of a "
-        "cell is taken up by that cell alone. A wider kernel cannot part slack from taut neighbours within its reach: "
-        "it strains both (study `aligned`). So the same slack is spread evenly, the string pushed together by 0.02. "
-        "What "
-        "still stands within reach of the mass moves with it and is taken up late: the taut time is early by a share "
-        "of a "
-        "cell; `layout=clear` leaves that reach without slack.";
-    s.equations = {"free fall: t₁ = √(2 s/g),  v = g t₁", "taut: T = (2/ω)(π − atan(v ω/g)),  ω² = EA/(m L)",
-                   "apex at 2 t₁ + T;  largest displacement s + r + √(r² + v²/ω²),  r = m g/k"};
-    s.sketch = sketch;
-    s.cells_along = "a length of 1 m";
-    s.reference_name = "slack-string";
-    s.reference_text = "Closed form: free fall and a half oscillation and a bit, in turn.";
-    s.reference_bound = "Rounding, carried through.";
-    s.theory_orders = {
-        {"apex_time", 1, "the kernel of the mass reaches over a share of a cell: when the last of the string is taut"}};
-    s.known_limits = {
-        "Points of the string that are slack fall too and snap taut one by one from the support: the "
-        "reaction is read as a mean over the time of the string's waves."};
-    return s;
-  }
+  std::string name() const override { return "string-slack"; }
 
   Kind kind() const override { return Kind::membrane; }
 

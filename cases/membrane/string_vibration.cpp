@@ -15,11 +15,6 @@ namespace {
 
 constexpr double room = 0.4;  // m, to the walls beside the string: two cells and more
 
-constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 360 100" role="img" aria-label="A string between two walls in its first mode">
-<g fill="none" stroke="currentColor" stroke-width="1.5"><path d="M60 10v80M300 10v80"/><path d="M60 50h240" stroke-dasharray="4 4" stroke-width="1"/><path d="M60 50q120-56 240 0"/><path d="M60 50q120 56 240 0" stroke-dasharray="2 4" stroke-width="1"/></g>
-<g fill="currentColor"><circle cx="60" cy="50" r="2.5"/><circle cx="100" cy="34" r="2.5"/><circle cx="140" cy="25" r="2.5"/><circle cx="180" cy="22" r="2.5"/><circle cx="220" cy="25" r="2.5"/><circle cx="260" cy="34" r="2.5"/><circle cx="300" cy="50" r="2.5"/><g font-size="12"><text x="170" y="14">A</text><text x="172" y="96">L = 1</text></g></g></svg>)svg";
-
 reference::StringVibrationProblem string_from(const Settings& s) {
   reference::StringVibrationProblem p;
   p.youngs_modulus = s.number("youngs_modulus");
@@ -113,37 +108,7 @@ class StringVibrationCase final : public Problem {
 
 class StringVibrationEntry final : public Case {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "string-vibration";
-    s.title = "Transverse vibration of a taut string";
-    s.source = "d'Alembert 1747; G. Kirchhoff, Vorlesungen ueber Mechanik, 1876, lecture 29";
-    s.claim =
-        "The period of a taut string's mode converges at second order, with the constant that the maps' smoothing "
-        "gives.";
-    s.physics =
-        "A string of membrane points is stretched between two walls that hold its ends and swings in its first mode, "
-        "with "
-        "an amplitude so small that the tension stays what it was.\n\n"
-        "Force and motion both pass the shape functions, which damp a wave of number k by 1 − k²h²/8 each; points s "
-        "apart "
-        "pull each other straight with 1 − k²s²/12 of the string's force. So the period is too long by k²h²/8 + "
-        "k²s²/24, "
-        "1.26 h² for the first mode at four points a cell.\n\n"
-        "Tangents from both neighbours, as strain summed from rates has them, lose k²s²/6 of the slope; where points "
-        "stand "
-        "evenly in the cells their sum over a cell gives half of it back, so that both measures of strain agree.";
-    s.equations = {"ρA y_tt = T y_xx,  y = A sin(nπx/L) cos ωt,  ω = nπc/L,  c = √(T/ρA)",
-                   "δT/T = k²h²/8 + k²s²/24,  k = nπ/L,  s = h/ppc"};
-    s.sketch = sketch;
-    s.cells_along = "the string's length of 1 m";
-    s.reference_name = "string-vibration";
-    s.reference_text = "Closed form; the period is Kirchhoff's, at the finite amplitude.";
-    s.reference_bound = "Rounding, carried through.";
-    s.theory_orders = {{"period", 2, "k²h²/8 from the maps and k²s²/24 from the spacing of points"}};
-    s.known_limits = {"The affine transfer loses energy at the order h^3 a period where the step follows h."};
-    return s;
-  }
+  std::string name() const override { return "string-vibration"; }
 
   Kind kind() const override { return Kind::membrane; }
 

@@ -19,11 +19,6 @@ namespace {
 constexpr int york_cells = 10;
 constexpr double domain = 1.5;  // m, a side of York's grid; the radius is 1
 
-constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 360 150" role="img" aria-label="A quarter circle of membrane points around gas, on a grid with two symmetry sides and two fixed sides">
-<g fill="none" stroke="currentColor"><path d="M110 10v125h125" stroke-width="1.5"/><path d="M110 10h125v125" stroke-width="1.5" stroke-dasharray="6 3"/><path d="M110 35a100 100 0 0 1 100 100" stroke-width="2" stroke-dasharray="1 3"/><path d="M130 115l14 -14m-8 1l8 -1l-1 8M150 115l14 -14m-8 1l8 -1l-1 8M130 95l14 -14m-8 1l8 -1l-1 8" stroke-width="1.2"/></g>
-<g fill="currentColor" font-size="12"><text x="18" y="80">symmetry</text><text x="130" y="149">symmetry</text><text x="242" y="60">held</text><text x="242" y="90">R = 1, h = 0.1</text><text x="122" y="72">p</text></g></svg>)svg";
-
 struct Cylinder {
   reference::ReleasedRingProblem ring;
   MembraneMaterial material;
@@ -173,48 +168,7 @@ class CylinderProblem final : public Problem {
 
 class NormalsCylinder final : public Case {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "normals-cylinder";
-    s.title = "A circular membrane under gas pressure, its normals by seven methods";
-    s.source = "York 1997, SAND97-1893, section 7.5.2, Figs. 73 to 75";
-    s.claim =
-        "Circles fitted to the points nearby hold a cylinder under pressure as connectivity does, and so do York's "
-        "mass "
-        "matrices; under his quadratic and cubic methods it bursts, as he reports.";
-    s.physics =
-        "A quarter of an unstretched membrane of radius 1 around gas under pressure, let go at t = 0: it jumps "
-        "outward, "
-        "is caught by its stress and breathes. The stress acts along tangents; where those come from wrong normals it "
-        "does not hold the gas, and the membrane flies to the held sides of the grid at x, y = 1.5.\n\n"
-        "The points carry their strain and take their normals by the method that the study names; `default` takes "
-        "the stretch of segments between points, which has no use for normals. York's points: 179, at the middles of "
-        "equal chords, and 16 gas points to a cell of 0.1. What is judged are the mean of the radii at 0, 45 and 90 "
-        "degrees, as York's Fig. 73 shows it, and the normals at the end against the radii, whatever the membrane's "
-        "shape is then.\n\n"
-        "York prints no material for this problem. Here: the membrane of his section 6.2 (ρ = 0.5, E = 1e6, ν = 0.3, t "
-        "= 0.1) and gas of 1000 Pa and 0.025 kg/m³: at rest the radius grows by 0.0089 and, let go, by nearly twice "
-        "that, the 0.02 of his figure. The ring breathes about twelve times in 0.05 s and sends waves of sound to the "
-        "axis, which come back after 9 ms and 19 ms.";
-    s.equations = {"p R = E′t (R/R₀ − 1),  p = p₀ (R₀/R)^2γ at rest",
-                   "m ξ̈ = −k ξ + δp at r = R,  ρ ξ̈ = −∂(δp)/∂r inside", "R(t) − R₀ = (R − R₀)(1 − Σ aₙ cos ωₙt)"};
-    s.sketch = sketch;
-    s.cells_along = "the radius of 1 m";
-    s.reference_name = "gas-ring";
-    s.reference_text =
-        "The modes of gas-ring, summed for a ring that is let go (reference/released_ring.hpp): small motions about "
-        "the "
-        "equilibrium; the strain, 0.9 %, is what they do not know.";
-    s.reference_bound = "Computed: enclosed roots and what the modes left out can add; not the squares of the strain.";
-    s.theory_orders = {{"radius_change_first", 1,
-                        "the ring's mass and the gas beside it share a kernel: what gas rides with it goes with h"}};
-    s.known_limits = {
-        "Cells of 0.1 carry the sound that the ring sends out, 1.0 m long, poorly: of what comes back to the ring "
-        "after "
-        "9 ms little is seen there, and all at h = 0.025.",
-        "Under york1997 the points' zigzag, which no node sees, tilts the chords by several degrees."};
-    return s;
-  }
+  std::string name() const override { return "normals-cylinder"; }
 
   Kind kind() const override { return Kind::coupled; }
 

@@ -13,12 +13,6 @@ constexpr int york_points = 179, york_cells = 10;
 constexpr double domain = 1.5;  // m, a side of York's grid; the radius is 1
 constexpr const char* measured_on = "2026-11-23 5825b24";
 
-constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 360 150" role="img" aria-label="A quarter circle of membrane points with normals on a grid, two symmetry sides, gas points inside">
-<g fill="none" stroke="currentColor"><path d="M110 10v125h135" stroke-width="1.5"/><path d="M110 110h125M110 85h125M110 60h125M110 35h125M135 135v-125M160 135v-125M185 135v-125M210 135v-125M235 135v-125" stroke-width=".4"/>
-<path d="M110 35a100 100 0 0 1 100 100" stroke-width="2" stroke-dasharray="1 3"/><path d="M148 42l8 -19m-6 5l6 -5l1 8M181 64l14 -14m-8 1l8 -1l-1 8M202 97l19 -8m-8 -2l8 2l-5 6" stroke-width="1.2"/></g>
-<g fill="currentColor" font-size="12"><text x="18" y="80">symmetry</text><text x="252" y="139">symmetry</text><text x="250" y="72">R = 1, h = 0.1</text><text x="125" y="122">empty, 4 or 16 per cell</text></g></svg>)svg";
-
 // A quarter of x^2 + (y/b)^2 = 1, points evenly in its parameter, half a step from both ends; and York's gas points, n
 // x n to a cell, inside it.
 MarkedPoints quarter(int points, double b, int cells, int inside) {
@@ -39,43 +33,7 @@ MarkedPoints quarter(int points, double b, int cells, int inside) {
 
 class NormalsFirstStep final : public Case {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "normals-first-step";
-    s.title = "Normals of a circular membrane, by seven methods";
-    s.source = "York 1997, SAND97-1893, section 7.5.1, Figs. 66 to 72";
-    s.claim =
-        "Circles fitted to the points nearby give the exact normals of a circle without knowing how its points are "
-        "joined; York's gradients of colour need gas inside, and his mass matrix comes close.";
-    s.physics =
-        "179 points on a quarter circle of radius 1 between two symmetry sides, cells of 0.1. How far are the normals"
-        " of each method from the radius? `interior` chooses what is inside: nothing, or 4 or 16 points of gas to a "
-        "cell, which carry colour as the membrane's points do.\n\n"
-        "A membrane is one layer of points: its colour is the same on both sides, so that the gradient of any "
-        "smoothed colour changes its sign across it, and at the points themselves is what the grid makes of it. Gas "
-        "on one side gives a gradient. York's mass matrix solves in each cell for nodal colours that are constant "
-        "along the points; the connectivity of points needs no colour at all, and neither do circles fitted to the "
-        "points nearby, with mirror images behind symmetry sides.\n\n"
-        "Nothing moves: the run is one step of a membrane at rest. `aspect` makes an ellipse of the circle, which no "
-        "circle fits exactly, for an order.";
-    s.equations = {"n_i = Σ_p ∇N_i(x_p) χ_p,  n_p = Σ_i n_i N_i(x_p)",
-                   "χ_c = Σ_p χ_p S_c(x_p),  n_i = Σ_c ∇N_i(x_c) χ_c",
-                   "Σ_p χ_p N_j(x_p) = Σ_i T_ij χ_i,  T_ij = Σ_p N_i(x_p) N_j(x_p),  n_p = Σ_i χ_i ∇N_i(x_p)",
-                   "min Σ_q w_q (A |r_q|² + n · r_q + D)²,  |n| = 1"};
-    s.sketch = sketch;
-    s.cells_along = "the radius of 1 m";
-    s.reference_name = "none";
-    s.reference_text = "The curve's own formula: the radius of a circle, (x, y/b²) of an ellipse.";
-    s.reference_bound = "Rounding of the points over the distance between them.";
-    s.theory_orders = {
-        {"modern.max_angle_error_deg", 2,
-         "a circle through a stretch of length l of a curve whose curvature changes along it is off by l² times that "
-         "change; l is so many distances between points"}};
-    s.known_limits = {
-        "York's other colour in a cell stands at a random place; here it is the corner furthest from the points.",
-        "York drew his normals and printed no angles: a drawn arrow shows three degrees and no less."};
-    return s;
-  }
+  std::string name() const override { return "normals-first-step"; }
 
   Kind kind() const override { return Kind::membrane; }
 

@@ -14,15 +14,6 @@ constexpr double block =
 constexpr const char* measured_on = "2026-11-21 6c78473";
 constexpr const char* narrower = "2026-11-23 5825b24";
 
-constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 360 130" role="img" aria-label="Four unit cells with membrane points: on a slanted line, on an arc, on a vertical line with one point beside it, and one point alone with a ghost cell of four cells">
-<g fill="none" stroke="currentColor" stroke-width="1.2"><path d="M10 20h70v70h-70zM100 20h70v70h-70zM190 20h70v70h-70z"/><path d="M290 20h60v60h-60zM320 20v60M290 50h60" stroke-dasharray="3 3"/></g>
-<g fill="currentColor"><circle cx="18" cy="82" r="2.5"/><circle cx="27" cy="73" r="2.5"/><circle cx="36" cy="64" r="2.5"/><circle cx="45" cy="55" r="2.5"/><circle cx="54" cy="46" r="2.5"/><circle cx="63" cy="37" r="2.5"/><circle cx="72" cy="28" r="2.5"/>
-<circle cx="113" cy="44" r="2.5"/><circle cx="120" cy="39" r="2.5"/><circle cx="128" cy="35" r="2.5"/><circle cx="135" cy="34" r="2.5"/><circle cx="142" cy="35" r="2.5"/><circle cx="150" cy="39" r="2.5"/><circle cx="157" cy="44" r="2.5"/>
-<circle cx="225" cy="84" r="2.5"/><circle cx="225" cy="74" r="2.5"/><circle cx="225" cy="64" r="2.5"/><circle cx="228" cy="54" r="2.5"/><circle cx="225" cy="44" r="2.5"/><circle cx="225" cy="34" r="2.5"/>
-<circle cx="325" cy="47" r="3"/><circle cx="338" cy="42" r="2"/><circle cx="312" cy="53" r="2"/><circle cx="299" cy="58" r="2"/>
-<g font-size="12"><text x="22" y="110">45°, 80°</text><text x="118" y="110">R = 0.4</text><text x="198" y="110">perturbed</text><text x="288" y="110">ghost cell</text></g></g></svg>)svg";
-
 constexpr double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 // Eight points at these distances from the centre of the cell.
@@ -103,41 +94,7 @@ const char* title_of(const std::string& curve) {
 
 class NormalsCell final : public Case {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "normals-cell";
-    s.title = "Normals of a few points in one cell";
-    s.source = "York 1997, SAND97-1893, sections 7.6 to 7.8, Figs. 76 to 85 and 88";
-    s.claim =
-        "York's mass matrix is exact on lines and on one family of hyperbolas and fails on arcs; with nine colours it"
-        " holds arcs; circles fitted to the points are exact on lines, upright ones too, and on every arc.";
-    s.physics =
-        "About eight membrane points in a cell of edge 1. With four colours a cell can be constant along lines and "
-        "along xy + ax + by + c = 0, no further. `line-45`, `line-80`, `hyperbola` are York's examples where that "
-        "holds; the arcs of radius 0.4, turned about the centre of the cell, those where it does not. On the upright "
-        "arc points stand in pairs of equal y, where the x component of the gradient of four colours is one and the "
-        "same, while the exact ones are opposite.\n\n"
-        "`vertical`: all points at one x. The mass matrix is singular, and what York's solver made of that was wrong "
-        "(Fig. 80 a). Taken as the answer of minimum norm the colours above the membrane's vanish on the line and "
-        "nowhere else, and the normals are exact. `perturbed`: one point beside the line. The colours (x − ½)(y − "
-        "y_p) hold all points and have no gradient along x at that one (Fig. 80 b).\n\n"
-        "`single`: a point alone in its cell has no contour; four cells around it are taken as one. The other points "
-        "of that line are not judged.";
-    s.equations = {"χ₀ = Σ_i χ_i N_i(x_p),  n_p = Σ_i χ_i ∇N_i(x_p)", "n_x = s a + b,  n_y = r a + c",
-                   "min Σ_q w_q (A |r_q|² + n · r_q + D)²,  |n| = 1"};
-    s.sketch = sketch;
-    s.cells_along = "a side of the grid; cells have an edge of 1 m, and York's is the middle one of three";
-    s.reference_name = "none";
-    s.reference_text = "The normals of the curve's own formula.";
-    s.reference_bound = "Rounding of the points over the distance between them.";
-    s.theory_orders = {{"modern.max_angle_error_deg", 0, "nothing is refined: one cell, the points York chose"}};
-    s.known_limits = {
-        "York's figures show where points stand; he prints three ordinates of the upright arc, from which all arcs "
-        "follow. Points on lines and on the hyperbola, and C, are chosen.",
-        "York's other colour stands at a random place in the cell; here at the corner furthest from the points. On "
-        "curves that the colours can hold the place does not matter."};
-    return s;
-  }
+  std::string name() const override { return "normals-cell"; }
 
   Kind kind() const override { return Kind::membrane; }
 

@@ -12,12 +12,6 @@
 namespace plumbline {
 namespace {
 
-constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 360 150" role="img" aria-label="Left: ten points on a line, the sixth just above a cell side, and forces on three nodes. Right: a long body of unevenly spaced points drifts over a grid">
-<g stroke="currentColor" stroke-width="1.5" fill="none"><path d="M40 12h60M40 42h60M40 72h60M40 102h60M40 132h60"/><path d="M190 60h150M190 60v20M205 60v20M220 60v20M235 60v20M250 60v20M265 60v20M280 60v20M295 60v20M310 60v20M325 60v20M340 60v20M190 80h150"/><path d="M245 105h50m-8-5l8 5l-8 5"/></g>
-<g fill="currentColor"><circle cx="70" cy="15" r="2"/><circle cx="70" cy="26" r="2"/><circle cx="70" cy="37" r="2"/><circle cx="70" cy="48" r="2"/><circle cx="70" cy="59" r="2"/><circle cx="70" cy="70" r="2.6"/><circle cx="70" cy="83" r="2"/><circle cx="70" cy="95" r="2"/><circle cx="70" cy="107" r="2"/><circle cx="70" cy="120" r="5"/><circle cx="196" cy="70" r="2"/><circle cx="205" cy="70" r="2"/><circle cx="214" cy="70" r="2"/><circle cx="223" cy="70" r="2"/><circle cx="232" cy="70" r="2"/><circle cx="241" cy="70" r="2"/><circle cx="250" cy="70" r="2"/><circle cx="259" cy="70" r="2"/><circle cx="268" cy="70" r="2"/><circle cx="277" cy="70" r="2"/><circle cx="286" cy="70" r="2"/><circle cx="295" cy="70" r="2"/><circle cx="304" cy="70" r="2"/><circle cx="313" cy="70" r="2"/><circle cx="322" cy="70" r="2"/><circle cx="331" cy="70" r="2"/>
-<g font-size="12"><text x="106" y="46">66 → 2183</text><text x="106" y="76">111 → −3940</text><text x="106" y="106">3114 → 5123</text><text x="50" y="74">6</text><text x="225" y="50">uniform stress</text><text x="262" y="122">v</text></g></g></svg>)svg";
-
 // --- York's ten points --------------------------------------------------------------------------------------------------
 
 // Layout and modulus of his section 5.5 with which the printed stresses put point 6 at the side; the section follows from
@@ -314,40 +308,7 @@ class DriftProblem final : public Problem {
 
 class CellCrossing final : public Case {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "cell-crossing";
-    s.title = "Points that cross cell sides";
-    s.source = "York 1997, SAND97-1893, sections 5.4.3 and A.2, Figs. 102 to 104";
-    s.claim =
-        "Linear shapes turn the sign of a point's force when it crosses a cell side; boxes that tile the body give no "
-        "such force at all.";
-    s.physics =
-        "`problem=forces`: York's ten points hang in a row, the last 100 times as heavy, three to a cell. His printed "
-        "stresses and forces at the instant before point 6 crosses a cell side and after it: 66, 111, 3114 N become "
-        "2183, −3940, 5123 N. E and layout are those of his section 5.5: with the strains of the printed stresses "
-        "point "
-        "6 stands at the side. The section, 0.05, follows from the force on the middle node; the stresses in the first "
-        "and the last cell, not printed, from the forces on the upper node and on the lower node before. The middle "
-        "forces and the lower one after are then his stresses' own, but for the weight of some points, about 1 N.\n\n"
-        "`problem=spring`: the same spring set swinging to the strain that those stresses show, and its energy. He "
-        "does not print the load; here it starts with a velocity.\n\n"
-        "`problem=drift`: a bar stretched evenly by a tenth, its points so at no fixed places in the cells, drifts "
-        "over "
-        "100 cells at the speed of sound. Its middle, further from the ends than sound runs meanwhile, must not "
-        "accelerate: noise is the rms of the points' accelerations there over σ/(ρh).";
-    s.equations = {"f_i = −Σ_p V_p σ_p ∇N_ip", "noise = rms(a_p) / (σ/(ρh))"};
-    s.sketch = sketch;
-    s.cells_along = "a length of 1 m";
-    s.reference_name = "none";
-    s.reference_text = "York's printed forces; of the drift, that nothing accelerates.";
-    s.reference_bound = "Half a unit of the last printed place; zero.";
-    s.theory_orders = {{"noise_rms", 0,
-                        "sums over unevenly standing points miss the integral by a share that does not "
-                        "fall with h; where boxes tile, nothing is left but rounding"}};
-    s.known_limits = {"The load and the positions of York's figure are not printed."};
-    return s;
-  }
+  std::string name() const override { return "cell-crossing"; }
 
   Kind kind() const override { return Kind::solid; }
 

@@ -19,27 +19,6 @@ std::unique_ptr<Problem> ManufacturedCase::problem(const Settings& settings) con
   return manufactured_problem(setup(settings), settings);
 }
 
-Statement ManufacturedCase::begin_statement() {
-  Statement s;
-  s.equations = {"x = X + u(X, t),  F = 1 + ∂u/∂X", "ρ₀ ü = Div P + ρ₀ b", "P = λ ln J F⁻ᵀ + μ (F − F⁻ᵀ)",
-                 "error = max_t √(Σ V_p |u_p − u(X_p, t)|²)"};
-  s.reference_name = "manufactured-solution";
-  s.reference_text =
-      "The motion is chosen; the body force per mass that makes a neo-Hookean solid move so follows in closed form, "
-      "b = ü − Div P/ρ₀, and acts on the points by their initial positions.";
-  s.reference_bound = "Rounding, carried through the formulas.";
-  s.theory_orders = {
-      {"displacement.worst", 2,
-       "boxes that follow the deformation tile the body: forces are integrated over it to second order, as are the "
-       "maps with the true inertia of the kernel and the midpoint step"},
-      {"displacement.L2", 2, "the same at the end of the run"},
-      {"velocity.L2", 2, "the same"},
-      {"stress.L2", 1,
-       "the gradient of a tent averaged over a box within a cell is that of the cell's centre, a quarter of a cell off "
-       "the point"}};
-  return s;
-}
-
 Key poisson_key(double value) {
   return {.name = "poissons_ratio",
           .value = value,

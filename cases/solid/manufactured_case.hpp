@@ -19,8 +19,6 @@ class ManufacturedCase : public Case {
 
  protected:
   virtual ManufacturedSetup setup(const Settings& settings) const = 0;
-  // Fills what all have alike.
-  static Statement begin_statement();
 };
 
 // The key of Poisson's ratio.

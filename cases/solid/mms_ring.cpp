@@ -9,41 +9,11 @@
 namespace plumbline {
 namespace {
 
-constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 480 170" role="img" aria-label="A quarter of a ring; its edges are free, it grows and shrinks along its radii">
-<g stroke="currentColor" stroke-width="1.5" fill="none"><path d="M110 150h190M110 150v-140" stroke-dasharray="4 3"/><path d="M110 90a60 60 0 0 1 60 60h60a120 120 0 0 0-120-120z" fill="currentColor" fill-opacity=".15"/><path d="M174 86l26-26m-8 1l8-1l-1 8m-14 15l-26 26m8-1l-8 1l1-8"/></g>
-<g fill="currentColor" font-size="12"><text x="165" y="166">0.5</text><text x="222" y="166">1</text><text x="240" y="60">u_R = A cos πct (c₃R³ + c₂R² + c₁R)</text><text x="240" y="80">edges free of traction</text></g></svg>)svg";
-
 const std::vector<double> fine{16, 24, 32, 48, 64};
 
 class MmsRing final : public ManufacturedCase {
  public:
-  Statement statement() const override {
-    Statement s = begin_statement();
-    s.name = "mms-ring";
-    s.title = "Manufactured solution: breathing ring";
-    s.source =
-        "P. C. Wallstedt, J. E. Guilkey, J. Comput. Phys. 227 (2008) 9628, doi 10.1016/j.jcp.2008.07.019, section 5.2";
-    s.claim = "A body with curved free edges on a grid that knows nothing of them.";
-    s.physics =
-        "A ring, 0.5 <= R <= 1, E = 1e4, ν = 0, ρ₀ = 1, moves along its radii by u = A cos πct (c₃R³ + c₂R² + c₁R), "
-        "with u = A = 0.1 at the outer edge at the start, for 1.3 periods of 0.02 s, so that it does not end where it "
-        "began. ∂u/∂R vanishes at both edges and ν "
-        "is zero: they are free of traction. A quarter is computed, between two planes of symmetry.\n\n"
-        "`layout=cut` (default) takes the squares of the grid's lattice; those that an edge cuts count with what lies "
-        "inside, with boxes of its second moments. `layout=lattice` takes whole squares whose centre lies inside: "
-        "edges "
-        "are stairs. `layout=circles` puts points on circles; their boxes tile the ring only on average.";
-    s.sketch = sketch;
-    s.cells_along = "the outer radius of 1 m";
-    s.known_limits = {
-        "Boxes along the axes cannot shear. Off the axes F has shears of up to 5 %, and boxes of the same second "
-        "moments "
-        "overlap by twice their square, a share that does not fall with h: beyond 24 cells the error stops falling, at "
-        "1e-3 of the motion.",
-        "On circles boxes gape from the start, on the lattice edges are stairs: both stop earlier."};
-    return s;
-  }
+  std::string name() const override { return "mms-ring"; }
 
   std::vector<Key> keys() const override {
     const reference::RingProblem ring;

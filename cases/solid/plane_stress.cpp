@@ -17,11 +17,6 @@
 namespace plumbline {
 namespace {
 
-constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 360 130" role="img" aria-label="A sheet fixed at its left edge, between two frictionless walls, free at its right edge and on its faces">
-<g stroke="currentColor" stroke-width="1.5" fill="none"><path d="M50 25v70"/><path d="M42 35l8-8m-8 24l8-8m-8 24l8-8m-8 24l8-8"/><path d="M50 35h230v50h-230z" fill="currentColor" fill-opacity=".12"/><path d="M50 29h250M50 91h250" stroke-dasharray="2 3"/><path d="M286 60h30m-8-5l8 5l-8 5"/></g>
-<g fill="currentColor" font-size="12"><text x="110" y="64">σ₁ = E ε₁/(1 − ν²)</text><text x="110" y="112">ε₂ = 0, σ₂ = ν σ₁</text><text x="262" y="112">σ₃ = 0</text></g></svg>)svg";
-
 reference::BarVibrationProblem problem_from(const Settings& settings) {
   const double nu = settings.number("poissons_ratio");
   reference::BarVibrationProblem problem;
@@ -177,37 +172,7 @@ class PlaneStressProblem final : public Problem, public JudgedAtEnd {
 
 class PlaneStress final : public Case {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "plane-stress";
-    s.title = "Plane stress";
-    s.source = "York 1997, SAND97-1893, section 5.8, equations 5.12 to 5.15, Fig. 39";
-    s.claim =
-        "York's membrane in plane stress and a sheet of the two-dimensional law, held from straining across, are the "
-        "same bar of modulus E/(1 − ν²), and converge to it at second order.";
-    s.physics =
-        "York gives his plane stress membrane no test of its own: it neither strains along its second direction nor "
-        "bears stress through its thickness, so that σ₁ = E ε₁/(1 − ν²) and σ₂ = ν σ₁. Here it vibrates: fixed at x = "
-        "0, free at x = L, started unstretched with v = v₀ sin(πx/2L), for two periods and a third.\n\n"
-        "`body=membrane`: one line of points of York's material. `body=sheet`: two cells of the plane stress law "
-        "between "
-        "frictionless walls, which find out σ₂ = ν σ₁ by themselves.\n\n"
-        "ν = 0.4 makes the period 8 % shorter than that of the uniaxial law.";
-    s.equations = {"σ₁ = E ε₁/(1 − ν²),  σ₂ = ν σ₁,  ε₂ = 0,  σ₃ = 0", "ω = πc/(2L),  c = √(E/((1 − ν²)ρ))"};
-    s.sketch = sketch;
-    s.cells_along = "the length";
-    s.reference_name = "bar-vibration";
-    s.reference_text = "Closed form: one mode of a bar of modulus E/(1 − ν²).";
-    s.reference_bound = "Rounding, carried through.";
-    s.theory_orders = {
-        {"period", 2, "shapes, maps and step are of second order"},
-        {"displacement.L2", 2, "the same"},
-        {"stress.L2", 1,
-         "the gradient of a tent averaged over a box within a cell is that of the cell's centre, a quarter of "
-         "a cell off the point"}};
-    s.known_limits = {"The sheet's thickness is no variable of the method: ε₃ follows, −ν ε₁/(1 − ν)."};
-    return s;
-  }
+  std::string name() const override { return "plane-stress"; }
 
   Kind kind() const override { return Kind::solid; }
 

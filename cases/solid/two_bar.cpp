@@ -17,11 +17,6 @@ namespace {
 // York's layout: the left bar from 1.0 to 2.25, the right one from 2.75 to 4.0, both from 0.25 to 4.75. [York A.1.5]
 constexpr double box = 5, left = 1, gap = 0.5, bottom = 0.25;
 
-constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 384 190" role="img" aria-label="A bar flies to the right against an equal bar at rest">
-<g stroke="currentColor" stroke-width="1.5" fill="none"><rect x="90" y="10" width="170" height="170" stroke-dasharray="3 4"/><rect x="124" y="18" width="43" height="153" fill="currentColor" fill-opacity=".22"/><rect x="184" y="18" width="43" height="153" fill="currentColor" fill-opacity=".1"/><path d="M134 95h24m-7 -5l7 5l-7 5"/></g>
-<g fill="currentColor" font-size="12"><text x="140" y="82">v</text><text x="188" y="98">rest</text><text x="270" y="60">E = 1e5, ν = 0.3</text><text x="270" y="78">ρ = 1</text><text x="270" y="96">1.25 × 4.5 each</text><text x="270" y="114">0.5 apart</text></g></svg>)svg";
-
 // One struct for points and reference.
 struct Parameters {
   reference::TwoBarProblem bars;
@@ -145,44 +140,7 @@ class TwoBarMeeting final : public Problem {
 
 class TwoBarCase final : public Case {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "two-bar";
-    s.title = "Two bars meet and part";
-    s.source = "York 1997, SAND97-1893, appendix A.1.5, Figs. 93-96";
-    s.claim =
-        "The bars part with the coefficient of restitution that elasticity gives, from below and closer with each "
-        "refinement; contact begins and ends when it should, and no step creates energy.";
-    s.physics =
-        "An elastic bar flies at the speed v against an equal bar at rest, face to face. The faces press but do not "
-        "pull. A pressure wave runs through each bar, is turned back by its free end as tension and ends the contact "
-        "after 2L/c, c = √(E/((1 − ν²)ρ)).\n\n"
-        "Were the bars thin rods, all motion would go over: restitution 1. These are 3.6 times as high as long; "
-        "the ends of the faces bulge, and about a tenth of the kinetic energy is left as vibration: restitution "
-        "0.952 in plane stress.\n\n"
-        "With one velocity for all (`contact=none`) the bars stick: nodes between them hold both. York lets them part "
-        "where his criterion 9.7, 9.8 or 9.9 says so; `default` lets them touch only where points of both really "
-        "meet.";
-    s.equations = {"t₁ = gap/v,  t₂ = t₁ + 2L/c", "e = (v₂' − v₁')/v", "σ = ρ c v/2 at the faces"};
-    s.sketch = sketch;
-    s.cells_along = "the box of 5 m";
-    s.reference_name = "two-bar";
-    s.reference_text =
-        "Bilinear finite elements, central differences, one bar against a smooth rigid wall at half the speed, "
-        "extrapolated over meshes.";
-    s.reference_bound = "Estimated from the differences between meshes and aspects of the elements.";
-    s.theory_orders = {{"restitution", 0.5,
-                        "not derived: the front of the impact is a jump that every map smears; finite elements of "
-                        "the same size show 0.6"}};
-    s.known_limits = {
-        "Restitution approaches its limit from below and slowly: what the affine maps take from the front of the "
-        "pressure wave is lost. It comes back as no heat, since the bars have no energy equation.",
-        "On boxes the proof that no step creates energy has a gap, the inertia of their affine velocity; quadratic "
-        "B-splines have none, and part more slowly by 0.01 to 0.03.",
-        "Linear strains are added up in fixed axes: bars that turn by more than a small angle want the neo-Hookean "
-        "law."};
-    return s;
-  }
+  std::string name() const override { return "two-bar"; }
 
   Kind kind() const override { return Kind::solid; }
 

@@ -15,11 +15,6 @@ namespace {
 
 constexpr double radius = 0.2, density = 1000, youngs_modulus = 1000, poisson = 0.3, speed = 0.1;
 
-constexpr const char* sketch =
-    R"svg(<svg viewBox="0 0 392 190" role="img" aria-label="Two disks fly along the diagonal of a square against each other">
-<g stroke="currentColor" stroke-width="1.5" fill="none"><rect x="90" y="10" width="170" height="170" stroke-dasharray="3 4"/><circle cx="124" cy="146" r="34" fill="currentColor" fill-opacity=".15"/><circle cx="226" cy="44" r="34" fill="currentColor" fill-opacity=".15"/><path d="M124 146l20 -20m-8 2l8 -2l-2 8M226 44l-20 20m8 -2l-8 2l2 -8"/></g>
-<g fill="currentColor" font-size="12"><text x="270" y="60">E = 1000, ν = 0.3</text><text x="270" y="78">ρ = 1000, R = 0.2</text><text x="270" y="96">v = ±(0.1, 0.1)</text></g></svg>)svg";
-
 class TwoDisks final : public Problem {
  public:
   explicit TwoDisks(const Settings& settings) : settings_(settings) {}
@@ -111,32 +106,7 @@ class TwoDisks final : public Problem {
 
 class TwoDisksCase final : public Case {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "two-disks";
-    s.title = "Two disks meet and part";
-    s.source = "D. Sulsky, Z. Chen, H. L. Schreyer 1994, doi 10.1016/0045-7825(94)90112-0, section 5.1";
-    s.claim =
-        "Two elastic disks fly against each other along a diagonal, turn their motion into strain and back, and part; "
-        "nothing but the maps takes energy, and no step creates any.";
-    s.physics =
-        "Two soft disks of plane strain meet head-on at the middle of a unit square. Where one velocity field carries "
-        "both, the grid alone keeps them apart: they meet a cell early, and part since no stress pulls them "
-        "together. With contact they meet where their points touch.\n\n"
-        "There is no exact solution; the published run has 2.600 J of kinetic energy, at the least 0.064 J while the "
-        "disks are pressed together, and 2.391 J at the end.";
-    s.equations = {"σ = λ tr ε 1 + 2μ ε", "K = ½ Σ m v²"};
-    s.sketch = sketch;
-    s.cells_along = "the unit square";
-    s.reference_name = "none";
-    s.reference_text =
-        "Conservation of energy and momentum, and published figures of the same points on the same grid.";
-    s.reference_bound = "None.";
-    s.known_limits = {
-        "Strains reach 20 %, beyond what linear strains describe; the published runs use them all the same.",
-        "Disks of square points are rough: points that stick out meet first."};
-    return s;
-  }
+  std::string name() const override { return "two-disks"; }
 
   Kind kind() const override { return Kind::solid; }
 

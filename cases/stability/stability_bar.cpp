@@ -55,30 +55,7 @@ Findings runs(const std::string& integrator) {
 
 class StabilityBar final : public TrialCase {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "stability-bar";
-    s.sketch =
-        R"svg(<svg viewBox="0 0 360 90" role="img" aria-label="A row of cells with one point in each, all at the same place N"><path d="M20 20h320v40h-320zM60 20v40M100 20v40M140 20v40M180 20v40M220 20v40M260 20v40M300 20v40" fill="none" stroke="currentColor" stroke-width="1.2"/><g fill="currentColor"><circle cx="32" cy="40" r="3"/><circle cx="72" cy="40" r="3"/><circle cx="112" cy="40" r="3"/><circle cx="152" cy="40" r="3"/><circle cx="192" cy="40" r="3"/><circle cx="232" cy="40" r="3"/><circle cx="272" cy="40" r="3"/><circle cx="312" cy="40" r="3"/></g><g fill="currentColor" font-size="12"><text x="20" y="80">N h</text><text x="120" y="80">one point a cell, for ever</text></g></svg>)svg";
-    s.title = "Largest stable steps of an elastic bar";
-    s.source = "York 1997, SAND97-1893, chapter 8, (8.36), (8.41)";
-    s.claim =
-        "Differentiating the step as a black box gives the limit of the time step to six digits, and runs meet it: 2 "
-        "h/c with points at the centres of cells, h/c at their sides, for usf and musl; less for usl.";
-    s.physics =
-        "A linear elastic bar that goes on for ever, one point a cell at the local weight N, positions held. The "
-        "amplification matrix of one period is found by changing each number of its state and taking a step; waves of "
-        "every length follow from it by a Bloch sum, and the limit is the step at which the largest eigenvalue leaves "
-        "the unit circle.\n\nRuns perturb 24 periods at random and look whether the perturbation grows.";
-    s.equations = {"usf, musl: C = 4 √(N (1 − N)) where N (1 − N) ≥ 1/8, else 1 / |1 − 2N|",
-                   "usl: C = 1 / √(1 + 4N (1 − N))"};
-    s.cells_along = "nothing: trials are not refined";
-    s.reference_name = "bar-stability";
-    s.reference_text = "Closed forms of the von Neumann analysis, one point a cell, linear shapes, FLIP.";
-    s.reference_bound = "Rounding.";
-    s.theory_orders = {{"limit.departure", 0, "nothing is refined"}};
-    return s;
-  }
+  std::string name() const override { return "stability-bar"; }
 
   std::vector<Trial> trials() const override {
     std::vector<Trial> all;

@@ -109,33 +109,7 @@ Findings runs() {
 
 class StabilityBarEdge final : public TrialCase {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "stability-bar-edge";
-    s.sketch =
-        R"svg(<svg viewBox="0 0 360 90" role="img" aria-label="The end of a bar: the last point stands little inside its cell"><path d="M20 20h320v40h-320zM60 20v40M100 20v40M140 20v40M180 20v40M220 20v40M260 20v40M300 20v40" fill="none" stroke="currentColor" stroke-width="1.2"/><g fill="currentColor"><circle cx="30" cy="40" r="3"/><circle cx="50" cy="40" r="3"/><circle cx="70" cy="40" r="3"/><circle cx="90" cy="40" r="3"/><circle cx="110" cy="40" r="3"/><circle cx="130" cy="40" r="3"/><circle cx="150" cy="40" r="3"/><circle cx="170" cy="40" r="3"/><circle cx="190" cy="40" r="3"/><circle cx="210" cy="40" r="3"/><circle cx="230" cy="40" r="3"/><circle cx="250" cy="40" r="3"/><circle cx="264" cy="40" r="3"/></g><g fill="currentColor" font-size="12"><text x="255" y="80">depth h</text><text x="40" y="80">two points a cell</text></g></svg>)svg";
-    s.title = "Largest stable steps at the free end of a bar";
-    s.source = "kernel/README.md, \"Stability\"; York 1997, SAND97-1893, section 3.3: why he maps momentum twice";
-    s.claim =
-        "Where the last point has hardly entered a cell, usl with linear shapes bears no more than √(2 depth) h/c; usf "
-        "and musl keep √2 h/c. Boxes of points and smoother shapes bear twice that, and usl with them 0.7 to 1 h/c.";
-    s.physics =
-        "A linear elastic bar, two points a cell, FLIP, positions held. Its last point lies `depth` cells deep in a "
-        "cell of its own. The node beyond has the mass of that share only, and a share of the force that does not "
-        "fall with it.\n\n`table` judges a bar of eight cells with two free ends, as a table made beforehand did. At "
-        "the other end the last point lies ½ − depth deep: the quadratic column of usl is that end's. And eight cells "
-        "are not long enough for the quadratic shapes: their worst mode feels both ends. `one-edge` has one end alone, "
-        "on a "
-        "bar of sixteen cells against a wall: the limits of usf and musl there are up to 1 % higher, those of usl up "
-        "to 7 %.";
-    s.equations = {"usf, musl: C = 2 / √λ_max(S M⁻¹ Gᵀ V E G M⁻¹ Sᵀ m)", "usl, linear: C = √(2 depth) (1 + O(depth))"};
-    s.cells_along = "nothing: trials are not refined";
-    s.reference_name = "mpm-edge-stability";
-    s.reference_text = "The largest eigenvalue of a symmetric matrix, reference/mpm_amplification.hpp.";
-    s.reference_bound = "Rounding of the matrices and their eigenvalues.";
-    s.theory_orders = {{"reference.departure", 0, "nothing is refined"}};
-    return s;
-  }
+  std::string name() const override { return "stability-bar-edge"; }
 
   std::vector<Trial> trials() const override {
     return {{"table", "two free ends, eight cells", "Nine columns at four depths.",

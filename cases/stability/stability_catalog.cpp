@@ -68,30 +68,7 @@ Findings shares_of(const Entry& chosen) {
 
 class StabilityCatalog final : public TrialCase {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "stability-catalog";
-    s.sketch =
-        R"svg(<svg viewBox="0 0 300 100" role="img" aria-label="A bar of four shares of a limit: 0.5, 0.9, 1.1, 2"><path d="M20 50h260M150 30v40" fill="none" stroke="currentColor" stroke-width="1.2"/><g fill="currentColor"><circle cx="85" cy="50" r="4"/><circle cx="137" cy="50" r="4"/><circle cx="163" cy="50" r="4"/><circle cx="280" cy="50" r="4"/></g><g fill="currentColor" font-size="12"><text x="75" y="80">0.5</text><text x="122" y="80">0.9</text><text x="158" y="80">1.1</text><text x="270" y="80">2</text><text x="130" y="24">limit</text></g></svg>)svg";
-    s.title = "Cases of the catalog at shares of the predicted limit";
-    s.source = "kernel/README.md, \"Stability\"";
-    s.claim =
-        "At half and at nine tenths of the limit that the laboratory predicts, cases hold; at twice the limit none "
-        "does.";
-    s.physics =
-        "Each case runs at shares of the limit behind `cfl=auto`: the least that the laboratory finds over the places "
-        "of the points in their cells, and for solids at free ends. The number shown is the largest energy of the run "
-        "over that of its start; a run that stops has none.\n\nA case whose points never stand at the worst place "
-        "bears more than that limit, and one whose step conserves energy by giving losses back as heat cannot gain "
-        "any: what is unstable there heats the gas. Which of them hold above the limit, and why, the gates say.";
-    s.equations = {"Δt = cfl min h / (c + |v|)"};
-    s.cells_along = "nothing: trials are not refined";
-    s.reference_name = "none";
-    s.reference_text = "The energy at the start.";
-    s.reference_bound = "Rounding.";
-    s.theory_orders = {{"at-0.9", 0, "nothing is refined"}};
-    return s;
-  }
+  std::string name() const override { return "stability-catalog"; }
 
   std::vector<Trial> trials() const override {
     std::vector<Trial> all;

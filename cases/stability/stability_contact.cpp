@@ -40,36 +40,7 @@ Findings limits(const std::string& scheme, const std::string& side) {
 
 class StabilityContact final : public TrialCase {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "stability-contact";
-    s.sketch =
-        R"svg(<svg viewBox="0 0 360 90" role="img" aria-label="Two bars pressed together between two walls"><path d="M20 20h320v40h-320zM60 20v40M100 20v40M140 20v40M180 20v40M220 20v40M260 20v40M300 20v40M20 10v60M340 10v60" fill="none" stroke="currentColor" stroke-width="1.2"/><g fill="currentColor"><circle cx="30" cy="36" r="3"/><circle cx="50" cy="36" r="3"/><circle cx="70" cy="36" r="3"/><circle cx="90" cy="36" r="3"/><circle cx="110" cy="36" r="3"/><circle cx="130" cy="36" r="3"/><circle cx="150" cy="36" r="3"/><circle cx="170" cy="36" r="3"/><rect x="188" y="41" width="5" height="5"/><rect x="208" y="41" width="5" height="5"/><rect x="228" y="41" width="5" height="5"/><rect x="248" y="41" width="5" height="5"/><rect x="268" y="41" width="5" height="5"/><rect x="288" y="41" width="5" height="5"/><rect x="308" y="41" width="5" height="5"/><rect x="328" y="41" width="5" height="5"/></g><g fill="currentColor" font-size="12"><text x="150" y="84">interface</text></g></svg>)svg";
-    s.title = "Largest stable steps of bars in contact";
-    s.source = "York 1997, SAND97-1893, appendix A.1; kernel/README.md, \"Touching\"";
-    s.claim =
-        "Contact that makes the midpoint velocity common keeps about h/c: what bars bear with their ends, touching or "
-        "apart, "
-        "and runs meet it. York's contact-release loses stability where neither of its two linear steps does: by "
-        "switching.";
-    s.physics =
-        "Two bars, each with a velocity field of its own. `touching`: pressed together at rest. `apart`: without "
-        "stress, "
-        "too far from each other to touch, yet at nodes that both use. Both sides are linear, and the laboratory "
-        "differentiates each.\n\nUnder York's criterion bars at rest are neither. His two linear steps take turns, "
-        "decided by "
-        "the sign of a velocity difference; a product of two stable steps need not be stable, and runs grow from steps "
-        "on "
-        "that both sides bear.";
-    s.equations = {"touching: v̄₁ = v̄₂ at every shared node", "apart: each field alone"};
-    s.cells_along = "nothing: trials are not refined";
-    s.reference_name = "none";
-    s.reference_text = "Predicted limits of each side; runs.";
-    s.reference_bound = "Width of the brackets, 0.2 %.";
-    s.theory_orders = {{"observed.departure", 0, "nothing is refined"}};
-    s.known_limits = {"One dimension: normals and the choice of touching points are not put to the test."};
-    return s;
-  }
+  std::string name() const override { return "stability-contact"; }
 
   // One of the four in the quick tier: the others take as long again each.
   static Tier tier_of(const std::string& study) { return study == "default-touching" ? Tier::quick : Tier::full; }

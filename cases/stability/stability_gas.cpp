@@ -168,44 +168,7 @@ Findings plane() {
 
 class StabilityGas final : public TrialCase {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "stability-gas";
-    s.sketch =
-        R"svg(<svg viewBox="0 0 360 90" role="img" aria-label="A row of cells with eight points of gas in each between two mirrors"><path d="M20 20h320v40h-320zM60 20v40M100 20v40M140 20v40M180 20v40M220 20v40M260 20v40M300 20v40M20 10v60M340 10v60" fill="none" stroke="currentColor" stroke-width="1.2"/><g fill="currentColor"><circle cx="22.5" cy="40" r="1.6"/><circle cx="27.5" cy="40" r="1.6"/><circle cx="32.5" cy="40" r="1.6"/><circle cx="37.5" cy="40" r="1.6"/><circle cx="42.5" cy="40" r="1.6"/><circle cx="47.5" cy="40" r="1.6"/><circle cx="52.5" cy="40" r="1.6"/><circle cx="57.5" cy="40" r="1.6"/><circle cx="62.5" cy="40" r="1.6"/><circle cx="67.5" cy="40" r="1.6"/><circle cx="72.5" cy="40" r="1.6"/><circle cx="77.5" cy="40" r="1.6"/><circle cx="82.5" cy="40" r="1.6"/><circle cx="87.5" cy="40" r="1.6"/><circle cx="92.5" cy="40" r="1.6"/><circle cx="97.5" cy="40" r="1.6"/><circle cx="102.5" cy="40" r="1.6"/><circle cx="107.5" cy="40" r="1.6"/><circle cx="112.5" cy="40" r="1.6"/><circle cx="117.5" cy="40" r="1.6"/><circle cx="122.5" cy="40" r="1.6"/><circle cx="127.5" cy="40" r="1.6"/><circle cx="132.5" cy="40" r="1.6"/><circle cx="137.5" cy="40" r="1.6"/><circle cx="142.5" cy="40" r="1.6"/><circle cx="147.5" cy="40" r="1.6"/><circle cx="152.5" cy="40" r="1.6"/><circle cx="157.5" cy="40" r="1.6"/><circle cx="162.5" cy="40" r="1.6"/><circle cx="167.5" cy="40" r="1.6"/><circle cx="172.5" cy="40" r="1.6"/><circle cx="177.5" cy="40" r="1.6"/><circle cx="182.5" cy="40" r="1.6"/><circle cx="187.5" cy="40" r="1.6"/><circle cx="192.5" cy="40" r="1.6"/><circle cx="197.5" cy="40" r="1.6"/><circle cx="202.5" cy="40" r="1.6"/><circle cx="207.5" cy="40" r="1.6"/><circle cx="212.5" cy="40" r="1.6"/><circle cx="217.5" cy="40" r="1.6"/><circle cx="222.5" cy="40" r="1.6"/><circle cx="227.5" cy="40" r="1.6"/><circle cx="232.5" cy="40" r="1.6"/><circle cx="237.5" cy="40" r="1.6"/><circle cx="242.5" cy="40" r="1.6"/><circle cx="247.5" cy="40" r="1.6"/><circle cx="252.5" cy="40" r="1.6"/><circle cx="257.5" cy="40" r="1.6"/><circle cx="262.5" cy="40" r="1.6"/><circle cx="267.5" cy="40" r="1.6"/><circle cx="272.5" cy="40" r="1.6"/><circle cx="277.5" cy="40" r="1.6"/><circle cx="282.5" cy="40" r="1.6"/><circle cx="287.5" cy="40" r="1.6"/><circle cx="292.5" cy="40" r="1.6"/><circle cx="297.5" cy="40" r="1.6"/><circle cx="302.5" cy="40" r="1.6"/><circle cx="307.5" cy="40" r="1.6"/><circle cx="312.5" cy="40" r="1.6"/><circle cx="317.5" cy="40" r="1.6"/><circle cx="322.5" cy="40" r="1.6"/><circle cx="327.5" cy="40" r="1.6"/><circle cx="332.5" cy="40" r="1.6"/><circle cx="337.5" cy="40" r="1.6"/></g><g fill="currentColor" font-size="12"><text x="130" y="86">gas at rest</text></g></svg>)svg";
-    s.title = "Largest stable steps of a gas";
-    s.source = "York 1997, SAND97-1893, chapter 4; his chapter 8 analyses elastic bars alone";
-    s.claim =
-        "The limits of a gas, which York left open, are predicted by the step itself and met by runs: 1.44 h/c by "
-        "default, "
-        "1.09 to 1.20 by his choices under compression.";
-    s.physics =
-        "An ideal gas at rest without ends, on a line, its points moving. What a point pushes with, V p = (γ − 1) m e, "
-        "does "
-        "not depend on its density. Linear shapes do not notice that a point moves within its cell: waves so small "
-        "that no "
-        "point changes cells travel with √((γ − 1)/γ) c, and their limit is 1.87 times that of a bar. Cubic shapes see "
-        "points move.\n\n"
-        "The artificial viscosity, c_L = 1, acts on a gas that closes and not on one that opens. Its limits on both "
-        "sides, "
-        "1.20 and 3.14 h/c, are found on smooth ground; a run across the switch lies between.\n\n"
-        "York's steps lay below the limits: 0.013 h/c in Sod's tube (dt = 1e-4, h = 0.01), 0.24 h/c in the expansion "
-        "(dt = "
-        "1e-3, h = 0.05).\n\n"
-        "In the plane a gas at rest is unstable at every step, slowly: waves of shear take energy from the pressure. "
-        "By "
-        "FLIP on bilinear shapes they grow by 0.6 c/h however small the step; by APIC, which damps them at each step, "
-        "by 0.04 "
-        "(Δt c/h) c/h on cubic ones: less, the smaller the step.";
-    s.equations = {"linear, FLIP, one point a cell: C = C_bar(N) √(γ/(γ − 1))", "q = ρ c_L c h |∂u/∂x|: ν = c_L c h",
-                   "ν ≫ c h: Δt ∝ h²/ν"};
-    s.cells_along = "nothing: trials are not refined";
-    s.reference_name = "bar-stability";
-    s.reference_text = "Closed forms of the von Neumann analysis, one point a cell, linear shapes, FLIP.";
-    s.reference_bound = "Rounding.";
-    s.theory_orders = {{"limit.departure", 0, "nothing is refined"}};
-    return s;
-  }
+  std::string name() const override { return "stability-gas"; }
 
   std::vector<Trial> trials() const override {
     std::vector<Trial> all;

@@ -59,37 +59,7 @@ Findings slack(const std::string& scheme) {
 
 class StabilityMembrane final : public TrialCase {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "stability-membrane";
-    s.sketch =
-        R"svg(<svg viewBox="0 0 300 140" role="img" aria-label="A string along the grid and one across its cells"><path d="M20 15h120v40h-120zM60 15v40M100 15v40M20 55h120v40h-120zM60 55v40M100 55v40M160 15h120v40h-120zM200 15v40M240 15v40M160 55h120v40h-120zM200 55v40M240 55v40M20 45h120M160 95l120 -60" fill="none" stroke="currentColor" stroke-width="1.2"/><g fill="currentColor"><circle cx="30" cy="45" r="3"/><circle cx="50" cy="45" r="3"/><circle cx="70" cy="45" r="3"/><circle cx="90" cy="45" r="3"/><circle cx="110" cy="45" r="3"/><circle cx="130" cy="45" r="3"/><circle cx="170" cy="90" r="3"/><circle cx="190" cy="80" r="3"/><circle cx="210" cy="70" r="3"/><circle cx="230" cy="60" r="3"/><circle cx="250" cy="50" r="3"/><circle cx="270" cy="40" r="3"/></g><g fill="currentColor" font-size="12"><text x="40" y="120">slope 0</text><text x="190" y="120">slope 1/2</text></g></svg>)svg";
-    s.title = "Largest stable steps of a string";
-    s.source = "York 1997, SAND97-1893, chapters 5 and 8; kernel/materials/segment_membrane.hpp";
-    s.claim =
-        "A chain of segments bears about 1.6 h/c at two points a cell, at every slope and offset tried; accumulated "
-        "strain along the grid bears what a bar does; a slack string bears any step.";
-    s.physics =
-        "A straight string, stretched by one hundredth, goes on for ever along the grid, at the slope ½ or at 45°. "
-        "Waves "
-        "along and across it are looked at together; positions move. Growth below 0.002 a step, which long waves "
-        "across the "
-        "string show, is not taken for a loss of stability.\n\nAccumulated strain has no state of rest across the "
-        "grid: the forces "
-        "of an even tension do not cancel at the nodes, and the string bends between them. Its limits across the grid "
-        "are "
-        "shown in the maps for what one step does, not judged here.";
-    s.equations = {"T = A E ε where ε > 0, else 0"};
-    s.cells_along = "nothing: trials are not refined";
-    s.reference_name = "mpm-stability";
-    s.reference_text = "Limits of a bar, reference/mpm_amplification.hpp, for strings along the grid.";
-    s.reference_bound = "Rounding.";
-    s.theory_orders = {{"observed.departure", 0, "nothing is refined"}};
-    s.known_limits = {
-        "With accumulated strain points away from the middle of their shares let waves across the string grow at "
-        "every step, weakly: forces go by gradients of the shapes, tangents by neighbours."};
-    return s;
-  }
+  std::string name() const override { return "stability-membrane"; }
 
   std::vector<Trial> trials() const override {
     return {

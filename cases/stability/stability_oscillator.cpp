@@ -167,33 +167,7 @@ Findings orders() {
 
 class StabilityOscillator final : public TrialCase {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "stability-oscillator";
-    s.sketch =
-        R"svg(<svg viewBox="0 0 240 90" role="img" aria-label="A mass on a spring"><path d="M20 20v50M20 45h20l8 -12l14 24l14 -24l14 24l14 -24l14 24l8 -12h20M146 25h40v40h-40z" fill="none" stroke="currentColor" stroke-width="1.2"/><g fill="currentColor" font-size="12"><text x="160" y="50">m</text><text x="80" y="85">ω</text></g></svg>)svg";
-    s.title = "Limits and orders of integrators on an oscillator";
-    s.source =
-        "kernel/README.md, \"Integrators of the laboratory\"; Hulbert, Chung 1996, doi 10.1016/S0045-7825(96)01036-5";
-    s.claim =
-        "Without maps every integrator does what its textbook says: its limit to six digits, found by stepping unit "
-        "states, its order within 0.05, and runs that meet the limit.";
-    s.physics =
-        "A mass on a spring behind the stages of a step: the strain is the displacement, and the node always has the "
-        "point's velocity. usf, usl and musl become the symplectic Euler method, usavg the leapfrog.\n\nOrders are "
-        "fitted "
-        "to the errors at ω t = 2 of six runs, each with half the step of the one before, against the exact "
-        "oscillation, from both unit states.";
-    s.equations = {"u″ = −ω² u", "ω Δt = 2: usf, usl, musl, usavg, leapfrog, midpoint, central-difference",
-                   "ω Δt = √3: ssp-rk3, √8: rk4", "ω Δt = √(12 (1 + ρ) (2 − ρ) / (10 − 5ρ + ρ²)): generalized-alpha"};
-    s.cells_along = "nothing: trials are not refined";
-    s.reference_name = "oscillator-limits";
-    s.reference_text =
-        "Closed forms; the limits are where the spectral radius of a two by two or three by three matrix leaves one.";
-    s.reference_bound = "Rounding.";
-    s.theory_orders = {{"usf.limit", 0, "nothing is refined"}};
-    return s;
-  }
+  std::string name() const override { return "stability-oscillator"; }
 
   std::vector<Trial> trials() const override {
     return {{"limits", "predicted limits of every integrator", "The limits are exact.", limits},

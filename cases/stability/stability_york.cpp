@@ -89,41 +89,7 @@ Findings true_limit(const std::string& at) {
 
 class StabilityYork final : public TrialCase {
  public:
-  Statement statement() const override {
-    Statement s;
-    s.name = "stability-york";
-    s.sketch =
-        R"svg(<svg viewBox="0 0 360 130" role="img" aria-label="Five points, one in each of five cells, once at the centres and once at the sides"><path d="M60 15h200v40h-200zM100 15v40M140 15v40M180 15v40M220 15v40M60 75h200v40h-200zM100 75v40M140 75v40M180 75v40M220 75v40" fill="none" stroke="currentColor" stroke-width="1.2"/><g fill="currentColor"><circle cx="80" cy="35" r="3"/><circle cx="120" cy="35" r="3"/><circle cx="160" cy="35" r="3"/><circle cx="200" cy="35" r="3"/><circle cx="240" cy="35" r="3"/><circle cx="61" cy="95" r="3"/><circle cx="101" cy="95" r="3"/><circle cx="141" cy="95" r="3"/><circle cx="181" cy="95" r="3"/><circle cx="221" cy="95" r="3"/></g><g fill="currentColor" font-size="12"><text x="275" y="40">centres</text><text x="275" y="100">sides</text></g></svg>)svg";
-    s.title = "York's stability test";
-    s.source = "York 1997, SAND97-1893, section 8.5, Table 10, Fig. 91, appendix A.4.11";
-    s.claim =
-        "The five points bear 2.103 h/c at the centres of their cells and 1.0517 h/c at the sides. York's list of "
-        "steps, "
-        "whose first unstable ones were 2 and 1.1, is met at the sides; at the centres it is met if nodes at the ends "
-        "are held after forces have acted but not before.";
-    s.physics =
-        "Five points of a linear elastic bar, one in each cell of 1 m, E = 1e6, ρ = 1, ν = 0; the middle one is kicked "
-        "with 1e-8 m/s, and the total energy is watched for 0.03 s. York raised the step until it went up.\n\n"
-        "The limits 2 h/c and h/c of his analysis are those of a bar without ends. Five points lack the wave that "
-        "is worst there: the limit is that of the stiffest of their five modes, 2/sin(2π/5) at the centres and "
-        "1/sin(2π/5) at the sides but for the 1e-4, with free as with held ends. At 2 h/c the energy "
-        "swings to nine times that of the kick and comes back.\n\nHis input holds both ends (wl = wr = 0). If nodes "
-        "there are stopped after the forces have acted and after the second map, but their mapped velocity before is "
-        "left as it is, every step pushes the points beside them. The limit at the centres is then 1.939 h/c, and 2 is "
-        "the first unstable step of his list; at the sides it stays. His report does not say which of the two his "
-        "program does; this one has his result.";
-    s.equations = {"centres: C = 2 / sin(2π/5)", "sides: C = 1 / sin(2π/5)",
-                   "below the limit, Ω = 2 Δt/Δt_c: E ≤ E₀ (1 + Ω/2) / (1 − Ω/2)"};
-    s.cells_along = "nothing: trials are not refined";
-    s.reference_name = "mpm-edge-stability";
-    s.reference_text = "The largest eigenvalue of a symmetric matrix, reference/mpm_amplification.hpp.";
-    s.reference_bound = "Rounding of the matrices and their eigenvalues.";
-    s.theory_orders = {{"first_unstable", 0, "nothing is refined"}};
-    s.known_limits = {
-        "Energies are drawn up to 1e-15 J, where York's axis ends.",
-        "York's figure of 2 h/c at the centres is taken from his text and legend; his curves are not digitised."};
-    return s;
-  }
+  std::string name() const override { return "stability-york"; }
 
   std::vector<Trial> trials() const override {
     std::vector<Trial> all;

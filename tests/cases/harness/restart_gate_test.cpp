@@ -40,7 +40,7 @@ class Shortened final : public Case {
       : whole_(whole),
         steps_(steps),
         forgetful_(forgetful) {}
-  Statement statement() const override { return whole_.statement(); }
+  std::string name() const override { return whole_.name(); }
   Kind kind() const override { return whole_.kind(); }
   std::vector<Key> keys() const override { return whole_.keys(); }
   std::vector<Override> points_and_end(const std::string& scheme) const override {

@@ -82,6 +82,7 @@ class ToyCase final : public Case {
  public:
   explicit ToyCase(Toy toy = {}) : toy_(std::move(toy)) {}
 
+  std::string name() const override { return toy_.name; }
   Statement statement() const override {
     Statement statement;
     statement.name = toy_.name;
