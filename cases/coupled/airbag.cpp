@@ -215,23 +215,15 @@ std::string AirbagCase::in_words(const GridConvergence& known) {
 
 struct Airbag200 final : AirbagCase {
   Airbag200()
-      : AirbagCase({.name = "airbag-200",
-                    .mass = 6.03,
-                    .radius = 0.1,
-                    .speed = 3.9,
-                    .crown = 0.318,
-                    .end_time = 0.13}) {}
+      : AirbagCase(
+            {.name = "airbag-200", .mass = 6.03, .radius = 0.1, .speed = 3.9, .crown = 0.318, .end_time = 0.13}) {}
 };
 PLUMBLINE_CASE(Airbag200);
 
 struct Airbag500 final : AirbagCase {
   Airbag500()
-      : AirbagCase({.name = "airbag-500",
-                    .mass = 8.05,
-                    .radius = 0.25,
-                    .speed = 4.7,
-                    .crown = 0.31,
-                    .end_time = 0.11}) {}
+      : AirbagCase(
+            {.name = "airbag-500", .mass = 8.05, .radius = 0.25, .speed = 4.7, .crown = 0.31, .end_time = 0.11}) {}
 };
 PLUMBLINE_CASE(Airbag500);
 

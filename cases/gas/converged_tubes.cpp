@@ -86,7 +86,8 @@ class ConvergedCase final : public Case {
 };
 
 const ConvergedCase shu_osher{{"shu-osher", reference::shu_osher_problem, reference::shu_osher}};
-const ConvergedCase woodward_colella{{"woodward-colella", reference::woodward_colella_problem, reference::woodward_colella}};
+const ConvergedCase woodward_colella{
+    {"woodward-colella", reference::woodward_colella_problem, reference::woodward_colella}};
 
 }  // namespace
 }  // namespace plumbline

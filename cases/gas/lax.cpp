@@ -4,9 +4,7 @@
 namespace plumbline {
 namespace {
 
-const TubeCase lax{
-    {.name = "lax",
-     .tube = {{{0.445, 0.698, 3.528}, {0.5, 0, 0.571}, 1.4}, 0, 1, 0.5, 0.16}}};
+const TubeCase lax{{.name = "lax", .tube = {{{0.445, 0.698, 3.528}, {0.5, 0, 0.571}, 1.4}, 0, 1, 0.5, 0.16}}};
 
 }  // namespace
 }  // namespace plumbline
