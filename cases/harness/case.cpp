@@ -100,7 +100,7 @@ void settle_step(const Case& entry, Settings& settings) {
 
 }  // namespace
 
-Statement Case::statement() const { return written_statement(name()); }
+Statement Case::statement() const { return statement_of(written_prose(name()), written_sketch(name())); }
 
 Settings Case::settings(const std::string& scheme, const std::vector<Override>& overrides,
                         const std::vector<std::string>& typed) const {

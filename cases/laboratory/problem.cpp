@@ -7,6 +7,7 @@
 
 #include "cases/harness/errors.hpp"
 #include "cases/harness/pool.hpp"
+#include "cases/harness/prose.hpp"
 #include "cases/laboratory/bar_patch.hpp"
 #include "kernel/integrator_traits.hpp"
 
@@ -36,6 +37,16 @@ RegisterStabilityProblem::RegisterStabilityProblem(const StabilityProblem* entry
   const auto place = std::upper_bound(all.begin(), all.end(), entry,
                                       [](const auto* a, const auto* b) { return a->name() < b->name(); });
   all.insert(place, entry);
+}
+
+ProblemStatement StabilityProblem::statement() const {
+  const Prose prose = written_prose(name());
+  return {name(),
+          prose.title(),
+          prose.paragraphs("Source"),
+          prose.paragraphs("Physics"),
+          prose.code("Equations"),
+          prose.paragraphs("Sampled")};
 }
 
 namespace {

@@ -62,7 +62,9 @@ struct Occurrence {
 class StabilityProblem {
  public:
   virtual ~StabilityProblem() = default;
-  virtual ProblemStatement statement() const = 0;
+  virtual std::string name() const = 0;
+  // NAME.md beside the code, sections Source, Physics, [Equations], Sampled: harness/prose.hpp.
+  ProblemStatement statement() const;
   virtual Kind kind() const = 0;  // which schemes, and which keys beside its own
   // Whether points and grid take part. If not, the keys are its own and those of integrators, every integrator will do, and
   // there is no patch().
@@ -103,7 +105,6 @@ class StabilityProblem {
   virtual std::vector<Occurrence> occurrences(const SceneContents&) const { return {}; }
   // Whether it is so quick to examine that all problems together are with every integrator; else with the schemes alone.
   virtual bool compares_integrators() const { return false; }
-  std::string name() const { return statement().name; }
 };
 
 const std::vector<const StabilityProblem*>& stability_problems();         // in the order of their names

@@ -93,24 +93,7 @@ void bring_to_rest(Patch& patch, const Settings& s, int rings) {
 
 class AxisymmetricGas final : public StabilityProblem {
  public:
-  ProblemStatement statement() const override {
-    return {
-        .name = "axisymmetric",
-        .title = "Gas around the axis",
-        .source = "Sulsky, Schreyer 1996, doi 10.1016/S0045-7825(96)01091-2; York 1997, SAND97-1893, section 6.3",
-        .statement =
-            "A gas at rest in a can around the axis, `width` cells in radius and `height` cells high, between mirrors, "
-            "round(√ppc)² rings a cell. At the axis the hoop strain v_r/r is as large as the radial one, and rings "
-            "weigh "
-            "little. `geometry` = plane is the same box in the plane, to compare with.\n\n"
-            "Linear shapes leave a uniform gas at rest. Smooth ones push it about by a few thousandths of its pressure "
-            "in "
-            "the first two cells, where sums over rings are not the integrals; the rings' energies are then changed by "
-            "the "
-            "least that leaves no force. Positions are held.",
-        .equations = {"ε = (∂v_r/∂r, ∂v_z/∂z, v_r/r, ∂v_r/∂z + ∂v_z/∂r)", "V_p = r_p Δr Δz"},
-        .sampled = "all modes of the can; one lattice of rings"};
-  }
+  std::string name() const override { return "axisymmetric"; }
   Kind kind() const override { return Kind::gas; }
   std::vector<Key> keys() const override {
     return {

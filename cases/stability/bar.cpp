@@ -18,18 +18,7 @@ std::vector<double> spread(double low, double high, int count) {
 
 class Bar final : public StabilityProblem {
  public:
-  ProblemStatement statement() const override {
-    return {.name = "bar",
-            .title = "Elastic bar without ends",
-            .source = "York 1997, SAND97-1893, chapter 8; closed forms: kernel/README.md, \"Stability\"",
-            .statement =
-                "Waves of every length in a linear elastic bar that goes on for ever, `ppc` points a cell, each at the "
-                "same place `N` of its share of the cell. York analysed one point a cell at N = 0 and N = 1/2, with "
-                "positions held.",
-            .equations = {"C = c Δt / h", "usf, musl, N(1 − N) ≥ 1/8: C = 4 √(N (1 − N))",
-                          "usf, musl, else: C = 1 / |1 − 2N|", "usl: C = 1 / √(1 + 4N (1 − N))"},
-            .sampled = "all wave numbers, one place of the points in their cells, all points alike"};
-  }
+  std::string name() const override { return "bar"; }
   Kind kind() const override { return Kind::solid; }
   bool compares_integrators() const override { return true; }
   std::vector<Key> keys() const override {

@@ -17,22 +17,7 @@ std::vector<double> falling(double from, double ratio, int count) {
 
 class BarEdge final : public StabilityProblem {
  public:
-  ProblemStatement statement() const override {
-    return {
-        .name = "bar-edge",
-        .title = "Free end of an elastic bar",
-        .source = "York 1997, SAND97-1893, chapter 8, for bars without ends; matrices: reference/mpm_amplification.hpp",
-        .statement =
-            "A linear elastic bar that leans on a wall and has one free end, `ppc` points a cell. Its last point lies "
-            "`depth` cells deep in a cell that no other point need touch. The node beyond it carries nearly no mass "
-            "where that point has hardly entered, and still takes its share of the force.\n\n"
-            "Steps that strain their points with the nodal velocity before it went back to the points and was "
-            "mapped again (usl) throw that node about: their limit falls to zero with the depth. After a second "
-            "map, or where stress comes first, the velocity of the node is that of the point beside it.",
-        .equations = {"C = c Δt / h", "usf, musl, usavg: C = 2 / √λ_max(S M⁻¹ Gᵀ V E G M⁻¹ Sᵀ m)",
-                      "usl, linear: C → √(2 depth) for depth → 0"},
-        .sampled = "all modes of a bar of 16 cells; one free end; one depth of its last point, all points alike"};
-  }
+  std::string name() const override { return "bar-edge"; }
   Kind kind() const override { return Kind::solid; }
   bool compares_integrators() const override { return true; }
   std::vector<Key> keys() const override {

@@ -21,26 +21,7 @@ bool asks_velocities(const Settings& s) { return s.text("contact").rfind("york",
 
 class ContactProblem final : public StabilityProblem {
  public:
-  ProblemStatement statement() const override {
-    return {.name = "contact",
-            .title = "Two bars in contact",
-            .source = "kernel/README.md, \"Touching\"; York 1997, SAND97-1893, appendix A.1",
-            .statement =
-                "Two linear elastic bars of about eight cells, each leaning on a wall, face each other in a cell of "
-                "the grid, "
-                "`interface` of a cell above a node. Each has a velocity field of its own.\n\n`touching`: they are "
-                "pressed together by one hundredth of strain, at rest, and every node they share is in contact. "
-                "`apart`: without stress, a tenth of the points' distance too far from each other to touch; they still "
-                "share "
-                "nodes.\n\nYork's criteria compare the velocities at the start of the step, so that bars at rest under "
-                "pressure are let go in one step and caught in the next: no state of rest is touching. Predicted "
-                "limits are those of steps with bars that approach (`touching`) or part (`apart`) at a hundredth of c, "
-                "which is the same linear map; runs start pressed together and at rest with perturbations as large "
-                "as the pressure's strain, and show what the switching makes of it.",
-            .equations = {"touching: s = (v̄₁ − v̄₂) · n > 0 at every shared node, v̄ the midpoint velocity",
-                          "apart: s < 0 or no points near enough at any"},
-            .sampled = "both smooth sides of the switch at all shared nodes at once, one place of the interface"};
-  }
+  std::string name() const override { return "contact"; }
   Kind kind() const override { return Kind::solid; }
   bool has_contact() const override { return true; }
   std::vector<Key> keys() const override {

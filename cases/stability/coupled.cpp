@@ -11,32 +11,7 @@ namespace {
 
 class Coupled final : public StabilityProblem {
  public:
-  ProblemStatement statement() const override {
-    return {
-        .name = "coupled",
-        .title = "Membrane in a gas",
-        .source = "York 1997, SAND97-1893, chapter 6; an analysis \"has not been conducted\", chapter 8",
-        .statement =
-            "A straight membrane of mass m_s and stiffness E t per width in a gas at rest. Both put their masses and "
-            "forces "
-            "on the same nodes, and nothing else couples them.\n\n"
-            "`dim` = 1: motion along the membrane, with a layer of gas one cell high, without ends: waves of all "
-            "lengths. "
-            "`dim` = 2: a box that the membrane divides at the height `place` of a middle cell, between mirrors, so "
-            "that "
-            "waves have half lengths of a whole number of times its sides; 2 x 3 cells with four points of gas each "
-            "and "
-            "two of the membrane a cell are the fewest in which it has gas beside it that it does not share nodes "
-            "with.\n\n"
-            "The membrane is about to pull, on the taut side of its one-way law. york1997 holds the positions, as his "
-            "chapter 8 does: with points that move the gas in the plane, on bilinear shapes, grows at every step, by "
-            "half "
-            "its size in the time h/c. In the box growth slower than `slow` is not counted as a matter of the step.",
-        .equations = {"long waves: c_l² = (ρ c² h + E t)/(ρ h + m_s)", "C = c Δt / h"},
-        .sampled =
-            "on a line all wave numbers; in the box those of its size; one lattice of gas, one height of the "
-            "membrane"};
-  }
+  std::string name() const override { return "coupled"; }
   Kind kind() const override { return Kind::coupled; }
   std::vector<Key> keys() const override {
     return {

@@ -28,39 +28,7 @@ bool viscous(const Settings& s) {
 
 class Gas final : public StabilityProblem {
  public:
-  ProblemStatement statement() const override {
-    return {
-        .name = "gas",
-        .title = "Gas without ends",
-        .source = "York 1997, SAND97-1893, chapter 4; he analysed elastic bars alone",
-        .statement =
-            "Waves of every length in an ideal gas at rest that goes on for ever: pressure, geometry and energy react "
-            "to "
-            "points that move, `ppc` a cell along a line, the lattice shifted by `offset` cells against the grid.\n\n"
-            "The push of a point on its nodes, V p = (γ − 1) m e, does not depend on its density: no method of "
-            "densities "
-            "changes a limit. A gas that moves past the grid takes all offsets in turn; the step itself knows of no "
-            "velocity. With linear shapes, whose gradients do not change as long as a point stays in its cell, "
-            "sound of no amplitude therefore travels with √((γ − 1)/γ) c, and its limit is that of a bar over this "
-            "number; only points that change cells make it c. Smooth shapes see the points move.\n\n"
-            "The artificial viscosity has a switch, div v = 0, where its linear part c_L has a kink. `side` = closing "
-            "is a "
-            "gas that is being compressed, opening one that expands; on a line the first is a physical viscosity 4/3 μ "
-            "= "
-            "c_L ρ c h. `side` = both leaves the switch: differences then take the mean of both slopes, and a run "
-            "something between.\n\n"
-            "In the plane (`dim` = 2, round(√ppc)² points a cell) waves of shear that no pressure should resist do "
-            "grow, "
-            "slowly, at any step: sums over points of pressure times second derivatives of shapes are not the "
-            "integrals "
-            "that vanish. Bilinear shapes, which have the mixed derivative alone, are worst, 0.6 c/h. With APIC, which "
-            "damps them once a step, growth per time falls in proportion to the step.",
-        .equations = {"C = c Δt / h", "linear, FLIP, one point a cell at N: C = C_bar(N) √(γ/(γ − 1))",
-                      "δf_i = Σ V p (∇∇N_ip δx_p + ∇N_ip δe_p/e)"},
-        .sampled =
-            "all wave numbers; one offset of one regular lattice, at rest; infinitesimal waves, so no point that "
-            "changes cells"};
-  }
+  std::string name() const override { return "gas"; }
   Kind kind() const override { return Kind::gas; }
   std::vector<Key> keys() const override {
     return {{.name = "dim", .value = 1.0, .low = 1, .high = 2, .integer = true, .description = "a line, or the plane"},

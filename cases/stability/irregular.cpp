@@ -22,18 +22,7 @@ std::vector<double> irregular_points(int cells, int ppc, double jitter, unsigned
 
 class Irregular final : public StabilityProblem {
  public:
-  ProblemStatement statement() const override {
-    return {
-        .name = "irregular",
-        .title = "Elastic bar with irregular points",
-        .source = "Bai, Schroeder 2022, Stability analysis of explicit MPM, doi 10.1111/cgf.14620",
-        .statement =
-            "A linear elastic bar without ends, at rest and free of stress, whose points stand at random within their "
-            "shares, alike in every period of `period` cells. Bai and Schroeder report growth at arbitrarily small "
-            "steps of transfers with affine velocities; here is where to look for it.",
-        .equations = {"x_k = (k + 1/2 + jitter u_k/2) h/ppc, u_k uniform in (-1, 1)"},
-        .sampled = "all wave numbers of one random layout, positions held"};
-  }
+  std::string name() const override { return "irregular"; }
   Kind kind() const override { return Kind::solid; }
   std::vector<Key> keys() const override {
     return {

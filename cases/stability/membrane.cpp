@@ -34,24 +34,7 @@ constexpr double weak_growth = 2e-3;  // per step
 
 class MembraneProblem final : public StabilityProblem {
  public:
-  ProblemStatement statement() const override {
-    return {
-        .name = "membrane",
-        .title = "String without ends",
-        .source = "York 1997, SAND97-1893, chapter 5; kernel/materials/segment_membrane.hpp",
-        .statement =
-            "A straight string that goes on for ever, along the grid or at a slope that repeats after a few cells, "
-            "about `ppc` points a cell length, `offset` of a cell above a node. It is stretched by the strain "
-            "`strain`, E = ρ = 1, so that waves along it have the speed c = 1 and those across it √strain.\n\n"
-            "Strain is that of the segments between points, or summed from rates at the points, as York's is. The law "
-            "has "
-            "one way: a negative `strain` is the slack side, where nothing pulls and every step is stable but for "
-            "what maps do.\n\nYork analysed neither. Along the grid "
-            "and with positions held accumulated strain bears what a bar does.",
-        .equations = {"T = A E ε where ε > 0, else 0", "accumulated, along the grid: as the problem bar",
-                      "segments: v' = v + Δt S M⁻¹ Sᵀ F(x), x' = x + Δt S ṽ"},
-        .sampled = "growth above 0.002 a step; all wave numbers of one layout; both smooth sides of the one-way law"};
-  }
+  std::string name() const override { return "membrane"; }
   Kind kind() const override { return Kind::membrane; }
   std::vector<Key> keys() const override {
     return {

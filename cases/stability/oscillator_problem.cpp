@@ -15,23 +15,7 @@ IntegratorChoice integrator_of(const Settings& settings) {
 
 class OscillatorProblem final : public StabilityProblem {
  public:
-  ProblemStatement statement() const override {
-    return {
-        .name = "oscillator",
-        .title = "A mass on a spring",
-        .source =
-            "kernel/README.md, \"Integrators of the laboratory\"; generalized-alpha: Hulbert, Chung 1996, doi "
-            "10.1016/S0045-7825(96)01036-5",
-        .statement =
-            "One point whose strain is its displacement, and a node that always has the point's velocity: what an "
-            "integrator does before any map between points and grid takes part. Steps are in units of 1/ω. The "
-            "matrix of a step is found by stepping unit states, what the integrator remembers among them.",
-        .equations = {"u″ = −ω² u − 2 ζ ω u′",
-                      "usf, usl, musl, usavg, leapfrog, central-difference, midpoint: ω Δt = 2", "ssp-rk3: ω Δt = √3",
-                      "rk4: ω Δt = √8", "generalized-alpha: ω Δt = √(12 (1 + ρ) (2 − ρ) / (10 − 5ρ + ρ²))",
-                      "implicit-midpoint: none", "energy: grows by √(1 + (ω Δt)²/2) at every step"},
-        .sampled = "every state of one oscillator"};
-  }
+  std::string name() const override { return "oscillator"; }
   Kind kind() const override { return Kind::membrane; }
   bool compares_integrators() const override { return true; }
   bool has_grid() const override { return false; }

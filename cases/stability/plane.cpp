@@ -22,21 +22,7 @@ Key place_key(const std::string& name, const std::string& along) {
 
 class Plane final : public StabilityProblem {
  public:
-  ProblemStatement statement() const override {
-    return {.name = "plane",
-            .title = "Elastic plate without ends",
-            .source = "York 1997, SAND97-1893, chapter 8, for bars; the corner: kernel/README.md, \"Stability\"",
-            .statement =
-                "Pressure and shear waves of every length and direction in a linear elastic plate, plane strain, `ppc` "
-                "points a cell and direction. c is the speed of pressure waves; that of shear waves is c √((1 − 2ν)/(2 "
-                "− 2ν)).\n\nOne point a cell near a corner makes the stiffness that of finite differences in both "
-                "directions. Waves that alternate along both then bear h/(c √2): the pressure wave along the diagonal "
-                "for every ν ≥ 0, as a scalar wave would.",
-            .equations = {"C = c Δt / h", "points at corners of their cells, ν ≥ 0: C = 1 / √2",
-                          "1/C² = max over θ of B_x B_y λ_max(K̂) / 4 (usf, musl)",
-                          "K̂ = [K_x B_y + κ B_x K_y, λ r + κ r*; λ r* + κ r, κ K_x B_y + B_x K_y], r = R_x R_y*"},
-            .sampled = "wave numbers of a quarter of the plane, places of the points as given, all points alike"};
-  }
+  std::string name() const override { return "plane"; }
   Kind kind() const override { return Kind::solid; }
   std::vector<Key> keys() const override {
     return {{.name = "nu",

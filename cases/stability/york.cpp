@@ -8,19 +8,7 @@ namespace {
 
 class York final : public StabilityProblem {
  public:
-  ProblemStatement statement() const override {
-    return {.name = "york",
-            .title = "York's five points",
-            .source = "York 1997, SAND97-1893, section 8.5, Table 10, Fig. 91, appendix A.4.11",
-            .statement =
-                "Five points of an elastic bar, one in each cell of 1 m, all at the centres of their cells or all 1e-4 "
-                "m beside the sides; E = 1e6, ρ = 1, ν = 0, all stresses zero, the middle point kicked with 1e-8 m/s. "
-                "York raised the step until the energy went up.\n\nHis input holds the nodes at both ends (wl = wr = "
-                "0). With the ends free the limits are the same ones: the stiffest mode leaves the end nodes alone.",
-            .equations = {"centres: C = 2 / sin(2π/5); sides: C = 1 / sin(2π/5)",
-                          "an endless bar: Δt ≤ 2 h/c at the centres (8.41), Δt ≤ h/c at the sides (8.36)"},
-            .sampled = "all modes of the five points, at his two places in their cells"};
-  }
+  std::string name() const override { return "york"; }
   Kind kind() const override { return Kind::solid; }
   bool compares_integrators() const override { return true; }
   std::vector<Key> keys() const override {

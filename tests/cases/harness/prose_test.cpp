@@ -6,6 +6,8 @@
 
 #include <stdexcept>
 
+#include "cases/laboratory/problem.hpp"
+
 namespace plumbline {
 namespace {
 
@@ -52,10 +54,11 @@ Rounding.
 )";
 
 Statement read(const std::string& markdown) {
-  return parse_statement("toy", markdown, "<svg/>", [](const std::string& name) -> std::string {
+  const auto text_of = [](const std::string& name) -> std::string {
     if (name != "shared") throw std::invalid_argument(name + ".md: is not there");
     return "# Shared\n\n## Claim\nNot this.\n\n## Equations\n    a = b\n\n";
-  });
+  };
+  return statement_of(Prose("toy", markdown, text_of), "<svg/>");
 }
 
 std::string without(const std::string& heading) {
@@ -64,7 +67,7 @@ std::string without(const std::string& heading) {
   return text.substr(0, at) + text.substr(end);
 }
 
-TEST(ParseStatement, TakesEverySection) {
+TEST(StatementOfProse, TakesEverySection) {
   const Statement s = read(whole);
   EXPECT_EQ(s.name, "toy");
   EXPECT_EQ(s.title, "A title");
@@ -84,7 +87,7 @@ TEST(ParseStatement, TakesEverySection) {
   EXPECT_THAT(s.known_limits, ElementsAre("One that goes on.", "Another."));
 }
 
-TEST(ParseStatement, NamesTheSectionThatIsNotThere) {
+TEST(StatementOfProse, NamesTheSectionThatIsNotThere) {
   for (const char* heading :
        {"# A title", "## Source", "## Claim", "## Physics", "## Cells", "## Reference", "## Bound"}) {
     try {
@@ -97,7 +100,7 @@ TEST(ParseStatement, NamesTheSectionThatIsNotThere) {
   for (const char* heading : {"## Equations", "## Orders"}) EXPECT_NO_THROW(read(without(heading)));
 }
 
-TEST(ParseStatement, NamesALineThatHasNoPlace) {
+TEST(StatementOfProse, NamesALineThatHasNoPlace) {
   const auto replaced = [](const std::string& from, const std::string& to) {
     std::string text = whole;
     return text.replace(text.find(from), from.size(), to);
@@ -109,13 +112,14 @@ TEST(ParseStatement, NamesALineThatHasNoPlace) {
   EXPECT_THROW(read("before\n" + whole), std::invalid_argument);
 }
 
-TEST(WrittenStatement, IsThereForEveryCase) {
+TEST(WrittenProse, IsThereForEveryCase) {
   for (const Case* entry : cases()) {
-    const Statement& s = written_statement(entry->name());
+    const Statement s = entry->statement();
     EXPECT_EQ(s.name, entry->name());
     EXPECT_THAT(s.sketch, HasSubstr("<svg")) << s.name;
   }
-  EXPECT_THROW(written_statement("no-such-case"), std::invalid_argument);
+  for (const StabilityProblem* problem : stability_problems()) EXPECT_EQ(problem->statement().name, problem->name());
+  EXPECT_THROW(written_prose("no-such-case"), std::invalid_argument);
 }
 
 }  // namespace
