@@ -1,6 +1,7 @@
 // The command line.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <clocale>
@@ -37,7 +38,7 @@ void refuse_extras(CLI::App& app, const std::vector<Command>& commands) {
   const auto chosen = app.get_subcommands();
   if (chosen.empty() && !app.remaining().empty()) {
     std::vector<std::string> names;
-    for (const Command& command : commands) names.push_back(command.app->get_name());
+    for (const Command& command : commands) names.push_back(command.arguments.app().get_name());
     throw unknown_name("command", app.remaining().front(), names);
   }
   for (CLI::App* sub : chosen) {
@@ -57,7 +58,7 @@ std::string version_text() {
 }
 
 // What is wrong with a call is said before any work.
-void refuse_wrong_options(const CLI::App& command, const CommonOptions& options) {
+void refuse_wrong_options(const Arguments& command, const CommonOptions& options) {
   require_agreement(command, options);
   const auto folder = std::filesystem::path(options.json).parent_path().lexically_normal();
   const bool made_by_it = folder == std::filesystem::path(options.results).lexically_normal();
@@ -68,9 +69,9 @@ void refuse_wrong_options(const CLI::App& command, const CommonOptions& options)
 int execute(const std::vector<Command>& commands, const CommonOptions& options) {
   try {
     const auto chosen = std::find_if(commands.begin(), commands.end(),
-                                     [](const Command& command) { return command.app->parsed(); });
+                                     [](const Command& command) { return command.arguments.app().parsed(); });
     if (chosen == commands.end()) return exit_usage;
-    refuse_wrong_options(*chosen->app, options);
+    refuse_wrong_options(chosen->arguments, options);
     const auto watch = load_plugins(options);
     return chosen->execute();
   } catch (const UsageError& error) {
@@ -147,13 +148,14 @@ int run(int argc, char** argv) {
   app.allow_extras();
   Invocation invocation;
   invocation.command = stored_command(argc, argv);
+  const Arguments program(app);
   const std::vector<Command> commands{
-      add_list(app, invocation),     add_explain(app, invocation),   add_run(app, invocation),
-      add_converge(app, invocation), add_verify(app, invocation),    add_reference(app, invocation),
-      add_bench(app, invocation),    add_stability(app, invocation), add_sweep(app, invocation),
-      add_export(app, invocation),   add_score(app, invocation),     add_scoreboard(app, invocation),
-      add_diff(app, invocation),     add_tolerances(app, invocation)};
-  for (const Command& command : commands) command.app->allow_extras();
+      add_list(program, invocation),     add_explain(program, invocation),   add_run(program, invocation),
+      add_converge(program, invocation), add_verify(program, invocation),    add_reference(program, invocation),
+      add_bench(program, invocation),    add_stability(program, invocation), add_sweep(program, invocation),
+      add_export(program, invocation),   add_score(program, invocation),     add_scoreboard(program, invocation),
+      add_diff(program, invocation),     add_tolerances(program, invocation)};
+  for (const Command& command : commands) command.arguments.app().allow_extras();
   try {
     app.parse(argc, argv);
     refuse_extras(app, commands);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/grid.hpp"
+#include "kernel/grid_spec.hpp"
 #include "kernel/points/body.hpp"
 #include "kernel/traits.hpp"
 

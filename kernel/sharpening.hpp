@@ -8,6 +8,7 @@
 
 #include <vector>
 
+#include "kernel/rotations.hpp"
 #include "kernel/summation.hpp"
 #include "kernel/walls.hpp"
 

@@ -6,6 +6,7 @@
 
 #include "kernel/geometry.hpp"
 #include "kernel/parallel.hpp"
+#include "kernel/rotations.hpp"
 #include "kernel/shapes/cubic.hpp"
 #include "kernel/shapes/quadratic.hpp"
 #include "kernel/transfers/transfers.hpp"

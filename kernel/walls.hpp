@@ -3,6 +3,7 @@
 // wall is its own mirror and loses its odd components. [EC-APIC walls]
 #pragma once
 
+#include "kernel/rotations.hpp"
 #include "kernel/velocity_field.hpp"
 
 namespace plumbline {

@@ -248,28 +248,28 @@ int execute(const Invocation& invocation, const BenchOptions& options) {
 
 }  // namespace
 
-Command add_bench(CLI::App& app, Invocation& invocation) {
-  CLI::App* sub = app.add_subcommand("bench", "speed of the production kernel through the production step");
-  sub->footer(
+Command add_bench(const Arguments& program, Invocation& invocation) {
+  const Arguments sub = program.command(
+      "bench", "speed of the production kernel through the production step",
       "Example: plumbline bench --points 1e6 --json bench.json\n         plumbline bench --cases 'sod*' --json "
       "cost.json\n"
       "Times are of one thread and of two, or of --threads. "
       "With "
       "--scheme, --integrator or --set: of these choices alone, on a small flow.");
   auto options = std::make_shared<BenchOptions>();
-  sub->add_option("--points", options->points, "largest number of points; 1e7 takes some minutes and 5 GB")
-      ->check(number_within(1e3, 1e8));
-  sub->add_flag("--cases", options->of_cases,
-                "time the refinement studies of the cases instead: error against cost, on one thread, interleaved");
-  sub->add_option("pattern", options->patterns, "with --cases: case names or patterns; all cases if none");
-  sub->add_option("--repeats", options->repeats, "with --cases: samples of a short run; a long one has fewer")
-      ->check(CLI::Range(1, 100));
-  sub->add_option("--tier", options->tier,
-                  "quick: without the table of dimensions, shapes and transfers; of --cases, half a "
-                  "minute in all. If not given: full; of --cases, quick");
-  add_run_options(*sub, invocation.options);
+  sub.option("--points", options->points, "largest number of points; 1e7 takes some minutes and 5 GB")
+      .number_within(1e3, 1e8);
+  sub.flag("--cases", options->of_cases,
+           "time the refinement studies of the cases instead: error against cost, on one thread, interleaved");
+  sub.option("pattern", options->patterns, "with --cases: case names or patterns; all cases if none");
+  sub.option("--repeats", options->repeats, "with --cases: samples of a short run; a long one has fewer")
+      .whole_number(1, 100);
+  sub.option("--tier", options->tier,
+             "quick: without the table of dimensions, shapes and transfers; of --cases, half a "
+             "minute in all. If not given: full; of --cases, quick");
+  add_run_options(sub, invocation.options);
   return {sub, [&invocation, options, sub] {
-            options->threads_given = sub->count("--threads") > 0;
+            options->threads_given = sub.given("--threads");
             return execute(invocation, *options);
           }};
 }

@@ -1,6 +1,7 @@
 #include "cases/commands/bench_work.hpp"
 
 #include "cases/commands/bench_trace.hpp"
+#include "kernel/rotations.hpp"
 #include "kernel/shapes/cubic.hpp"
 #include "kernel/shapes/linear.hpp"
 #include "kernel/shapes/quadratic.hpp"

@@ -4,7 +4,6 @@
 #include <fnmatch.h>
 #include <unistd.h>
 
-#include <charconv>
 #include <cstdlib>
 #include <map>
 
@@ -23,41 +22,14 @@ Provenance Invocation::provenance() const {
   return p;
 }
 
-CLI::Validator whole_number() {
-  const auto check = [](const std::string& text) {
-    long value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool whole = error == std::errc() && end == text.data() + text.size() && std::abs(value) <= 1'000'000'000;
-    return whole ? "" : fmt::format("'{}' is not allowed: a whole number of digits alone, such as 100", text);
-  };
-  return CLI::Validator(check, "", "");
-}
-
-CLI::Validator number_within(double low, double high) {
-  const auto check = [=](const std::string& text) {
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool inside = error == std::errc() && end == text.data() + text.size() && value >= low && value <= high;
-    return inside ? "" : fmt::format("'{}' is not allowed: a number in [{:g}, {:g}]", text, low, high);
-  };
-  return CLI::Validator(check, "", "");
-}
-
-CLI::Validator not_empty() {
-  return CLI::Validator(
-      [](const std::string& text) { return text.empty() ? "'' is not allowed: a name is wanted" : ""; }, "", "");
-}
-
-void require_agreement(const CLI::App& command, const CommonOptions& options) {
+void require_agreement(const Arguments& command, const CommonOptions& options) {
   std::map<std::string, std::string> given;  // a key, and how it was given
   const auto take = [&](const std::string& key, const std::string& how) {
     const auto [at, is_new] = given.emplace(key, how);
     if (is_new) return;
     throw UsageError(key, how, "one of the two", {}, fmt::format("{} and {}: give {} once", at->second, how, key));
   };
-  if (const CLI::Option* cells = command.get_option_no_throw("--cells"); cells && cells->count() > 0) {
-    take("cells", "--cells " + cells->results().front());
-  }
+  if (const std::string cells = command.first_value("--cells"); !cells.empty()) take("cells", "--cells " + cells);
   if (!options.integrators.empty()) take("integrator", "--integrator " + options.integrators.front());
   for (const std::string& assignment : options.settings) {
     take(assignment.substr(0, assignment.find('=')), "--set " + assignment);
@@ -69,50 +41,44 @@ void require_agreement(const CLI::App& command, const CommonOptions& options) {
   }
 }
 
-void add_limits(CLI::App& app) {
+void add_limits(const Arguments& command) {
   // The program and its libraries alone take some tens of megabytes.
-  constexpr std::uint64_t least = 100'000'000, most = std::uint64_t{1} << 50;
-  const auto memory = [](const std::uint64_t& bytes) { budget().memory = static_cast<double>(bytes); };
-  app.add_option_function<std::uint64_t>(
-         "--max-memory", memory,
-         "memory that may be used, as 500MB or 2GB; nine tenths of the machine's if not "
-         "given")
-      ->transform(CLI::AsSizeValue(true))
-      ->check(CLI::Range(least, most));
-  app.add_option("--max-steps", budget().steps, "steps that a run may take; 1e9 if not given")
-      ->check(number_within(1, 1e15));
+  command.size("--max-memory", budget().memory, 1e8, 0x1p50,
+               "memory that may be used, as 500MB or 2GB; nine tenths of the machine's if not given");
+  command.option("--max-steps", budget().steps, "steps that a run may take; 1e9 if not given").number_within(1, 1e15);
 }
 
-void add_json(CLI::App& app, CommonOptions& options) {
-  app.add_option("--json", options.json, "write JSON to a file, or - for standard output")->check(not_empty());
-  app.add_option("--plugin", options.plugins, "shared library that registers integrators (repeatable)")
-      ->allow_extra_args(false)
-      ->check(not_empty());
-  app.add_option("--step-limit", options.step_limit,
+void add_json(const Arguments& command, CommonOptions& options) {
+  command.option("--json", options.json, "write JSON to a file, or - for standard output").not_empty();
+  command.option("--plugin", options.plugins, "shared library that registers integrators (repeatable)")
+      .repeatable()
+      .not_empty();
+  command.option("--step-limit", options.step_limit,
                  "of plug-ins: seconds that one step may take; by the size of the scene if not given");
 }
 
-void add_scheme_options(CLI::App& app, CommonOptions& options) {
-  add_json(app, options);
-  app.add_option("--scheme", options.schemes, "scheme (repeatable)")->allow_extra_args(false);
-  app.add_option("--integrator", options.integrators, "the case's default scheme with this integrator (repeatable)")
-      ->allow_extra_args(false);
-  app.add_option("--set", options.settings, "key=value (repeatable); `plumbline explain CASE` lists the keys")
-      ->allow_extra_args(false);
+void add_scheme_options(const Arguments& command, CommonOptions& options) {
+  add_json(command, options);
+  command.option("--scheme", options.schemes, "scheme (repeatable)").repeatable();
+  command.option("--integrator", options.integrators, "the case's default scheme with this integrator (repeatable)")
+      .repeatable();
+  command.option("--set", options.settings, "key=value (repeatable); `plumbline explain CASE` lists the keys")
+      .repeatable();
 }
 
-void add_run_options(CLI::App& app, CommonOptions& options) {
-  add_scheme_options(app, options);
-  app.add_option("--threads", options.threads,
-                 "threads: of the loops over points in run and bench, for runs side by side elsewhere")
-      ->check(CLI::Range(1, 1024));
-  app.add_option("--results", options.results, "results folder")->check(not_empty());
-  add_limits(app);
-  app.add_flag("--allow-inconclusive", options.allow_inconclusive, "INCONCLUSIVE does not make the exit status red");
+void add_run_options(const Arguments& command, CommonOptions& options) {
+  add_scheme_options(command, options);
+  command
+      .option("--threads", options.threads,
+              "threads: of the loops over points in run and bench, for runs side by side elsewhere")
+      .whole_number(1, 1024);
+  command.option("--results", options.results, "results folder").not_empty();
+  add_limits(command);
+  command.flag("--allow-inconclusive", options.allow_inconclusive, "INCONCLUSIVE does not make the exit status red");
 }
 
-void add_reuse(CLI::App& app, CommonOptions& options) {
-  app.add_flag("--reuse", options.reuse, "take from the results folder the runs that the same code has made already");
+void add_reuse(const Arguments& command, CommonOptions& options) {
+  command.flag("--reuse", options.reuse, "take from the results folder the runs that the same code has made already");
 }
 
 std::vector<SchemeChoice> chosen_schemes(const CommonOptions& options) {

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cases/commands/arguments.hpp"
 #include "cases/commands/standard_streams.hpp"
 #include "cases/harness/documents.hpp"
 #include "cases/harness/verification.hpp"
@@ -23,9 +23,9 @@ struct CommonOptions {
   std::optional<double> step_limit;  // s, of plug-ins
 };
 
-// One command: options into its own App, and what it does; returns the exit status.
+// One command: its arguments, and what it does; returns the exit status.
 struct Command {
-  CLI::App* app = nullptr;
+  Arguments arguments;
   std::function<int()> execute;
 };
 
@@ -35,40 +35,35 @@ struct Invocation {
   Provenance provenance() const;
 };
 
-Command add_list(CLI::App& app, Invocation& invocation);
-Command add_explain(CLI::App& app, Invocation& invocation);
-Command add_run(CLI::App& app, Invocation& invocation);
-Command add_converge(CLI::App& app, Invocation& invocation);
-Command add_verify(CLI::App& app, Invocation& invocation);
-Command add_reference(CLI::App& app, Invocation& invocation);
-Command add_bench(CLI::App& app, Invocation& invocation);
-Command add_stability(CLI::App& app, Invocation& invocation);
-Command add_sweep(CLI::App& app, Invocation& invocation);
-Command add_export(CLI::App& app, Invocation& invocation);
-Command add_score(CLI::App& app, Invocation& invocation);
-Command add_scoreboard(CLI::App& app, Invocation& invocation);
-Command add_diff(CLI::App& app, Invocation& invocation);
-Command add_tolerances(CLI::App& app, Invocation& invocation);
+Command add_list(const Arguments& program, Invocation& invocation);
+Command add_explain(const Arguments& program, Invocation& invocation);
+Command add_run(const Arguments& program, Invocation& invocation);
+Command add_converge(const Arguments& program, Invocation& invocation);
+Command add_verify(const Arguments& program, Invocation& invocation);
+Command add_reference(const Arguments& program, Invocation& invocation);
+Command add_bench(const Arguments& program, Invocation& invocation);
+Command add_stability(const Arguments& program, Invocation& invocation);
+Command add_sweep(const Arguments& program, Invocation& invocation);
+Command add_export(const Arguments& program, Invocation& invocation);
+Command add_score(const Arguments& program, Invocation& invocation);
+Command add_scoreboard(const Arguments& program, Invocation& invocation);
+Command add_diff(const Arguments& program, Invocation& invocation);
+Command add_tolerances(const Arguments& program, Invocation& invocation);
 
 // Throws UsageError where a key is given twice, or by an option and by --set, with two values or one.
-void require_agreement(const CLI::App& command, const CommonOptions& options);
-
-// Checks of options: what is typed is a whole number; a number within a range; not empty.
-CLI::Validator whole_number();
-CLI::Validator number_within(double low, double high);
-CLI::Validator not_empty();
+void require_agreement(const Arguments& command, const CommonOptions& options);
 
 // --max-memory and --max-steps.
-void add_limits(CLI::App& app);
+void add_limits(const Arguments& command);
 
 // Adds --json (and, where asked, the options of commands that run something).
-void add_json(CLI::App& app, CommonOptions& options);
-void add_run_options(CLI::App& app, CommonOptions& options);
+void add_json(const Arguments& command, CommonOptions& options);
+void add_run_options(const Arguments& command, CommonOptions& options);
 // --json, --scheme, --integrator and --set alone.
-void add_scheme_options(CLI::App& app, CommonOptions& options);
+void add_scheme_options(const Arguments& command, CommonOptions& options);
 
 // Adds --reuse to a command of many runs.
-void add_reuse(CLI::App& app, CommonOptions& options);
+void add_reuse(const Arguments& command, CommonOptions& options);
 
 // The schemes to run: --scheme, and default with each --integrator; `default` if neither is given. With the overrides
 // that each means.

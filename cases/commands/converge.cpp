@@ -147,15 +147,16 @@ int execute(const Invocation& invocation, const ConvergeOptions& options) {
 
 }  // namespace
 
-Command add_converge(CLI::App& app, Invocation& invocation) {
-  CLI::App* sub = app.add_subcommand("converge", "a refinement study: errors, fitted order with interval, cost");
-  sub->footer("Example: plumbline converge sod --cells 100,200,400,800,1600 --scheme default --scheme york1997");
+Command add_converge(const Arguments& program, Invocation& invocation) {
+  const Arguments sub = program.command(
+      "converge", "a refinement study: errors, fitted order with interval, cost",
+      "Example: plumbline converge sod --cells 100,200,400,800,1600 --scheme default --scheme york1997");
   auto options = std::make_shared<ConvergeOptions>();
-  sub->add_option("case", options->case_name, "the case")->required();
-  sub->add_option("--cells", options->cells, "meshes, separated by commas")->delimiter(',')->check(whole_number());
-  sub->add_option("--vary", options->vary, "what is refined: cells, dt, ppc or offset");
-  add_run_options(*sub, invocation.options);
-  add_reuse(*sub, invocation.options);
+  sub.option("case", options->case_name, "the case").required();
+  sub.option("--cells", options->cells, "meshes, separated by commas").separated_by_commas().whole_number();
+  sub.option("--vary", options->vary, "what is refined: cells, dt, ppc or offset");
+  add_run_options(sub, invocation.options);
+  add_reuse(sub, invocation.options);
   return {sub, [&invocation, options] { return execute(invocation, *options); }};
 }
 

@@ -42,21 +42,21 @@ int execute(const CommonOptions& common, const DiffOptions& options) {
 
 }  // namespace
 
-Command add_diff(CLI::App& app, Invocation& invocation) {
-  CLI::App* sub = app.add_subcommand("diff", "two results folders: verdicts, orders, errors, limits, costs");
-  sub->footer(
+Command add_diff(const Arguments& program, Invocation& invocation) {
+  const Arguments sub = program.command(
+      "diff", "two results folders: verdicts, orders, errors, limits, costs",
       "Example: plumbline diff results-of-main results\nExit status: 0 nothing worse, missing or widened; 1 otherwise, "
       "or where it cannot be told; 2 wrong call; 4 damaged files.");
   auto options = std::make_shared<DiffOptions>();
-  sub->add_option("baseline", options->before, "results folder to compare with")->required();
-  sub->add_option("results", options->after, "results folder that is judged")->required();
-  sub->add_option("--allow", options->allowed, "inconclusive, missing or widened do not make the exit status red")
-      ->allow_extra_args(false);
-  sub->add_flag("--allow-inconclusive", invocation.options.allow_inconclusive, "the same as --allow inconclusive");
-  sub->add_option("--tolerances", options->tolerances,
-                  "the tolerance ledger of the results: a gate whose widening it records does not make the status red");
-  sub->add_flag("--all", options->all, "a line for each finding");
-  add_json(*sub, invocation.options);
+  sub.option("baseline", options->before, "results folder to compare with").required();
+  sub.option("results", options->after, "results folder that is judged").required();
+  sub.option("--allow", options->allowed, "inconclusive, missing or widened do not make the exit status red")
+      .repeatable();
+  sub.flag("--allow-inconclusive", invocation.options.allow_inconclusive, "the same as --allow inconclusive");
+  sub.option("--tolerances", options->tolerances,
+             "the tolerance ledger of the results: a gate whose widening it records does not make the status red");
+  sub.flag("--all", options->all, "a line for each finding");
+  add_json(sub, invocation.options);
   return {sub, [&invocation, options] { return execute(invocation.options, *options); }};
 }
 

@@ -34,12 +34,12 @@ void print(const Output& out, const Case& entry) {
 
 }  // namespace
 
-Command add_explain(CLI::App& app, Invocation& invocation) {
-  CLI::App* sub = app.add_subcommand("explain", "a case: statement, parameters, reference, gates with reasons");
-  sub->footer("Example: plumbline explain sod");
+Command add_explain(const Arguments& program, Invocation& invocation) {
+  const Arguments sub = program.command("explain", "a case: statement, parameters, reference, gates with reasons",
+                                        "Example: plumbline explain sod");
   auto name = std::make_shared<std::string>();
-  sub->add_option("case", *name, "the case")->required();
-  add_json(*sub, invocation.options);
+  sub.option("case", *name, "the case").required();
+  add_json(sub, invocation.options);
   return {sub, [&invocation, name] {
             const Case& entry = find_case(*name);
             print(Output(invocation.options), entry);

@@ -40,17 +40,16 @@ int execute(const Invocation& invocation, const ExportOptions& options) {
 
 }  // namespace
 
-Command add_export(CLI::App& app, Invocation& invocation) {
-  CLI::App* sub = app.add_subcommand("export", "the start of a case for other programs: HDF5 with a description");
-  sub->footer(
+Command add_export(const Arguments& program, Invocation& invocation) {
+  const Arguments sub = program.command(
+      "export", "the start of a case for other programs: HDF5 with a description",
       "Example: plumbline export sod --cells 100 --output sod.h5\nWhat the file holds: cases/exchange/README.md");
   auto options = std::make_shared<ExportOptions>();
-  sub->add_option("case", options->case_name, "the case")->required();
-  sub->add_option("--cells", options->cells, "cells along the case's reference length")->check(whole_number());
-  sub->add_option("--output", options->output, "the file; its description stands beside it, ending in .json")
-      ->required();
-  add_scheme_options(*sub, invocation.options);
-  add_limits(*sub);
+  sub.option("case", options->case_name, "the case").required();
+  sub.option("--cells", options->cells, "cells along the case's reference length").whole_number();
+  sub.option("--output", options->output, "the file; its description stands beside it, ending in .json").required();
+  add_scheme_options(sub, invocation.options);
+  add_limits(sub);
   return {sub, [&invocation, options] { return execute(invocation, *options); }};
 }
 

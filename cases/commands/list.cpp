@@ -107,11 +107,11 @@ void print(const Output& out, const Json& all) {
 
 }  // namespace
 
-Command add_list(CLI::App& app, Invocation& invocation) {
-  CLI::App* sub = app.add_subcommand(
-      "list", "cases, schemes, integrators, shapes, transfers, materials, references, stability problems");
-  sub->footer("Example: plumbline list --json -");
-  add_json(*sub, invocation.options);
+Command add_list(const Arguments& program, Invocation& invocation) {
+  const Arguments sub = program.command(
+      "list", "cases, schemes, integrators, shapes, transfers, materials, references, stability problems",
+      "Example: plumbline list --json -");
+  add_json(sub, invocation.options);
   return {sub, [&invocation] {
             const Json all = document();
             if (invocation.options.json != "-") print(Output(invocation.options), all);

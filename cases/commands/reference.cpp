@@ -65,15 +65,15 @@ int execute(const Invocation& invocation, const std::string& name, const std::ve
 
 }  // namespace
 
-Command add_reference(CLI::App& app, Invocation& invocation) {
-  CLI::App* sub = app.add_subcommand("reference", "a reference alone: values and error bounds");
-  sub->footer("Example: plumbline reference riemann --set gamma=1.67 --at -0.5,0,0.5");
+Command add_reference(const Arguments& program, Invocation& invocation) {
+  const Arguments sub = program.command("reference", "a reference alone: values and error bounds",
+                                        "Example: plumbline reference riemann --set gamma=1.67 --at -0.5,0,0.5");
   auto name = std::make_shared<std::string>();
   auto at = std::make_shared<std::vector<double>>();
-  sub->add_option("name", *name, "the reference")->required();
-  sub->add_option("--at", *at, "where, separated by commas")->delimiter(',');
-  sub->add_option("--set", invocation.options.settings, "key=value (repeatable)")->allow_extra_args(false);
-  add_json(*sub, invocation.options);
+  sub.option("name", *name, "the reference").required();
+  sub.option("--at", *at, "where, separated by commas").separated_by_commas();
+  sub.option("--set", invocation.options.settings, "key=value (repeatable)").repeatable();
+  add_json(sub, invocation.options);
   return {sub, [&invocation, name, at] { return execute(invocation, *name, *at); }};
 }
 

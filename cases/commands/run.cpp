@@ -183,19 +183,19 @@ int execute(const Invocation& invocation, const RunOptions& options) {
 
 }  // namespace
 
-Command add_run(CLI::App& app, Invocation& invocation) {
-  CLI::App* sub = app.add_subcommand("run", "one run: measures, ledger, speed, and one result file");
-  sub->footer("Example: plumbline run sod --cells 200 --scheme york1997 --set gamma=1.67");
+Command add_run(const Arguments& program, Invocation& invocation) {
+  const Arguments sub = program.command("run", "one run: measures, ledger, speed, and one result file",
+                                        "Example: plumbline run sod --cells 200 --scheme york1997 --set gamma=1.67");
   auto options = std::make_shared<RunOptions>();
-  sub->add_option("case", options->case_name, "the case; not with --resume");
-  sub->add_option("--cells", options->cells, "cells along the case's reference length")->check(whole_number());
-  sub->add_option("--frames", options->frames,
-                  "keep so many snapshots of all points, evenly spaced in time: in the result file, and as files that "
-                  "ParaView opens, in the folder named after it")
-      ->check(whole_number());
-  sub->add_flag("--dry-run", options->dry, "print points, cells, steps, memory and estimated time only");
-  add_checkpoint_options(*sub, options->checkpoints);
-  add_run_options(*sub, invocation.options);
+  sub.option("case", options->case_name, "the case; not with --resume");
+  sub.option("--cells", options->cells, "cells along the case's reference length").whole_number();
+  sub.option("--frames", options->frames,
+             "keep so many snapshots of all points, evenly spaced in time: in the result file, and as files that "
+             "ParaView opens, in the folder named after it")
+      .whole_number();
+  sub.flag("--dry-run", options->dry, "print points, cells, steps, memory and estimated time only");
+  add_checkpoint_options(sub, options->checkpoints);
+  add_run_options(sub, invocation.options);
   return {sub, [&invocation, options] { return execute(invocation, *options); }};
 }
 

@@ -33,13 +33,13 @@ void remove_abandoned_beside(const std::string& file) {
 
 }  // namespace
 
-void add_checkpoint_options(CLI::App& app, CheckpointOptions& options) {
-  app.add_option("--checkpoint", options.file,
+void add_checkpoint_options(const Arguments& command, CheckpointOptions& options) {
+  command.option("--checkpoint", options.file,
                  "keep the state of the run in this file, so that --resume can go on from it; whole or not at all");
-  app.add_option(
+  command.option(
       "--every", options.every,
       fmt::format("steps from one checkpoint to the next; without it one is kept about every {} s", seconds_between));
-  app.add_option("--resume", options.resume,
+  command.option("--resume", options.resume,
                  "go on from a checkpoint, to the same bits: case, scheme and settings come from the file; its "
                  "checkpoints go on as before unless --checkpoint or --every say otherwise");
 }

@@ -15,7 +15,7 @@ struct CheckpointOptions {
   std::optional<std::string> file, resume;
   std::optional<std::int64_t> every;  // steps
 };
-void add_checkpoint_options(CLI::App& app, CheckpointOptions& options);
+void add_checkpoint_options(const Arguments& command, CheckpointOptions& options);
 
 // What to run.
 struct RunChoice {

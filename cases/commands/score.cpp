@@ -69,23 +69,22 @@ int execute(const Invocation& invocation, const ScoreOptions& options) {
 
 }  // namespace
 
-Command add_score(CLI::App& app, Invocation& invocation) {
-  CLI::App* sub = app.add_subcommand("score", "judges final states of another program by a case's norms and gates");
-  sub->footer(
+Command add_score(const Arguments& program, Invocation& invocation) {
+  const Arguments sub = program.command(
+      "score", "judges final states of another program by a case's norms and gates",
       "Example: plumbline score sod --result my-100.h5 --result my-200.h5\nWhat such a file holds: "
       "cases/exchange/README.md");
   auto options = std::make_shared<ScoreOptions>();
-  sub->add_option("case", options->case_name, "the case")->required();
-  sub->add_option("--result", options->results, "a final state (repeatable: a refinement series of one program)")
-      ->required()
-      ->allow_extra_args(false);
-  add_json(*sub, invocation.options);
-  sub->add_option("--set", invocation.options.settings, "key=value as given to export (repeatable)")
-      ->allow_extra_args(false);
-  sub->add_option("--results", invocation.options.results, "results folder")->check(not_empty());
-  add_limits(*sub);
-  sub->add_flag("--allow-inconclusive", invocation.options.allow_inconclusive,
-                "INCONCLUSIVE does not make the exit status red");
+  sub.option("case", options->case_name, "the case").required();
+  sub.option("--result", options->results, "a final state (repeatable: a refinement series of one program)")
+      .required()
+      .repeatable();
+  add_json(sub, invocation.options);
+  sub.option("--set", invocation.options.settings, "key=value as given to export (repeatable)").repeatable();
+  sub.option("--results", invocation.options.results, "results folder").not_empty();
+  add_limits(sub);
+  sub.flag("--allow-inconclusive", invocation.options.allow_inconclusive,
+           "INCONCLUSIVE does not make the exit status red");
   return {sub, [&invocation, options] { return execute(invocation, *options); }};
 }
 

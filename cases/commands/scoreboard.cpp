@@ -125,26 +125,25 @@ int execute(const Invocation& invocation, const ScoreboardOptions& options) {
 
 }  // namespace
 
-Command add_scoreboard(CLI::App& app, Invocation& invocation) {
-  CLI::App* sub = app.add_subcommand("scoreboard", "many programs' final states of many starts in one table");
-  sub->footer(
+Command add_scoreboard(const Arguments& program, Invocation& invocation) {
+  const Arguments sub = program.command(
+      "scoreboard", "many programs' final states of many starts in one table",
       "Example: plumbline scoreboard DIR --run mine=./adapter\nDIR holds cases/*.h5 (of `plumbline export`) and "
       "programs/NAME/*.h5 under the same names: cases/exchange/README.md\nExit status: 0 all green; 1 a verdict is "
       "red, "
       "or a result damaged, missing, late or failed; 2 wrong call; 4 DIR cannot be read or written.");
   auto options = std::make_shared<ScoreboardOptions>();
-  add_json(*sub, invocation.options);  // first: what is wrong with the others is said as JSON, too
-  sub->add_option("DIR", options->folder, "starts and results")->required();
-  sub->add_option("--run", options->adapters, "NAME=ADAPTER: run this executable on every start first (repeatable)")
-      ->allow_extra_args(false);
-  sub->add_option("--timeout", options->timeout, "s that an adapter has for one start, and reading its result")
-      ->check(CLI::PositiveNumber);
-  sub->add_option("--threads", invocation.options.threads, "runs of the default scheme side by side")
-      ->check(CLI::Range(1, 1024));
-  sub->add_option("--only", options->only, "judge this result alone, PROGRAM/START, and print nothing")->group("");
-  sub->add_option("--results", invocation.options.results, "results folder of the default scheme's runs");
-  sub->add_flag("--allow-inconclusive", invocation.options.allow_inconclusive,
-                "INCONCLUSIVE does not make the exit status red");
+  add_json(sub, invocation.options);  // first: what is wrong with the others is said as JSON, too
+  sub.option("DIR", options->folder, "starts and results").required();
+  sub.option("--run", options->adapters, "NAME=ADAPTER: run this executable on every start first (repeatable)")
+      .repeatable();
+  sub.option("--timeout", options->timeout, "s that an adapter has for one start, and reading its result")
+      .number_within(1e-3, 1e6);
+  sub.option("--threads", invocation.options.threads, "runs of the default scheme side by side").whole_number(1, 1024);
+  sub.option("--only", options->only, "judge this result alone, PROGRAM/START, and print nothing").hidden();
+  sub.option("--results", invocation.options.results, "results folder of the default scheme's runs");
+  sub.flag("--allow-inconclusive", invocation.options.allow_inconclusive,
+           "INCONCLUSIVE does not make the exit status red");
   return {sub, [&invocation, options] { return execute(invocation, *options); }};
 }
 

@@ -291,18 +291,17 @@ int execute(const Invocation& invocation, const StabilityOptions& own) {
 
 }  // namespace
 
-Command add_stability(CLI::App& app, Invocation& invocation) {
-  CLI::App* sub = app.add_subcommand("stability",
-                                     "limits of the time step: predicted by the step itself, and seen in runs");
-  sub->footer("Example: plumbline stability bar --integrator usl --over N=0.1,0.3,0.5");
+Command add_stability(const Arguments& program, Invocation& invocation) {
+  const Arguments sub = program.command("stability",
+                                        "limits of the time step: predicted by the step itself, and seen in runs",
+                                        "Example: plumbline stability bar --integrator usl --over N=0.1,0.3,0.5");
   auto options = std::make_shared<StabilityOptions>();
-  sub->add_option("problem", options->problems, "the problems, or all")->required();
-  sub->add_option("--over", options->over, "key=value,value,...: each of the values (repeatable)")
-      ->allow_extra_args(false);
-  sub->add_flag("--no-runs", options->no_runs, "predict only");
-  sub->add_flag("--maps", options->maps, "the problem's maps, too, and of `bar` the table of safe steps");
-  sub->add_option("--tier", options->tier, "how fine the maps are")->check(CLI::IsMember({"quick", "full"}));
-  add_run_options(*sub, invocation.options);
+  sub.option("problem", options->problems, "the problems, or all").required();
+  sub.option("--over", options->over, "key=value,value,...: each of the values (repeatable)").repeatable();
+  sub.flag("--no-runs", options->no_runs, "predict only");
+  sub.flag("--maps", options->maps, "the problem's maps, too, and of `bar` the table of safe steps");
+  sub.option("--tier", options->tier, "how fine the maps are").one_of({"quick", "full"});
+  add_run_options(sub, invocation.options);
   return {sub, [&invocation, options] { return execute(invocation, *options); }};
 }
 

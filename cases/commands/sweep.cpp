@@ -254,25 +254,24 @@ int execute(const Invocation& invocation, const SweepOptions& options) {
 
 }  // namespace
 
-Command add_sweep(CLI::App& app, Invocation& invocation) {
-  CLI::App* sub = app.add_subcommand("sweep", "many runs: those that verify needs, or those of a plan");
-  sub->footer(
+Command add_sweep(const Arguments& program, Invocation& invocation) {
+  const Arguments sub = program.command(
+      "sweep", "many runs: those that verify needs, or those of a plan",
       "Example: plumbline sweep 'sod*' --tier full --jobs 2, then plumbline verify 'sod*' --tier full --reuse\nA plan "
       "of "
       "one's own: {\"sweep\": {\"case\": [\"sod\"], \"cells\": [50, 100], \"ppc\": [4, 8]}}");
   auto options = std::make_shared<SweepOptions>();
-  sub->add_option("pattern", options->patterns, "case names or patterns; all cases if none");
-  sub->add_option("--tier", options->tier, "quick or full");
-  sub->add_option("--jobs", options->jobs, "processes at once; one a core if not given")->check(CLI::Range(1, 1024));
-  sub->add_option("--plan", options->plan, "write the plan to a file, or - for standard output, and run nothing");
-  sub->add_option("--from", options->from, "the runs of this plan (- for standard input) instead of a tier's");
-  sub->add_option("--batch", options->batches, "this batch of the plan alone, in this process (repeatable)")
-      ->allow_extra_args(false);
-  sub->add_option("--results", invocation.options.results, "results folder")->check(not_empty());
-  add_limits(*sub);
-  sub->add_option("--only", options->only, "of the batch this run alone")->group("");
-  sub->add_option("--pool", options->pool, "the process that this one belongs to")->group("");
-  add_json(*sub, invocation.options);
+  sub.option("pattern", options->patterns, "case names or patterns; all cases if none");
+  sub.option("--tier", options->tier, "quick or full");
+  sub.option("--jobs", options->jobs, "processes at once; one a core if not given").whole_number(1, 1024);
+  sub.option("--plan", options->plan, "write the plan to a file, or - for standard output, and run nothing");
+  sub.option("--from", options->from, "the runs of this plan (- for standard input) instead of a tier's");
+  sub.option("--batch", options->batches, "this batch of the plan alone, in this process (repeatable)").repeatable();
+  sub.option("--results", invocation.options.results, "results folder").not_empty();
+  add_limits(sub);
+  sub.option("--only", options->only, "of the batch this run alone").hidden();
+  sub.option("--pool", options->pool, "the process that this one belongs to").hidden();
+  add_json(sub, invocation.options);
   return {sub, [&invocation, options] { return execute(invocation, *options); }};
 }
 

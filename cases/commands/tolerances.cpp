@@ -89,22 +89,21 @@ int execute(const CommonOptions& common, const TolerancesOptions& options) {
 
 }  // namespace
 
-Command add_tolerances(CLI::App& app, Invocation& invocation) {
-  CLI::App* sub = app.add_subcommand("tolerances", "the ledger of all gates' bounds against what is declared");
-  sub->footer(
+Command add_tolerances(const Arguments& program, Invocation& invocation) {
+  const Arguments sub = program.command(
+      "tolerances", "the ledger of all gates' bounds against what is declared",
       "Examples: plumbline tolerances cases/tolerances.json --update\n"
       "          plumbline tolerances cases/tolerances.json --record judged.json\nExit status: 0 all as recorded, 1 "
       "not, 2 a gate "
       "was widened or a value moved and --why is missing, 4 files.");
   auto options = std::make_shared<TolerancesOptions>();
-  sub->add_option("file", options->file, "the ledger")->required();
-  sub->add_flag("--update", options->update, "write it as declared");
-  sub->add_option(
-      "--record", options->record,
-      "results of `plumbline verify --json`: what its gates measure goes to regressions.json beside the ledger");
-  sub->add_option("--why", options->why, "why gates were widened, or values moved, for their lines");
-  sub->add_option("--against", options->against, "an earlier ledger: what is wider than there needs a recorded reason");
-  add_json(*sub, invocation.options);
+  sub.option("file", options->file, "the ledger").required();
+  sub.flag("--update", options->update, "write it as declared");
+  sub.option("--record", options->record,
+             "results of `plumbline verify --json`: what its gates measure goes to regressions.json beside the ledger");
+  sub.option("--why", options->why, "why gates were widened, or values moved, for their lines");
+  sub.option("--against", options->against, "an earlier ledger: what is wider than there needs a recorded reason");
+  add_json(sub, invocation.options);
   return {sub, [&invocation, options] { return execute(invocation.options, *options); }};
 }
 

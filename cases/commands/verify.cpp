@@ -34,9 +34,9 @@ Json to_json(const FailureCounts& counts) {
   return document;
 }
 
-Json to_json(const std::vector<RecordedValue::Key>& unrecorded) {
+Json to_json(const std::vector<RecordedValue::Key>& gates) {
   Json list = Json::array();
-  for (const auto& [case_name, study, id, tier] : unrecorded)
+  for (const auto& [case_name, study, id, tier] : gates)
     list.push_back({{"case", case_name}, {"study", study}, {"id", id}});
   return list;
 }
@@ -222,6 +222,7 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
                       {"executed", verification.gates.size()},
                       {"regressions", verification.regressions},
                       {"unrecorded", to_json(verification.unrecorded)},
+                      {"lost", to_json(verification.lost)},
                       {"settings", common.settings},
                       {"declared", verification.declared},
                       {"not_applicable", to_json(verification.not_applicable)},
@@ -248,6 +249,8 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
   write_json(common, document);
   if (!options.junit.empty()) write_junit(options.junit, verification.gates, common.allow_inconclusive);
   if (!options.until_red && !complete(verification)) {
+    for (const auto& [case_name, study, id, tier] : verification.lost)
+      out.line("lost: gate {} of {}, study {}, is declared or recorded and was not executed", id, case_name, study);
     out.line("INVALID: the number of gates executed and not applicable is not the number declared");
     return exit_red;
   }
@@ -259,21 +262,20 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
 
 }  // namespace
 
-Command add_verify(CLI::App& app, Invocation& invocation) {
-  CLI::App* sub = app.add_subcommand("verify", "all gates of the matching cases, or of an integrator");
-  sub->footer(
-      "Examples: plumbline verify 'sod*' --tier quick --junit verify.xml\n"
-      "          plumbline verify --integrator mine --plugin libmine.so");
+Command add_verify(const Arguments& program, Invocation& invocation) {
+  const Arguments sub = program.command("verify", "all gates of the matching cases, or of an integrator",
+                                        "Examples: plumbline verify 'sod*' --tier quick --junit verify.xml\n"
+                                        "          plumbline verify --integrator mine --plugin libmine.so");
   auto options = std::make_shared<VerifyOptions>();
-  sub->add_option("pattern", options->patterns, "case names or patterns; all cases if none");
-  sub->add_option("--tier", options->tier, "quick or full");
-  sub->add_option("--junit", options->junit, "write JUnit XML to a file");
-  sub->add_option("--against", options->against,
-                  "of --integrator: an integrator, or the file of an earlier scorecard, to be set beside");
-  sub->add_flag("--core", options->core, "of --integrator without cases: the core gates alone, in seconds");
-  sub->add_flag("--until-red", options->until_red, "of --integrator: begin no gate after one that is red");
-  add_run_options(*sub, invocation.options);
-  add_reuse(*sub, invocation.options);
+  sub.option("pattern", options->patterns, "case names or patterns; all cases if none");
+  sub.option("--tier", options->tier, "quick or full");
+  sub.option("--junit", options->junit, "write JUnit XML to a file");
+  sub.option("--against", options->against,
+             "of --integrator: an integrator, or the file of an earlier scorecard, to be set beside");
+  sub.flag("--core", options->core, "of --integrator without cases: the core gates alone, in seconds");
+  sub.flag("--until-red", options->until_red, "of --integrator: begin no gate after one that is red");
+  add_run_options(sub, invocation.options);
+  add_reuse(sub, invocation.options);
   return {sub, [&invocation, options] { return execute(invocation, *options); }};
 }
 

@@ -111,7 +111,6 @@ class AirbagCase : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {17 + 2 * 4, 19 + 4 * 4}; }
 
  private:
   std::vector<CaseGate> bag_gates(const std::string& study) const {

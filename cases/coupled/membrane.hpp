@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cases/harness/settings.hpp"
-#include "kernel/grid.hpp"
+#include "kernel/grid_spec.hpp"
 #include "kernel/materials/ideal_gas.hpp"
 #include "kernel/points/body.hpp"
 

@@ -237,7 +237,6 @@ class MembraneExpansion final : public Case {
   std::vector<double> default_levels() const override { return {4, 6, 8, 12, 16}; }
   std::vector<StudyPlan> studies() const override;
   std::vector<CaseGate> gates() const override;
-  GateCount gate_count() const override { return {55, 76}; }
 };
 
 std::vector<StudyPlan> MembraneExpansion::studies() const {

@@ -333,7 +333,6 @@ class PistonContainerCase final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {34, 45}; }
 
  private:
   static constexpr double york_density = 1e-3;  // of his input, kg/m^3

@@ -159,7 +159,6 @@ class RingBreathing final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {32, 32}; }
 
  private:
   static double omega(int mode, reference::RingLaw law) {

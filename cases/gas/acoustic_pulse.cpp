@@ -89,7 +89,6 @@ class AcousticPulse final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {10, 10}; }
 };
 
 PLUMBLINE_CASE(AcousticPulse);

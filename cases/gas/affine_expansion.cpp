@@ -133,7 +133,6 @@ class AffineExpansionCase final : public Case {
     all.push_back(restart_gate("sphere", "axisymmetric runs"));
     return all;
   }
-  GateCount gate_count() const override { return {17, 17}; }
 };
 
 PLUMBLINE_CASE(AffineExpansionCase);

@@ -78,7 +78,6 @@ class ConvergedCase final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {7, 7}; }
 
  private:
   ConvergedTube tube_;

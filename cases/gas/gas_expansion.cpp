@@ -105,7 +105,6 @@ class GasExpansion final : public Case {
     all.push_back(restart_gate("default", "runs that split points", {{"split", 0.2}}));
     return all;
   }
-  GateCount gate_count() const override { return {10, 10}; }
 };
 
 PLUMBLINE_CASE(GasExpansion);

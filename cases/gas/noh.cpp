@@ -98,7 +98,6 @@ class Noh final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {10, 10}; }
 };
 
 PLUMBLINE_CASE(Noh);

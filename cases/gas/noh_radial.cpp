@@ -118,7 +118,6 @@ class NohRadial final : public Case {
     all.push_back(radial_coverage_gate("default", 200));
     return all;
   }
-  GateCount gate_count() const override { return text_.dimension == 3 ? GateCount{7, 7} : GateCount{9, 11}; }
 
  private:
   // What the sphere does not reach on meshes that can be paid for.

@@ -128,7 +128,6 @@ class PistonShock final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {29, 29}; }
 
  private:
   // The three numbers of the statement, from the points. The end is at 0.4 s: a cell there is h/0.4 in the speed.

@@ -161,7 +161,6 @@ class SedovCase final : public Case {
     return all;
   }
   // The plane has one angular momentum, space has three, rings none.
-  GateCount gate_count() const override { return {6, 12}; }
 
  private:
   SedovText text_;

@@ -88,7 +88,6 @@ class ShearDecayCase final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {8, 8}; }
 };
 
 PLUMBLINE_CASE(ShearDecayCase);

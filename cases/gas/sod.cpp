@@ -137,7 +137,6 @@ class Sod final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {90, 101}; }
 
  private:
   static constexpr const char* sharper =

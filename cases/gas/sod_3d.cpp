@@ -59,7 +59,6 @@ class Sod3d final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {24, 25}; }
 };
 
 PLUMBLINE_CASE(Sod3d);

@@ -72,7 +72,6 @@ class SodMoving final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {20, 20}; }
 
  private:
   // The Courant number that gives the gas at rest the steps of the moving one: the fastest gas, between contact and

@@ -103,7 +103,6 @@ class SodRotated final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {19, 23}; }
 
  private:
   static CaseGate isotropy_gate(const std::string& study, double level) {

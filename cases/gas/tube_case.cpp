@@ -44,6 +44,4 @@ std::vector<Comparator> TubeCase::comparators(const Settings& settings, const st
   return {tube_stick(shock_tube_from(settings, about_.tube), cells)};
 }
 
-GateCount TubeCase::gate_count() const { return {8, 8}; }
-
 }  // namespace plumbline

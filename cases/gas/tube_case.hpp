@@ -32,7 +32,6 @@ class TubeCase final : public Case {
   std::vector<double> default_levels() const override;
   std::vector<StudyPlan> studies() const override;
   std::vector<CaseGate> gates() const override;
-  GateCount gate_count() const override;
   std::vector<Comparator> comparators(const Settings& settings, const std::vector<double>& cells) const override;
 
  private:

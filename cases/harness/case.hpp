@@ -99,10 +99,6 @@ struct Comparator {
   std::vector<Level> levels = {};
 };
 
-struct GateCount {
-  int quick = 0, full = 0;
-};
-
 class Case {
  public:
   virtual ~Case() = default;
@@ -116,7 +112,6 @@ class Case {
   virtual std::unique_ptr<Problem> problem(const Settings& settings) const = 0;
   virtual std::vector<StudyPlan> studies() const = 0;
   virtual std::vector<CaseGate> gates() const = 0;
-  virtual GateCount gate_count() const = 0;                // own gates per tier, generic ones of its studies included
   virtual bool any_integrator() const { return false; }    // generic gates for every registered integrator
   virtual bool takes_integrators() const { return true; }  // whether what it judges depends on the integrator
   virtual std::vector<double> default_levels() const = 0;  // of `converge` without --cells

@@ -73,10 +73,13 @@ const RecordedValue* Regressions::find(const RecordedValue::Key& key) const {
   return found == values_.end() ? nullptr : &found->second;
 }
 
-int Regressions::ranges(const std::string& case_name, const std::string& tier) const {
-  return static_cast<int>(std::count_if(values_.begin(), values_.end(), [&](const auto& entry) {
-    return entry.second.case_name == case_name && entry.second.tier == tier && entry.second.within;
-  }));
+std::vector<RecordedValue::Key> Regressions::of_case(const std::string& case_name, const std::string& tier) const {
+  std::vector<RecordedValue::Key> keys;
+  for (const auto& [key, value] : values_) {
+    if (value.case_name == case_name && value.tier == tier && !value.study.starts_with("integrator/"))
+      keys.push_back(key);
+  }
+  return keys;
 }
 
 JudgedGate judge_regression(const JudgedGate& judged, const RecordedValue& recorded) {

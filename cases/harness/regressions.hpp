@@ -49,8 +49,8 @@ class Regressions {
  public:
   explicit Regressions(std::vector<RecordedValue> values);
   const RecordedValue* find(const RecordedValue::Key& key) const;  // null if there is none
-  // How many ranges are recorded of a case.
-  int ranges(const std::string& case_name, const std::string& tier) const;
+  // The gates of a case's own studies that were executed when its values were recorded in a tier.
+  std::vector<RecordedValue::Key> of_case(const std::string& case_name, const std::string& tier) const;
 
  private:
   std::map<RecordedValue::Key, RecordedValue> values_;

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <mutex>
 #include <numeric>
+#include <set>
 
 #include "cases/harness/errors.hpp"
 #include "cases/harness/pool.hpp"
@@ -186,11 +187,11 @@ StudyResult run_or_fail(const Case& entry, const StudyPlan& plan, const std::vec
 
 std::string tier_name(Tier tier) { return tier == Tier::full ? "full" : "quick"; }
 
-// Adds the gates on recorded values after those that they stand beside, and says how many. `own`: a study of the case's, of
-// which each gate is to be recorded.
-int add_regressions(const Selection& selection, Tier tier, bool own, std::vector<JudgedGate>& judged,
-                    Verification& verification) {
-  if (!selection.recorded || !selection.settings.empty()) return 0;
+// Adds the gates on recorded values after those that they stand beside. `own`: a study of the case's, of which each gate is to
+// be recorded.
+void add_regressions(const Selection& selection, Tier tier, bool own, std::vector<JudgedGate>& judged,
+                     Verification& verification) {
+  if (!selection.recorded || !selection.settings.empty()) return;
   std::vector<JudgedGate> added;
   for (const JudgedGate& gate : judged) {
     const RecordedValue::Key key{gate.case_name, gate.study, gate.gate.id, tier_name(tier)};
@@ -198,10 +199,28 @@ int add_regressions(const Selection& selection, Tier tier, bool own, std::vector
     if (recorded && recorded->within) added.push_back(judge_regression(gate, *recorded));
     if (!recorded && own && gate.judgement.verdict == Verdict::pass) verification.unrecorded.push_back(key);
   }
-  const int count = static_cast<int>(added.size());
-  verification.regressions += count;
+  verification.regressions += static_cast<int>(added.size());
   std::move(added.begin(), added.end(), std::back_inserter(judged));
-  return count;
+}
+
+// What should have been executed and was not: a gate that names no study or no level that is run, and one that was recorded and
+// is there no more.
+std::vector<RecordedValue::Key> lost_gates(const Case& entry, Tier tier, const Selection& selection,
+                                           const std::vector<CaseGate>& declared, const StudySet& studies,
+                                           const std::set<RecordedValue::Key>& executed) {
+  std::set<RecordedValue::Key> wanted;
+  for (const CaseGate& gate : declared) {
+    const bool selected = selection.everything() || std::any_of(studies.begin(), studies.end(), [&](const auto& study) {
+                            return study.plan.id == gate.study;
+                          });
+    if (selected) wanted.emplace(entry.name(), gate.study, gate.gate.id, tier_name(tier));
+  }
+  if (selection.recorded && selection.everything()) {
+    for (const RecordedValue::Key& key : selection.recorded->of_case(entry.name(), tier_name(tier))) wanted.insert(key);
+  }
+  std::vector<RecordedValue::Key> lost;
+  std::set_difference(wanted.begin(), wanted.end(), executed.begin(), executed.end(), std::back_inserter(lost));
+  return lost;
 }
 
 }  // namespace
@@ -226,23 +245,21 @@ void verify_case(const Case& entry, Tier tier, const Selection& selection, int t
   for (CaseGate& gate : entry.gates()) {
     if (in_tier(gate.tier, tier) && selection.settings.empty()) declared.push_back(std::move(gate));
   }
-  int expected_here = 0, of_integrators = 0;
+  std::set<RecordedValue::Key> executed;
+  const std::size_t before = verification.gates.size();
   for (std::size_t k = 0; k < studies.size(); ++k) {
     StudyResult& study = studies[k];
     study.siblings = &studies;
-    const std::vector<CaseGate> gates = gates_on(study, declared);
-    expected_here += static_cast<int>(gates.size());
-    if (k >= plans.own) of_integrators += static_cast<int>(gates.size());
-    std::vector<JudgedGate> judged = judge_gates(gates, study);
-    expected_here += add_regressions(selection, tier, k < plans.own, judged, verification);
+    std::vector<JudgedGate> judged = judge_gates(gates_on(study, declared), study);
+    for (const JudgedGate& gate : judged) executed.emplace(gate.case_name, gate.study, gate.gate.id, tier_name(tier));
+    add_regressions(selection, tier, k < plans.own, judged, verification);
     if (study.failure.empty()) store.folder().write_study(study, judged, store.provenance(entry));
     verification.gates.insert(verification.gates.end(), judged.begin(), judged.end());
   }
-  const GateCount count = entry.gate_count();
-  const int of_case = tier == Tier::full ? count.full : count.quick;
-  const int of_record = selection.recorded ? selection.recorded->ranges(entry.name(), tier_name(tier)) : 0;
-  verification.declared += selection.everything() ? of_case + of_integrators + of_record : expected_here;
-  verification.declared += static_cast<int>(plans.not_applicable.size());
+  const auto lost = lost_gates(entry, tier, selection, declared, studies, executed);
+  verification.declared += static_cast<int>(verification.gates.size() - before + lost.size() +
+                                            plans.not_applicable.size());
+  verification.lost.insert(verification.lost.end(), lost.begin(), lost.end());
   verification.not_applicable.insert(verification.not_applicable.end(), plans.not_applicable.begin(),
                                      plans.not_applicable.end());
   verification.entries.push_back(&entry);

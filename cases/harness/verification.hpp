@@ -22,9 +22,11 @@ StudyResult run_study(const Case& entry, const StudyPlan& plan, const std::vecto
 struct Verification {
   std::vector<JudgedGate> gates;
   std::vector<NotApplicable> not_applicable;
-  int declared = 0;     // gates that cases and integrators say they have in this tier, and ranges recorded of them
+  int declared = 0;     // gates that cases and integrators have in this tier, and ranges recorded of them
   int regressions = 0;  // gates on recorded values among `gates`
   std::vector<RecordedValue::Key> unrecorded;  // gates of the cases' own studies that pass without a recorded value
+  std::vector<RecordedValue::Key>
+      lost;  // gates that a case declares or that were recorded of it, and that were not executed
   std::vector<const Case*> entries;
 };
 

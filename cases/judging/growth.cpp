@@ -6,6 +6,7 @@
 
 #include "cases/judging/small_scenes.hpp"
 #include "cases/laboratory/bar_patch.hpp"
+#include "cases/laboratory/matrices.hpp"
 #include "cases/laboratory/problem.hpp"
 #include "cases/stability/oscillator.hpp"
 

@@ -1,6 +1,5 @@
 #include "cases/laboratory/amplification.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <stdexcept>
 
 #include "cases/harness/measures.hpp"
+#include "cases/laboratory/matrices.hpp"
 #include "kernel/inadmissible.hpp"
 
 namespace plumbline {
@@ -173,12 +173,7 @@ Eigen::MatrixXcd Amplification::at(const WaveNumber& theta) const {
 
 double Amplification::spectral_radius(const WaveNumber& theta) const {
   if (unknowns_ == 0) return 0;
-  if (directions_ == 0) {
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(blocks_.at({0, 0}), false);
-    return solver.eigenvalues().cwiseAbs().maxCoeff();
-  }
-  const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(at(theta), false);
-  return solver.eigenvalues().cwiseAbs().maxCoeff();
+  return directions_ == 0 ? plumbline::spectral_radius(blocks_.at({0, 0})) : plumbline::spectral_radius(at(theta));
 }
 
 namespace {

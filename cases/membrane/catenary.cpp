@@ -252,7 +252,6 @@ class CatenaryCase final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {16, 16}; }
 
  private:
   // The generic gate measures against what moves, and here nothing does: against the pull of one support instead.

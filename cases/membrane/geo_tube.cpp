@@ -302,7 +302,6 @@ class GeoTubeCase final : public Case {
                 Tier::full)};
   }
 
-  GateCount gate_count() const override { return {28, 29}; }
 };
 
 PLUMBLINE_CASE(GeoTubeCase);

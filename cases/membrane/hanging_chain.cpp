@@ -185,7 +185,6 @@ class HangingChainCase final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {14, 16}; }
 };
 
 PLUMBLINE_CASE(HangingChainCase);

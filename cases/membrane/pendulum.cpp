@@ -291,7 +291,6 @@ class Pendulum final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {24, 54}; }
 
  private:
   // What is asked at h = 0.05.

@@ -289,7 +289,6 @@ class SpringMass final : public Case {
     });
   }
 
-  GateCount gate_count() const override { return {20, 20}; }
 };
 
 PLUMBLINE_CASE(SpringMass);

@@ -303,7 +303,6 @@ class StringSlack final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {32, 33}; }
 
  private:
   static constexpr const char* crossing =

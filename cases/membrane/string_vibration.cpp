@@ -177,7 +177,6 @@ class StringVibrationEntry final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {17, 17}; }
 
  private:
   // The period's error over T k^2 (h^2/8 + s^2/24).

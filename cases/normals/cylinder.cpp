@@ -252,7 +252,6 @@ class NormalsCylinder final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {73, 93}; }
 
  private:
   static std::string study_of(const std::string& scheme, const std::string& method) {

@@ -108,7 +108,6 @@ class NormalsFirstStep final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {40, 40}; }
 
  private:
   static constexpr double drawn = 3;  // degrees: half a millimetre at the end of an arrow of ten

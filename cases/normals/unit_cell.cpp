@@ -140,7 +140,6 @@ class NormalsCell final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {73, 73}; }
 
  private:
   static constexpr double rounding = 1e-10;  // degrees: 1e-13 of the points, times the condition of the fit

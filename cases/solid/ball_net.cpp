@@ -324,7 +324,6 @@ class BallNetCase final : public Case {
                    literature("york-5.9/speed", {-0.8, -0.6}, "York: about -0.7, as his figure is read"), Tier::full)};
   }
 
-  GateCount gate_count() const override { return {13 + 5 * 5, 15 + 6 * 5}; }
 };
 
 PLUMBLINE_CASE(BallNetCase);

@@ -76,7 +76,6 @@ class BarRiemannCase final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {12, 12}; }
 };
 
 PLUMBLINE_CASE(BarRiemannCase);

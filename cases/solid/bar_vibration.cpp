@@ -116,7 +116,6 @@ class BarVibrationCase final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {24, 24}; }
 };
 
 PLUMBLINE_CASE(BarVibrationCase);

@@ -424,7 +424,6 @@ class CellCrossing final : public Case {
     return g;
   }
 
-  GateCount gate_count() const override { return {44, 44}; }
 };
 
 PLUMBLINE_CASE(CellCrossing);

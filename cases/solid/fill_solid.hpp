@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "kernel/grid.hpp"
+#include "kernel/grid_spec.hpp"
 #include "kernel/points/body.hpp"
 
 namespace plumbline {

@@ -50,7 +50,6 @@ class MmsAxisAligned final : public ManufacturedCase {
     return all;
   }
 
-  GateCount gate_count() const override { return {14, 14}; }
 
  protected:
   ManufacturedSetup setup(const Settings& settings) const override {

@@ -127,7 +127,6 @@ class MmsBar final : public ManufacturedCase {
     return all;
   }
 
-  GateCount gate_count() const override { return {74, 84}; }
 
  protected:
   // A further scheme on the same problem, at few levels.

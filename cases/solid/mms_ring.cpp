@@ -82,7 +82,6 @@ class MmsRing final : public ManufacturedCase {
     return all;
   }
 
-  GateCount gate_count() const override { return {15, 33}; }
 
  protected:
   ManufacturedSetup setup(const Settings& settings) const override {

@@ -58,7 +58,6 @@ class MmsVortex final : public ManufacturedCase {
     return all;
   }
 
-  GateCount gate_count() const override { return {5, 14}; }
 
  protected:
   ManufacturedSetup setup(const Settings& settings) const override {

@@ -238,7 +238,6 @@ class PlaneStress final : public Case {
                                      "within 1 %: the uniaxial law would be 8 % off")));
     return all;
   }
-  GateCount gate_count() const override { return {23, 23}; }
 
  private:
   static constexpr double exact_period = 4 * 0.916515138991168e-3;  // 4 L/c, c = 1000/sqrt(1 - 0.16)

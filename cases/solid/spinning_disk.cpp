@@ -254,7 +254,6 @@ class SpinningDisk final : public Case {
                                       "the step is of second order and follows h; 0.2 for coarse meshes"),
                               Tier::full)};
   }
-  GateCount gate_count() const override { return {8, 9}; }
 };
 
 PLUMBLINE_CASE(SpinningDisk);

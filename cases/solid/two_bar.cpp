@@ -270,7 +270,6 @@ class TwoBarCase final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {29 + 12 * 5, 33 + 12 * 5}; }
 
  private:
   static Gate target(const std::string& id, Range range, const std::string& why) {

@@ -170,7 +170,6 @@ class TwoDisksCase final : public Case {
     return all;
   }
 
-  GateCount gate_count() const override { return {8 + 3 * 5, 8 + 3 * 5}; }
 
  private:
   static CaseGate kept_more_gate() {

@@ -1,10 +1,11 @@
 // A gas around the axis.
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "cases/harness/schemes.hpp"
 #include "cases/harness/whole.hpp"
+#include "cases/laboratory/matrices.hpp"
 #include "cases/laboratory/problem.hpp"
 #include "cases/stability/gas_patch.hpp"
 
@@ -83,10 +84,7 @@ void bring_to_rest(Patch& patch, const Settings& s, int rings) {
     change[k] = size;
     response.col(k) = (velocities_after(patch, s, change) - start) / size;
   }
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-  solver.setThreshold(1e-9);
-  solver.compute(response);
-  const Eigen::VectorXd change = solver.solve(-start);
+  const Eigen::VectorXd change = least_squares(response, -start, 1e-9);
   Columns& points = patch.scene.bodies[0].points;
   for (int p = 0; p < points.points(); ++p) points(column::energy)[p] += change[p % rings];
 }

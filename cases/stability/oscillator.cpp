@@ -1,10 +1,10 @@
 #include "cases/stability/oscillator.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <stdexcept>
-#include <unsupported/Eigen/MatrixFunctions>
 #include <utility>
+
+#include "cases/laboratory/matrices.hpp"
 
 namespace plumbline {
 
@@ -130,11 +130,6 @@ Eigen::MatrixXd step_matrix(const IntegratorChoice& choice, double damping, doub
   return matrix;
 }
 
-double spectral_radius(const Eigen::MatrixXd& matrix) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(matrix, false);
-  return solver.eigenvalues().cwiseAbs().maxCoeff();
-}
-
 Run run_oscillator(const IntegratorChoice& choice, double damping, const Watch& watch, double dt) {
   const auto integrator = make(choice);
   OneMass mass(0.6, 0.8, damping);
@@ -154,9 +149,9 @@ Eigen::Vector2d oscillation(const IntegratorChoice& choice, double damping, cons
 }
 
 Eigen::Vector2d exact_oscillation(double damping, const Eigen::Vector2d& start, double t) {
-  Eigen::Matrix2d rates;
+  Eigen::MatrixXd rates(2, 2);
   rates << 0, 1, -1, -2 * damping;
-  return (t * rates).exp() * start;
+  return exponential(t * rates) * start;
 }
 
 }  // namespace plumbline

@@ -70,9 +70,6 @@ class OneMass final : public Stages {
 // changed by one. The integrator has taken a step of the same dt before. dt > 0 in units of 1/omega.
 Eigen::MatrixXd step_matrix(const IntegratorChoice& integrator, double damping, double dt);
 
-// Largest modulus of an eigenvalue.
-double spectral_radius(const Eigen::MatrixXd& matrix);
-
 // From a displaced mass on its way. Its size is sqrt(u^2 + u'^2), one at first.
 Run run_oscillator(const IntegratorChoice& integrator, double damping, const Watch& watch, double dt);
 

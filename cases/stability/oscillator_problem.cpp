@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "cases/laboratory/claims.hpp"
+#include "cases/laboratory/matrices.hpp"
 #include "cases/laboratory/problem.hpp"
 #include "cases/stability/orders_in_time.hpp"
 #include "cases/stability/oscillator.hpp"

@@ -68,7 +68,6 @@ class StabilityAxisymmetric final : public TrialCase {
     }
     return all;
   }
-  GateCount gate_count() const override { return {12, 24}; }
 };
 
 PLUMBLINE_CASE(StabilityAxisymmetric);

@@ -89,7 +89,6 @@ class StabilityBar final : public TrialCase {
     return all;
   }
 
-  GateCount gate_count() const override { return {33, 105}; }
 };
 
 PLUMBLINE_CASE(StabilityBar);

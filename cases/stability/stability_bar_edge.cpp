@@ -155,7 +155,6 @@ class StabilityBarEdge final : public TrialCase {
     return all;
   }
 
-  GateCount gate_count() const override { return {19, 38}; }
 };
 
 PLUMBLINE_CASE(StabilityBarEdge);

@@ -100,7 +100,6 @@ class StabilityCatalog final : public TrialCase {
     return all;
   }
 
-  GateCount gate_count() const override { return {32, 32}; }
 };
 
 PLUMBLINE_CASE(StabilityCatalog);

@@ -84,7 +84,6 @@ class StabilityContact final : public TrialCase {
     return all;
   }
 
-  GateCount gate_count() const override { return {6, 24}; }
 };
 
 PLUMBLINE_CASE(StabilityContact);

@@ -172,7 +172,6 @@ class StabilityCoupled final : public TrialCase {
     return all;
   }
 
-  GateCount gate_count() const override { return {35, 85}; }
 
  private:
   static void add_dependence(const std::string& scheme, std::vector<CaseGate>& all) {

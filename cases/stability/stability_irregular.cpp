@@ -59,7 +59,6 @@ class StabilityIrregular final : public TrialCase {
     }
     return all;
   }
-  GateCount gate_count() const override { return {15, 30}; }
 };
 
 PLUMBLINE_CASE(StabilityIrregular);

@@ -96,7 +96,6 @@ class StabilityMembrane final : public TrialCase {
     return all;
   }
 
-  GateCount gate_count() const override { return {16, 37}; }
 };
 
 PLUMBLINE_CASE(StabilityMembrane);

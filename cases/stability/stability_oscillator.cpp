@@ -211,7 +211,6 @@ class StabilityOscillator final : public TrialCase {
     return all;
   }
 
-  GateCount gate_count() const override { return {81, 81}; }
 };
 
 PLUMBLINE_CASE(StabilityOscillator);

@@ -122,7 +122,6 @@ class StabilityPlane final : public TrialCase {
     return all;
   }
 
-  GateCount gate_count() const override { return {10, 34}; }
 };
 
 PLUMBLINE_CASE(StabilityPlane);

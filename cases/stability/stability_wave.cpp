@@ -82,7 +82,6 @@ class StabilityWave final : public TrialCase {
     return all;
   }
 
-  GateCount gate_count() const override { return {24, 24}; }
 };
 
 PLUMBLINE_CASE(StabilityWave);

@@ -127,7 +127,6 @@ class StabilityYork final : public TrialCase {
     return all;
   }
 
-  GateCount gate_count() const override { return {47, 47}; }
 
  private:
   static CaseGate relative_gate(const std::string& study, const std::string& measure, Gate gate) {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <unsupported/Eigen/MatrixFunctions>
 
+#include "cases/laboratory/matrices.hpp"
 #include "kernel/simulation.hpp"
 
 namespace plumbline {
@@ -93,7 +93,7 @@ auto StandingWave::exact(double t) const -> Amplitudes {
   Eigen::VectorXd start(size);
   Eigen::Index k = 0;
   for (const double* number : numbers_of(at_start.bodies[0])) start[k++] = *number / amplitude;
-  const Eigen::VectorXd end = (t * matrix).exp() * start;
+  const Eigen::VectorXd end = exponential(t * matrix) * start;
   return {end.begin(), end.end()};
 }
 

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "cases/harness/whole.hpp"
+#include "cases/laboratory/matrices.hpp"
 #include "cases/laboratory/step_map.hpp"
 #include "kernel/materials/linear_elastic.hpp"
 
@@ -126,7 +126,7 @@ double LateHeldBar::spectral_radius() const {
     const std::vector<double> column = step(unit);
     for (int j = 0; j < size; ++j) matrix(j, k) = column[static_cast<std::size_t>(j)];
   }
-  return Eigen::EigenSolver<Eigen::MatrixXd>(matrix, false).eigenvalues().cwiseAbs().maxCoeff();
+  return plumbline::spectral_radius(matrix);
 }
 
 std::vector<double> LateHeldBar::energy_history() const {

@@ -14,6 +14,7 @@
 #include "kernel/pack.hpp"
 #include "kernel/parallel.hpp"
 #include "kernel/pistons.hpp"
+#include "kernel/rotations.hpp"
 #include "kernel/sharpening.hpp"
 #include "kernel/stencil.hpp"
 #include "kernel/summation.hpp"

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "kernel/engine/chunks.hpp"
+#include "kernel/rotations.hpp"
 
 namespace plumbline {
 

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include "kernel/pack.hpp"
+#include "kernel/rotations.hpp"
 #include "tests/kernel/scenes.hpp"
 
 namespace plumbline {

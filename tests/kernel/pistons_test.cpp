@@ -1,6 +1,7 @@
 // Planes that move through the grid and drive the nodes behind them.
 #include "kernel/pistons.hpp"
 
+#include "kernel/rotations.hpp"
 #include "tests/kernel/scenes.hpp"
 
 namespace plumbline {

@@ -1,5 +1,6 @@
 // The smoothing of the maps undone on the nodes, against its theory. [Sharpening 1]
 #include "kernel/sharpening.hpp"
+#include "kernel/rotations.hpp"
 
 #include <Eigen/Dense>
 #include <numbers>

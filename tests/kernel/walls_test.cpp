@@ -1,5 +1,6 @@
 // Walls against mirror images written out node by node. [EC-APIC walls]
 #include "kernel/walls.hpp"
+#include "kernel/rotations.hpp"
 
 #include "kernel/shapes/cubic.hpp"
 #include "kernel/shapes/quadratic.hpp"

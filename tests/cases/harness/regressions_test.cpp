@@ -108,8 +108,8 @@ TEST(ParseRegressions, ReadsWhatIsRecorded) {
   ASSERT_EQ(values.size(), 1u);
   EXPECT_EQ(*values[0].within->high, 0.3);
   const Regressions all(values);
-  EXPECT_EQ(all.ranges("toy", "quick"), 1);
-  EXPECT_EQ(all.ranges("toy", "full"), 0);
+  EXPECT_EQ(all.of_case("toy", "quick").size(), 1u);
+  EXPECT_TRUE(all.of_case("toy", "full").empty());
   EXPECT_NE(all.find({"toy", "s", "s/error", "quick"}), nullptr);
   EXPECT_EQ(all.find({"toy", "s", "s/error", "full"}), nullptr);
 }

@@ -54,7 +54,6 @@ class Shortened final : public Case {
   void derive(Settings& settings, const std::string& scheme) const override { whole_.derive(settings, scheme); }
   std::vector<StudyPlan> studies() const override { return {}; }
   std::vector<CaseGate> gates() const override { return {}; }
-  GateCount gate_count() const override { return {}; }
   std::vector<double> default_levels() const override { return whole_.default_levels(); }
 
  private:

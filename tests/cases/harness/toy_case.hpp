@@ -29,7 +29,6 @@ struct Toy {
   std::function<Profile(const Settings&, const Simulation&)> profile = {};
   std::vector<StudyPlan> studies = {};
   std::vector<CaseGate> gates = {};
-  GateCount count = {};
   std::map<std::string, std::string> may_be_undefined = {};
   bool any_integrator = false;
   std::vector<double> levels = {4, 8};
@@ -105,7 +104,6 @@ class ToyCase final : public Case {
   }
   std::vector<StudyPlan> studies() const override { return toy_.studies; }
   std::vector<CaseGate> gates() const override { return toy_.gates; }
-  GateCount gate_count() const override { return toy_.count; }
   std::map<std::string, std::string> may_be_undefined() const override { return toy_.may_be_undefined; }
   bool any_integrator() const override { return toy_.any_integrator; }
   std::vector<double> default_levels() const override { return toy_.levels; }

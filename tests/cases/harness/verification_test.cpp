@@ -25,7 +25,6 @@ Toy described() {
   toy.gates = {error_gate("default", "error", 8, toy_gate("default/error", {{}, 0.2})),
                error_gate("york", "error", 4, toy_gate("york/error", {{}, 0.2})),
                error_gate("default", "error", 4, toy_gate("default/late", {{}, 1}), Tier::full)};
-  toy.count = {10, 15};
   return toy;
 }
 
@@ -148,24 +147,31 @@ TEST(VerifyCase, AMeasureThatIsNoNumberIsInvalid) {
   EXPECT_EQ(finite(verified(ToyCase(toy))).first, Verdict::pass);
 }
 
-// Whatever keeps a gate from being judged, the count tells: a wrong number, a misspelt study, a level that is not run.
-TEST(VerifyCase, AWrongCountIsNoticed) {
-  EXPECT_TRUE(complete(verified(ToyCase(described()))));
-
-  Toy wrong = described();
-  wrong.count.quick = 11;
-  const Verification counted = verified(ToyCase(wrong));
-  EXPECT_FALSE(complete(counted));
+// Whatever keeps a gate from being judged, it is named: a misspelt study, a level that is not run, a line of the record.
+TEST(VerifyCase, WhatIsNotExecutedIsLost) {
+  const auto lost = [](const Toy& toy, const Selection& selection = {}) {
+    const Verification v = verified(ToyCase(toy), Tier::quick, selection);
+    EXPECT_EQ(complete(v), v.lost.empty());
+    std::vector<std::string> ids;
+    for (const auto& [case_name, study, id, tier] : v.lost) ids.push_back(id);
+    return ids;
+  };
+  EXPECT_TRUE(lost(described()).empty());
 
   Toy misspelt = described();
   misspelt.gates[0].study = "defualt";
-  const Verification lost = verified(ToyCase(misspelt));
-  EXPECT_FALSE(complete(lost));
+  EXPECT_EQ(lost(misspelt), std::vector<std::string>{"default/error"});
 
   Toy unreached = described();
   unreached.gates[0].levels = {16};
-  const Verification unjudged = verified(ToyCase(unreached));
-  EXPECT_FALSE(complete(unjudged));
+  EXPECT_EQ(lost(unreached), std::vector<std::string>{"default/error"});
+
+  Toy shorter = described();
+  shorter.studies.erase(shorter.studies.begin() + 1);
+  shorter.gates.erase(shorter.gates.begin() + 1);
+  const Regressions recorded = recorded_of_described();
+  EXPECT_TRUE(lost(described(), with(recorded)).empty());
+  EXPECT_EQ(lost(shorter, with(recorded)), std::vector<std::string>{"york/finite"});
 }
 
 TEST(VerifyCase, WritesEveryRunAndStudy) {

@@ -26,16 +26,10 @@ TEST_P(NormalsCases, SayWhatTheyAre) {
   EXPECT_NE(s.sketch.find("</svg>"), std::string::npos);
 }
 
-TEST_P(NormalsCases, DeclareAsManyGatesAsTheyHave) {
-  const Case& entry = find_case(GetParam());
-  int gates = 0;
-  for (const CaseGate& gate : entry.gates()) {
+TEST_P(NormalsCases, DeclareValidGates) {
+  for (const CaseGate& gate : find_case(GetParam()).gates()) {
     EXPECT_NO_THROW(validate(gate.gate));
-    ++gates;
   }
-  for (const StudyPlan& study : entry.studies()) gates += static_cast<int>(generic_gates(study.id, 2).size());
-  EXPECT_EQ(entry.gate_count().quick, gates);
-  EXPECT_EQ(entry.gate_count().full, gates);
 }
 
 TEST_P(NormalsCases, DefaultIsWhatMembranesHave) {

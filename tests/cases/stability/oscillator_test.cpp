@@ -6,6 +6,7 @@
 
 #include "cases/harness/errors.hpp"
 #include "cases/laboratory/claims.hpp"
+#include "cases/laboratory/matrices.hpp"
 #include "cases/laboratory/problem.hpp"
 #include "cases/stability/orders_in_time.hpp"
 #include "reference/oscillator_limits.hpp"

@@ -11,6 +11,7 @@
 
 #include "kernel/contact/contact.hpp"
 #include "kernel/materials/linear_elastic.hpp"
+#include "kernel/rotations.hpp"
 #include "tests/kernel/scenes.hpp"
 
 namespace plumbline::meetings {
