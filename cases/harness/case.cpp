@@ -4,9 +4,9 @@
 #include <array>
 #include <map>
 
+#include "cases/harness/auto_courant.hpp"
 #include "cases/harness/errors.hpp"
 #include "cases/harness/prose.hpp"
-#include "cases/laboratory/scene_limit.hpp"
 #include "kernel/integrator_traits.hpp"
 #include "kernel/splitting.hpp"
 #include "kernel/transfers/transfers.hpp"

@@ -1,16 +1,14 @@
 // Results as JSON, in the shapes of schema/plumbline.schema.json. Numbers that are not finite are null.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "cases/harness/errors.hpp"
 #include "cases/harness/gates.hpp"
+#include "cases/harness/json.hpp"
 #include "cases/harness/provenance.hpp"
 
 namespace plumbline {
-
-using Json = nlohmann::ordered_json;
 
 Json to_json(const Value& value);
 Json to_json(const Settings& settings);

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "cases/harness/documents.hpp"
+#include "cases/harness/json.hpp"
 
 namespace plumbline {
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/harness/auto_courant.hpp"
 #include "cases/laboratory/problem.hpp"
 
 namespace plumbline {
@@ -21,10 +22,5 @@ struct SceneLimit {
 // Every problem that occurs in the scene, with the choices that it has in common with `run`; the smallest limit first.
 // What was found once is kept as long as the process lives.
 std::vector<SceneLimit> limits_in(const Scene& scene, const Settings& run);
-
-// What `cfl=auto` means: `auto_share` of the smallest of them. Throws UsageError, which names the problem, where no step
-// is stable.
-inline constexpr double auto_share = 0.9;
-double safe_courant_number(const Scene& scene, const Settings& run);
 
 }  // namespace plumbline
