@@ -7,14 +7,14 @@
 #include <clocale>
 #include <filesystem>
 
-#include "cases/commands/command.hpp"
-#include "cases/commands/plugins.hpp"
-#include "cases/commands/standard_streams.hpp"
-#include "cases/harness/budget.hpp"
-#include "cases/harness/guarded_integrator.hpp"
-#include "cases/harness/json_text.hpp"
-#include "cases/harness/signals.hpp"
-#include "cases/harness/text_file.hpp"
+#include "cases/harness/commands/command.hpp"
+#include "cases/harness/commands/plugins.hpp"
+#include "cases/harness/commands/standard_streams.hpp"
+#include "cases/harness/files/json_text.hpp"
+#include "cases/harness/files/signals.hpp"
+#include "cases/harness/files/text_file.hpp"
+#include "cases/harness/run/budget.hpp"
+#include "cases/harness/run/guarded_integrator.hpp"
 #include "kernel/inadmissible.hpp"
 #include "reference/parameter.hpp"
 

@@ -1,5 +1,5 @@
 # Writes the table of what the program is made of: the hash of each object, whether its source has a header of its own,
-# and which folder of cases includes which. Results carry hashes of it, so that they are taken again only where no code
+# and which folder of the catalog includes which. Results carry hashes of it, so that they are taken again only where no code
 # that could change them has changed. Called with -DLIST (a file with the objects' paths), -DSOURCE and -DOUTPUT.
 file(STRINGS ${LIST} objects)
 list(SORT objects)
@@ -9,7 +9,7 @@ foreach(object IN LISTS objects)
     message(FATAL_ERROR "${object}: of no known part")
   endif()
   string(REPLACE "/./" "/" source "${CMAKE_MATCH_1}/${CMAKE_MATCH_2}")
-  if(source STREQUAL "cases/harness/provenance.cpp")
+  if(source STREQUAL "cases/harness/results/provenance.cpp")
     continue()  # holds the commit, which changes no number
   endif()
   file(SHA256 ${object} hash)
@@ -23,12 +23,12 @@ foreach(object IN LISTS objects)
 endforeach()
 
 set(uses "")
-file(GLOB files ${SOURCE}/cases/*/*.cpp ${SOURCE}/cases/*/*.hpp)
+file(GLOB files ${SOURCE}/cases/catalog/*/*.cpp ${SOURCE}/cases/catalog/*/*.hpp)
 foreach(file IN LISTS files)
-  string(REGEX REPLACE ".*/cases/([^/]+)/[^/]+$" "\\1" folder "${file}")
-  file(STRINGS "${file}" includes REGEX "^#include \"cases/[^/\"]+/")
+  string(REGEX REPLACE ".*/catalog/([^/]+)/[^/]+$" "\\1" folder "${file}")
+  file(STRINGS "${file}" includes REGEX "^#include \"cases/catalog/[^/\"]+/")
   foreach(include IN LISTS includes)
-    string(REGEX REPLACE "^#include \"cases/([^/]+)/.*" "\\1" used "${include}")
+    string(REGEX REPLACE "^#include \"cases/catalog/([^/]+)/.*" "\\1" used "${include}")
     list(APPEND uses "    {\"${folder}\", \"${used}\"},\n")
   endforeach()
 endforeach()
@@ -37,7 +37,7 @@ list(SORT uses)
 list(JOIN uses "" uses)
 
 file(CONFIGURE OUTPUT ${OUTPUT} CONTENT [[// Made by the build.
-#include "cases/harness/fingerprint.hpp"
+#include "cases/harness/results/fingerprint.hpp"
 
 namespace plumbline {
 namespace {

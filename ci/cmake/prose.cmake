@@ -1,7 +1,6 @@
 # Puts what cases say of themselves, NAME.md and NAME.svg beside their code, into a source. Called with -DFOLDER and -DOUTPUT.
 file(GLOB_RECURSE texts ${FOLDER}/*.md)
-set(source "// Made by the build.\n#include \"cases/harness/prose.hpp\"\n\nnamespace plumbline {\nnamespace {\n\n")
-list(FILTER texts EXCLUDE REGEX "/README.md$")
+set(source "// Made by the build.\n#include \"cases/harness/description/prose.hpp\"\n\nnamespace plumbline {\nnamespace {\n\n")
 foreach(file IN LISTS texts)
   cmake_path(GET file STEM LAST_ONLY name)
   cmake_path(GET file PARENT_PATH folder)

@@ -5,7 +5,7 @@ file(READ ${FILE} text)
 string(STRIP "${text}" text)
 string(REPLACE "\n" ")json\",\n    R\"json(" lines "${text}")
 file(CONFIGURE OUTPUT ${OUTPUT} CONTENT [[// Made by the build.
-#include "cases/commands/recorded.hpp"
+#include "cases/harness/commands/recorded.hpp"
 
 namespace plumbline {
 namespace {

@@ -12,7 +12,7 @@ import pathlib
 from .judges import Outcome
 
 # What every run depends on, and of the cases those of one folder of physics.
-EVERYWHERE = ("kernel", "reference", "cases/harness", "cases/commands", "cases/laboratory", "cases/plumbline.cpp")
+EVERYWHERE = ("kernel", "reference", "cases/harness", "cases/plumbline.cpp")
 
 
 class Fingerprints:

@@ -13,8 +13,8 @@ CLEAN = {
     "kernel/step.cpp": '#include "kernel/grid.hpp"\n// v = p / m  [York 3.16-3.18]\n// x += v dt  [York 3.21, 3.22]\n',
     "kernel/CMakeLists.txt": "find_package(Eigen3 REQUIRED)  # never GSL\n",
     "reference/riemann.cpp": "#include <gsl/gsl_roots.h>\n// f(p)  [Toro 4.5]\n",
-    "cases/harness/build_info.hpp.in": "// made by CMake\n",
-    "cases/harness/results.cpp": '#include "build_info.hpp"\n#include <hdf5.h>\n#include <nlohmann/json.hpp>\n#include "kernel/grid.hpp"\n',
+    "cases/harness/results/build_info.hpp.in": "// made by CMake\n",
+    "cases/harness/results/results.cpp": '#include "build_info.hpp"\n#include <hdf5.h>\n#include <nlohmann/json.hpp>\n#include "kernel/grid.hpp"\n',
     "reports/render.py": "import json\nimport numpy as np\nimport matplotlib.pyplot as plt\n",
     "tests/kernel/step_test.cpp": "#include <gsl/gsl_math.h>\n// [York 3.16, 3.17] and [York 3.18]; [York 3.20-3.22]\n",
     "tests/reference/riemann_test.cpp": "// [Toro 4.5]\n",
@@ -49,15 +49,15 @@ def test_clean_tree_passes(check, tree):
     ("kernel/grid.hpp", "#  include <nlohmann/json.hpp>\n", "kernel must not include json"),
     ("kernel/grid.hpp", "#include <fmt/core.h>\n", "kernel must not include fmt"),
     ("kernel/step.cpp", '#include "reference/riemann.hpp"\n', "kernel must not include reference"),
-    ("kernel/step.cpp", '#include "cases/harness/case.hpp"\n', "kernel must not include cases"),
+    ("kernel/step.cpp", '#include "cases/harness/description/case.hpp"\n', "kernel must not include cases"),
     ("kernel/step.cpp", '#include "grid.hpp"\n', "paths count from the source root"),
     ("kernel/step.cpp", '#include "kernel/gird.hpp"\n', "no such file"),
     ("kernel/step.cpp", "#include <mystery/header.h>\n", "not on the list"),
     ("kernel/CMakeLists.txt", "find_package(GSL REQUIRED)\n", "kernel must not link it"),
     ("reference/riemann.cpp", '#include "kernel/grid.hpp"\n', "reference must not include kernel"),
     ("reference/riemann.cpp", "#include <Eigen/Dense>\n", "reference must not include Eigen"),
-    ("cases/harness/results.cpp", "#include <gsl/gsl_math.h>\n", "cases must not include GSL"),
-    ("cases/gas/sod.cpp", "#include <gsl/gsl_math.h>\n", "cases must not include GSL"),
+    ("cases/harness/results/results.cpp", "#include <gsl/gsl_math.h>\n", "cases must not include GSL"),
+    ("cases/catalog/gas/sod.cpp", "#include <gsl/gsl_math.h>\n", "cases must not include GSL"),
     ("cases/CMakeLists.txt", "target_link_libraries(x PRIVATE GSL::gsl)\n", "cases must not link it"),
     ("reports/render.py", "import ctypes\n", "reports read result files only"),
     ("reports/render.py", "from kernel import step\n", "reports read result files only"),
@@ -70,13 +70,21 @@ def test_forbidden_include_is_found(name, text, complaint, tree):
     assert name in result.stdout and complaint in result.stdout
 
 
+def test_folders_that_include_each_other_are_found(tree):
+    gas = "cases/catalog/gas/sod.hpp"
+    one_way = {gas: '#include "cases/harness/verdict/gate.hpp"\n', "cases/harness/verdict/gate.hpp": "\n"}
+    assert run("check_includes", tree(files=one_way)).returncode == 0
+    result = run("check_includes", tree(files={**one_way, "cases/harness/verdict/gate.hpp": f'#include "{gas}"\n'}))
+    assert result.returncode == 1 and "folders include each other" in result.stdout
+
+
 @pytest.mark.parametrize("name, text, tag", [
     ("kernel/step.cpp", "// q  [York 4.10]\n", "York 4.10"),
     ("kernel/step.cpp", "// [York 3.16-3.19]\n", "York 3.19"),
     ("kernel/step.cpp", "// [York 3.22, 3.23]\n", "York 3.23"),
     ("reference/riemann.cpp", "double f;  // [Toro 4.6]\n", "Toro 4.6"),
-    ("cases/gas/sod.cpp", "// [EC-APIC 3]\n", "EC-APIC 3"),
-    ("cases/gas/sod.cpp", "// [Vaucorbeil et al. 41]\n", "Vaucorbeil et al. 41"),
+    ("cases/catalog/gas/sod.cpp", "// [EC-APIC 3]\n", "EC-APIC 3"),
+    ("cases/catalog/gas/sod.cpp", "// [Vaucorbeil et al. 41]\n", "Vaucorbeil et al. 41"),
 ])
 def test_equation_without_test_is_found(name, text, tag, tree):
     result = run("check_equations", tree(files={name: text}))

@@ -98,8 +98,8 @@ def made_documents(tree):
 @pytest.fixture
 def with_documents(tree):
     """A tree whose program writes documents, after one report."""
-    for source in ("kernel/step.cpp", "cases/gas/lax.cpp", "cases/stability/bar.cpp", "cases/membrane/string.cpp",
-                   "cases/membrane/string.hpp"):
+    for source in ("kernel/step.cpp", "cases/catalog/gas/lax.cpp", "cases/catalog/stability/bar.cpp", "cases/catalog/membrane/string.cpp",
+                   "cases/catalog/membrane/string.hpp"):
         (tree.root / source).parent.mkdir(parents=True, exist_ok=True)
         (tree.root / source).write_text("code")
     tree.program('echo "printed" ; [[ $* != *--json* ]] || echo "{}" > "${@: -1}"')
@@ -114,8 +114,8 @@ def test_documents_of_the_same_code_are_kept(with_documents):
 
 
 @pytest.mark.parametrize("source, made", [
-    ("cases/gas/lax.cpp", ["cost"]), ("cases/membrane/string.cpp", ["bench", "stability", "cost"]),
-    ("cases/stability/bar.cpp", ["stability", "cost"]), ("cases/stability/new.cpp", ["stability", "cost"]),
+    ("cases/catalog/gas/lax.cpp", ["cost"]), ("cases/catalog/membrane/string.cpp", ["bench", "stability", "cost"]),
+    ("cases/catalog/stability/bar.cpp", ["stability", "cost"]), ("cases/catalog/stability/new.cpp", ["stability", "cost"]),
     ("kernel/step.cpp", ["bench", "stability", "cost"]), ("reports/render.py", [])])
 def test_documents_of_other_code_are_made_again(with_documents, source, made):
     (with_documents.root / source).write_text("other code")

@@ -32,10 +32,10 @@ GOOD = {"kernel/a.cpp": (90, 100), "reference/b.cpp": (10, 10), "cases/harness/c
 
 
 def test_lines_are_summed_over_the_files_of_a_folder(tmp_path):
-    status, document, _ = evaluate(tmp_path, **GOOD, **{"kernel/engine/d.cpp": (300, 300), "cases/gas/sod.cpp": (0, 1000)})
+    status, document, _ = evaluate(tmp_path, **GOOD, **{"kernel/engine/d.cpp": (300, 300), "cases/catalog/gas/sod.cpp": (0, 1000)})
     assert status == 0
     assert document["folders"] == {"kernel": 0.975, "reference": 1.0, "cases/harness": 0.9}
-    assert document["total"] == 0.9674 and "cases/gas/sod.cpp" not in document["files"]
+    assert document["total"] == 0.9674 and "cases/catalog/gas/sod.cpp" not in document["files"]
     assert document["files"]["kernel/a.cpp"] == 0.9
 
 

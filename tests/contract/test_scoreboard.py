@@ -13,7 +13,7 @@ import numpy
 import pytest
 from contract import ROOT, children_of, exported, hand_in, parse, validate, wait_for_end
 
-TEXT_PROGRAM = ROOT / "cases/exchange/adapters/text_program.py"
+TEXT_PROGRAM = ROOT / "cases/harness/exchange/adapters/text_program.py"
 
 
 @pytest.fixture

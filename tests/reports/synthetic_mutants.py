@@ -3,7 +3,7 @@
 import json
 
 CASES = ("sod", "spring-mass", "two-disks", "membrane-expansion")
-TESTS = ("tests/cases/harness/order_test.cpp", "tests/reports/test_plumbline_results.py")
+TESTS = ("tests/cases/harness/verdict/order_test.cpp", "tests/reports/test_plumbline_results.py")
 
 
 def mutant(name, area, status, **more):

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "cases/harness/case.hpp"
-#include "cases/harness/gates.hpp"
+#include "cases/harness/description/case.hpp"
+#include "cases/harness/judge/gates.hpp"
 #include "kernel/materials/uniaxial_membrane.hpp"
 
 namespace plumbline {

@@ -1,10 +1,10 @@
 // Any bytes as the documents that `diff` and `tolerances` read from files: refused as JSON or as a document, or taken.
-#include "cases/comparison/bands.hpp"
-#include "cases/comparison/recording.hpp"
-#include "cases/comparison/snapshot.hpp"
-#include "cases/comparison/tolerances.hpp"
-#include "cases/harness/errors.hpp"
-#include "cases/harness/json_text.hpp"
+#include "cases/harness/compare/bands.hpp"
+#include "cases/harness/compare/recording.hpp"
+#include "cases/harness/compare/snapshot.hpp"
+#include "cases/harness/compare/tolerances.hpp"
+#include "cases/harness/files/errors.hpp"
+#include "cases/harness/files/json_text.hpp"
 #include "tests/hostile/fuzz/memory_file.hpp"
 
 namespace {

@@ -3,8 +3,8 @@
 #include <fuzzer/FuzzedDataProvider.h>
 #include <hdf5.h>
 
-#include "cases/exchange/result_file.hpp"
-#include "cases/harness/errors.hpp"
+#include "cases/harness/exchange/result_file.hpp"
+#include "cases/harness/files/errors.hpp"
 #include "kernel/pack.hpp"
 #include "tests/hostile/fuzz/memory_file.hpp"
 

@@ -1,6 +1,6 @@
 // Any bytes as a plan of `sweep --from`: refused, or a plan all of whose runs are resolved.
-#include "cases/harness/plan.hpp"
-#include "cases/harness/errors.hpp"
+#include "cases/harness/verify/plan.hpp"
+#include "cases/harness/files/errors.hpp"
 #include "reference/parameter.hpp"
 #include "tests/hostile/fuzz/memory_file.hpp"
 

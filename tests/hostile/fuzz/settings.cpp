@@ -2,8 +2,8 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "cases/harness/case.hpp"
-#include "cases/harness/errors.hpp"
+#include "cases/harness/description/case.hpp"
+#include "cases/harness/files/errors.hpp"
 #include "reference/parameter.hpp"
 #include "tests/hostile/fuzz/memory_file.hpp"
 

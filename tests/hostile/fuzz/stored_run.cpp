@@ -3,8 +3,8 @@
 #include <cstring>
 #include <filesystem>
 
-#include "cases/harness/errors.hpp"
-#include "cases/harness/restore.hpp"
+#include "cases/harness/files/errors.hpp"
+#include "cases/harness/results/restore.hpp"
 #include "tests/hostile/fuzz/memory_file.hpp"
 
 namespace {

@@ -1,0 +1,240 @@
+#include "cases/catalog/coupled/ring.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "cases/harness/files/whole.hpp"
+#include "reference/bessel.hpp"
+
+namespace plumbline {
+namespace {
+
+constexpr int beyond = 3;  // cells of the grid outside the ring: the kernel reaches two
+
+int chords_of(const Settings& settings) {
+  const double arc = 0.5 * std::numbers::pi * settings.integer("cells");  // in cells
+  return std::max(4, whole(std::round(arc * settings.number("membrane.ppc"))));
+}
+
+Curve lattice_cell(double x, double y, double side) {
+  return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
+}
+
+}  // namespace
+
+RingMode::RingMode(const reference::GasRing& exact, int mode, double radius)
+    : wavenumber_(exact.wavenumber(mode).value / radius),
+      at_ring_(reference::bessel_J1(wavenumber_ * radius).value) {}
+
+RingMode::At RingMode::at(double x, double y) const {
+  At here;
+  const double r = std::hypot(x, y);
+  if (r == 0) return here;
+  const double c[2] = {x / r, y / r}, outward = reference::bessel_J1(wavenumber_ * r).value / at_ring_;
+  const double divergence = wavenumber_ * reference::bessel_J0(wavenumber_ * r).value / at_ring_, around = outward / r;
+  for (std::size_t d = 0; d < 2; ++d) {
+    here.displacement[d] = outward * c[d];
+    for (std::size_t e = 0; e < 2; ++e) {
+      here.gradient[d][e] = (divergence - 2 * around) * c[d] * c[e] + (d == e ? around : 0.0);
+    }
+  }
+  return here;
+}
+
+void york_ring_step(Settings& settings, const std::string& scheme) {
+  if (scheme != "york1997" || settings.is_set("dt") || settings.is_set("cfl")) return;
+  const RestingRing ring = resting_ring(settings);
+  const double speed = std::sqrt(ring.material.youngs_modulus / ring.material.density);
+  settings.set("dt", 0.99 * settings.number("radius") / settings.number("cells") / speed, "ring");  // [York A.4.7]
+}
+
+std::vector<Key> ring_keys() {
+  const reference::GasRingProblem p;
+  return {positive_key("youngs_modulus", p.youngs_modulus, "Pa", "Young's modulus of the ring, held out of the plane"),
+          positive_key("radius", p.radius, "m", "of the ring at rest under the pressure"),
+          positive_key("pressure", p.pressure, "Pa", "of the gas; none outside"),
+          {.name = "edge",
+           .value = "cut",
+           .choices = {"cut", "whole"},
+           .description = "gas points along the ring: cells of their lattice cut by it, or whole ones inside"}};
+}
+
+reference::GasRingProblem ring_problem(const Settings& settings) {
+  reference::GasRingProblem p;
+  p.youngs_modulus = settings.number("youngs_modulus");
+  p.radius = settings.number("radius");
+  p.pressure = settings.number("pressure");
+  p.law = settings.text("membrane.strain") == "segments" ? reference::RingLaw::segments
+                                                         : reference::RingLaw::accumulated;
+  return p;
+}
+
+RestingRing resting_ring(const reference::GasRingProblem& problem, int chords, bool segments) {
+  RestingRing ring;
+  const double half_angle = 0.25 * std::numbers::pi / chords;
+  for (int k = 0; k <= chords; ++k) {
+    ring.curve.push_back(
+        {problem.radius * std::cos(2 * half_angle * k), problem.radius * std::sin(2 * half_angle * k)});
+  }
+  ring.curve.front()[1] = ring.curve.back()[0] = 0;
+  MembraneMaterial& m = ring.material;
+  m.youngs_modulus = problem.youngs_modulus;
+  m.poissons_ratio = problem.poisson_ratio;
+  ring.apothem = problem.radius * std::cos(half_angle);
+  ring.strain = problem.pressure * ring.apothem / (m.plane_modulus() * problem.thickness);
+  // The reference's thickness is that of the unstretched ring for segments, at rest under the pressure else.
+  m.thickness = problem.thickness * (segments ? 1 : 1 + ring.strain);
+  m.density = problem.line_mass * (1 + ring.strain) / m.thickness;
+  Curve whole = ring.curve;
+  whole.push_back({0, 0});
+  ring.area = enclosed(whole);
+  ring.gas_energy = problem.pressure / ((problem.gamma - 1) * problem.gas_density);
+  return ring;
+}
+
+Curve cut(const Curve& polygon, double a, double b, double c) {
+  Curve rest;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const auto &from = polygon[k], &to = polygon[(k + 1) % polygon.size()];
+    const double here = a * from[0] + b * from[1] - c, there = a * to[0] + b * to[1] - c;
+    if (here <= 0) rest.push_back(from);
+    if ((here < 0 && there > 0) || (here > 0 && there < 0)) {
+      const double at = here / (here - there);
+      rest.push_back({from[0] + at * (to[0] - from[0]), from[1] + at * (to[1] - from[1])});
+    }
+  }
+  return rest;
+}
+
+// About the first vertex: far from the origin small areas keep their digits.
+std::array<double, 2> centroid(const Curve& polygon) {
+  double area = 0, x = 0, y = 0;
+  const auto& base = polygon.front();
+  for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
+    const double ax = polygon[k][0] - base[0], ay = polygon[k][1] - base[1];
+    const double bx = polygon[k + 1][0] - base[0], by = polygon[k + 1][1] - base[1], twice = ax * by - bx * ay;
+    area += twice;
+    x += twice * (ax + bx) / 3;
+    y += twice * (ay + by) / 3;
+  }
+  return {base[0] + x / area, base[1] + y / area};
+}
+
+Body fill_cut(const std::string& name, std::shared_ptr<const IdealGas> gas, const GridSpec& grid, int ppc,
+              const Curve& polygon, double density, double energy) {
+  const double side = grid.h / std::sqrt(static_cast<double>(ppc));
+  double reach[2] = {};
+  for (const auto& v : polygon) {
+    for (std::size_t d = 0; d < 2; ++d) reach[d] = std::max(reach[d], v[d] - grid.origin[d]);
+  }
+  Curve places;
+  std::vector<double> areas;
+  for (int j = 0; j * side < reach[1]; ++j) {
+    for (int i = 0; i * side < reach[0]; ++i) {
+      Curve cell = lattice_cell(grid.origin[0] + i * side, grid.origin[1] + j * side, side);
+      for (std::size_t k = 0; k < polygon.size() && !cell.empty(); ++k) {
+        const auto &from = polygon[k], &to = polygon[(k + 1) % polygon.size()];
+        const double a = to[1] - from[1], b = from[0] - to[0];
+        cell = cut(cell, a, b, a * from[0] + b * from[1]);
+      }
+      const double area = cell.size() < 3 ? 0.0 : enclosed(cell);
+      if (!(area > 1e-9 * side * side)) continue;  // a corner that rounding alone may cut off
+      places.push_back(centroid(cell));
+      areas.push_back(area);
+    }
+  }
+  if (places.empty()) throw std::invalid_argument("no cell of the lattice reaches into the space of " + name);
+  Body body = make_body(name, std::move(gas), static_cast<int>(places.size()), 2);
+  for (std::size_t p = 0; p < places.size(); ++p) {
+    body.points(column::position)[p] = places[p][0];
+    body.points(column::position, 1)[p] = places[p][1];
+    body.points(column::volume)[p] = areas[p];
+    body.points(column::mass)[p] = density * areas[p];
+    body.points(column::density)[p] = density;
+    body.points(column::energy)[p] = energy;
+  }
+  return body;
+}
+
+Scene ring_scene(const Settings& settings, const RestingRing& ring) {
+  const reference::GasRingProblem problem = ring_problem(settings);
+  Scene scene;
+  scene.grid.dim = 2;
+  scene.grid.h = problem.radius / settings.number("cells");
+  scene.grid.cells = {settings.integer("cells") + beyond, settings.integer("cells") + beyond, 1};
+  for (std::size_t d = 0; d < 2; ++d) scene.grid.walls[d] = {Wall::symmetry, Wall::symmetry};
+  auto gas = std::make_shared<IdealGas>();
+  gas->gamma = problem.gamma;
+  gas->viscosity_linear = settings.number("viscosity.linear");
+  gas->viscosity_quadratic = settings.number("viscosity.quadratic");
+  Curve polygon = ring.curve;
+  polygon.push_back({0, 0});
+  const int ppc = settings.integer("ppc");
+  if (settings.text("edge") == "whole") {
+    scene.bodies.push_back(fill_polygon("gas", gas, scene.grid, ppc, polygon, problem.gas_density, ring.gas_energy));
+  } else {
+    scene.bodies.push_back(fill_cut("gas", gas, scene.grid, ppc, polygon, problem.gas_density, ring.gas_energy));
+  }
+  scene.bodies.push_back(membrane_body(settings, "ring", ring.material, ring.curve, ring.strain));
+  if (problem.law == reference::RingLaw::segments && settings.text("density") == "grid")
+    scene.bodies[0].enclosure = Enclosure{"ring", {{0, 0}}};
+  apply_choices(settings, scene);
+  return scene;
+}
+
+RestingRing resting_ring(const Settings& settings) {
+  const reference::GasRingProblem problem = ring_problem(settings);
+  return resting_ring(problem, chords_of(settings), problem.law == reference::RingLaw::segments);
+}
+
+void start_mode(Scene& scene, const RingMode& mode, double velocity) {
+  const bool affine = scene.transfer == "apic";
+  for (Body& body : scene.bodies) {
+    if (affine && !body.points.has(column::affine)) body.points.add(column::affine, 4);
+    const double *x = body.points(column::position), *y = body.points(column::position, 1);
+    for (int p = 0; p < body.points.points(); ++p) {
+      const RingMode::At at = mode.at(x[p], y[p]);
+      for (int d = 0; d < 2; ++d) {
+        const auto k = static_cast<std::size_t>(d);
+        body.points(column::velocity, d)[p] = velocity * at.displacement[k];
+        if (!affine) continue;
+        for (int e = 0; e < 2; ++e) {
+          body.points(column::affine, 2 * d + e)[p] = velocity * at.gradient[k][static_cast<std::size_t>(e)];
+        }
+      }
+    }
+  }
+}
+
+ModeShare::ModeShare(const Scene& start, const RingMode& mode) {
+  for (const Body& body : start.bodies) {
+    const auto n = static_cast<std::size_t>(body.points.points());
+    Shape shape{std::vector<double>(n), std::vector<double>(n)};
+    for (std::size_t p = 0; p < n; ++p) {
+      const auto phi = mode.at(body.points(column::position)[p], body.points(column::position, 1)[p]).displacement;
+      const auto id = static_cast<std::size_t>(body.id[p]);
+      shape.x[id] = phi[0];
+      shape.y[id] = phi[1];
+      weight_ += body.points(column::mass)[p] * (phi[0] * phi[0] + phi[1] * phi[1]);
+    }
+    shapes_.push_back(std::move(shape));
+  }
+}
+
+double ModeShare::of(const Scene& scene) const {
+  double moment = 0;
+  for (std::size_t b = 0; b < shapes_.size(); ++b) {
+    const Body& body = scene.bodies[b];
+    const double *m = body.points(column::mass), *vx = body.points(column::velocity),
+                 *vy = body.points(column::velocity, 1);
+    for (int p = 0; p < body.points.points(); ++p) {
+      const auto id = static_cast<std::size_t>(body.id[static_cast<std::size_t>(p)]);
+      moment += m[p] * (vx[p] * shapes_[b].x[id] + vy[p] * shapes_[b].y[id]);
+    }
+  }
+  return moment / weight_;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,83 @@
+// A gas-filled elastic ring at rest, as polygons have it: the quarter of it, and its breathing modes.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cases/catalog/coupled/membrane.hpp"
+#include "cases/harness/description/schemes.hpp"
+#include "kernel/scene.hpp"
+#include "reference/gas_ring.hpp"
+
+namespace plumbline {
+
+// The keys of every case of a ring, and the problem they pose. cells counts cells along the radius.
+std::vector<Key> ring_keys();
+reference::GasRingProblem ring_problem(const Settings& settings);
+// Under york1997 the Courant number of his bag, for waves along a bar of the ring's material. [York A.4]
+void york_ring_step(Settings& settings, const std::string& scheme);
+
+// A quarter ring of n equal chords, in equilibrium with the gas it encloses; its vertices stand on the radius R.
+// The gas pushes each vertex with p l cos(theta/2), l the length of a chord and theta the angle between two; the chords
+// pull it back with 2 T sin(theta/2). So T = p R cos(theta/2), pressure times apothem: the virial identity
+// T sum l = 2 p A = 2 (gamma - 1) U of the polygon. Its strain, T/(E' t), gives the rest lengths; gas_energy is
+// U = p A/(gamma - 1) with the polygon's own A. Shares of h^2 by which circle and polygon differ move nothing.
+struct RestingRing {
+  Curve curve;  // n + 1 vertices, from the axis y = 0 to x = 0, counter-clockwise
+  MembraneMaterial material;
+  double strain = 0;      // of every chord
+  double apothem = 0;     // m
+  double area = 0;        // of the quarter, m^2
+  double gas_energy = 0;  // e, J/kg
+};
+RestingRing resting_ring(const reference::GasRingProblem& problem, int chords, bool segments);
+RestingRing resting_ring(const Settings& settings);  // of the problem posed, with chords of h / membrane.ppc
+
+// Gas at rest inside a convex polygon, counter-clockwise: one point at the centroid of each cell of a lattice of the
+// spacing a = h / sqrt(ppc), as far as the cell is inside, with the mass of that part. Area and first moments are
+// exact, those of the cells at the edge too: a uniform pressure pushes each node as the polygon's edge does, but for a
+// share of the order (a/h)^2.
+Body fill_cut(const std::string& name, std::shared_ptr<const IdealGas> gas, const GridSpec& grid, int ppc,
+              const Curve& polygon, double density, double energy);
+
+// The part of a convex polygon where a x + b y <= c. Counter-clockwise stays so; may be empty.
+Curve cut(const Curve& polygon, double a, double b, double c);
+std::array<double, 2> centroid(const Curve& polygon);  // of an area above 0
+
+// Grid, gas and ring at rest: bodies "gas" and "ring", the schemes' choices applied.
+Scene ring_scene(const Settings& settings, const RestingRing& ring);
+
+// A mode of breathing: displacement per displacement of the ring, radial, J1(k r)/J1(k R), and its gradient.
+class RingMode {
+ public:
+  RingMode(const reference::GasRing& exact, int mode, double radius);
+  struct At {
+    std::array<double, 2> displacement{};
+    std::array<std::array<double, 2>, 2> gradient{};  // 1/m, [component][direction]
+  };
+  At at(double x, double y) const;
+
+ private:
+  double wavenumber_, at_ring_;
+};
+
+// Gives gas and ring the velocity of a mode, `velocity` at the ring, and with affine transfers its gradient.
+void start_mode(Scene& scene, const RingMode& mode, double velocity);
+
+// The share of a mode in the velocities of all points: sum m v . phi / sum m phi^2, phi the mode's displacement where
+// the points were at the start. Modes are orthogonal under the mass of gas and ring together.
+class ModeShare {
+ public:
+  ModeShare(const Scene& start, const RingMode& mode);
+  double of(const Scene& scene) const;  // m/s, at the ring
+
+ private:
+  struct Shape {
+    std::vector<double> x, y;  // by id
+  };
+  std::vector<Shape> shapes_;  // by body
+  double weight_ = 0;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,28 @@
+// What gas cases have in common beside the problem: York's choices for a case of his kind, and gates.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/harness/judge/gates.hpp"
+
+namespace plumbline {
+
+// York's own points and step for a gas that he did not run: three points a cell, and the Courant number of his Sod run,
+// dt = 1e-4 s at h = 0.01 m with c + |u| up to 2.1 m/s. [York 4.1]
+std::vector<Override> york_points(const std::string& scheme);
+void york_step(Settings& settings, const std::string& scheme);
+
+// The gates that the plan asks of a study in which a field's error falls: the estimate at least `order`, the low end of
+// its interval at least 0.1 below that.
+std::vector<CaseGate> target_order(const std::string& study, const std::string& measure, double order,
+                                   const std::string& reason);
+// Energy closes to rounding; the points fill their space.
+CaseGate energy_gate(const std::string& study);
+CaseGate coverage_gate(const std::string& study, double level);
+
+// That two runs of one flow have the same numbers at a level: the largest relative difference of the norms of the
+// errors in density, velocity, pressure and energy.
+CaseGate same_numbers_gate(const std::string& study, const std::string& as, double level);
+
+}  // namespace plumbline

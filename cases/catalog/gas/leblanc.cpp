@@ -1,0 +1,16 @@
+// LeBlanc's shock tube: a thousand to one in density, a thousand million to one in pressure.
+#include "cases/catalog/gas/tube_case.hpp"
+
+namespace plumbline {
+namespace {
+
+const TubeCase leblanc{
+    {.name = "leblanc",
+     .tube = {{{1, 0, 0.2 / 3}, {1e-3, 0, 2e-10 / 3}, 5.0 / 3}, 0, 9, 3, 6},
+     .order = 0.5,
+     .cold = true,
+     .order_reason = "1 in the limit; the shock's place converges late, because the layer that drives it is a few "
+                     "hundredths of the tube"}};
+
+}  // namespace
+}  // namespace plumbline

@@ -1,0 +1,33 @@
+#include "cases/catalog/gas/stick.hpp"
+
+#include <chrono>
+
+#include "reference/finite_volume.hpp"
+
+namespace plumbline {
+
+Comparator finite_volume_stick(const reference::GasProblem& problem,
+                               const std::function<reference::Sample(double x)>& exact,
+                               const std::vector<double>& cells) {
+  Comparator stick{"finite-volume", "finite volumes, second order (MUSCL-Hancock, HLLC)"};
+  for (const double n : cells) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto solution = reference::solve_finite_volume(problem, static_cast<int>(n));
+    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const auto errors = reference::mean_errors(solution, [&](double x) {
+      const reference::Sample at = exact(x);
+      return reference::GasState{at.density.value, at.velocity.value, at.pressure.value};
+    });
+    stick.levels.push_back({n,
+                            solution.steps,
+                            solution.cell_steps(),
+                            wall,
+                            {{"density.L1", errors.density},
+                             {"velocity.L1", errors.velocity},
+                             {"pressure.L1", errors.pressure},
+                             {"energy.L1", errors.energy}}});
+  }
+  return stick;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,61 @@
+// Strings of membrane points, on a line or in the plane.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "cases/harness/description/settings.hpp"
+#include "kernel/ledger.hpp"
+#include "kernel/points/body.hpp"
+
+namespace plumbline {
+
+// How the points of a string know their strain; the key `strain` of every membrane case.
+//   segments     stretch of the segments between points, SegmentMembrane: what `default` takes
+//   accumulated  t . e . t summed over time at each point [York 5.2, 5.3], UniaxialMembrane: York's
+Key strain_key();
+// What york1997 sets of it.
+inline Override york_strain() { return {"strain", "accumulated"}; }
+
+struct StringMaterial {
+  double youngs_modulus = 0;  // E, Pa, > 0
+  double area = 0;            // A, m^2, > 0
+  double density = 0;         // rho, kg/m^3, > 0
+  bool one_way = true;        // no stress under compression
+};
+
+// One string, from its first point to its last. n >= 2 points have n - 1 segments.
+struct StringState {
+  std::vector<std::array<double, 2>> place;  // of the points, m; on a line the first component counts
+  std::vector<double> strain;                // of the points
+  std::vector<double> segment_strain;        // of the segments
+  std::vector<double> segment_length;        // m: those in which the string has the section A and the density rho
+};
+
+// n points evenly between two places, all with one strain; the section is that of the string as it stands.
+StringState straight_string(std::array<double, 2> from, std::array<double, 2> to, int points, double strain = 0);
+
+// What the end points carry: half a segment, so that mass and volume are exact, or as much as all others, as York's do.
+enum class StringEnds { half, whole };
+
+// The body, with the measure of strain that `strain` names. dim: 1 or 2.
+// A point's volume is A times its share of the adjoining segments, its mass rho times that; stress E eps on these volumes
+// is the tension E A eps on a string of that length. Rest lengths of segments follow from places and segment strains.
+Body string_body(const std::string& name, const std::string& strain, const StringMaterial& material,
+                 const StringState& state, int dim, StringEnds ends = StringEnds::half);
+
+// Largest distance of a point from the straight line through the first and the last one, m. In the plane.
+double misalignment(const Columns& points);
+
+// Distance between the first and the last point, m. In the plane.
+double chord_length(const Columns& points);
+
+// What a scheme that claims no conservation of energy gains or loses, as a share of the energies at play.
+double energy_drift(const Account& energy);
+
+// Of a string that York did not run, under his scheme: the Courant number of his pendulum, for waves of `speed` (m/s) and
+// cells of h = 1/cells m. [York A.4.5]
+void york_string_step(Settings& settings, const std::string& scheme, double speed);
+
+}  // namespace plumbline

@@ -1,0 +1,47 @@
+// Membrane points on a curve that knows its normals, and how far off each method's normals are.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/harness/description/case.hpp"
+
+namespace plumbline {
+
+// Points along a curve, in its order, with unit normals from the curve's formula. Lengths in m.
+struct MarkedPoints {
+  std::vector<double> x, y, normal_x, normal_y;
+  std::vector<double> other_x, other_y;  // points inside the membrane, which carry colour
+  int first = 0, judged = -1;            // the points judged: `judged` from `first` on; negative: all
+
+  // (normal_x, normal_y): not zero, of any length.
+  void add(double px, double py, double nx, double ny);
+};
+
+// Angle between two lines with unit normals a and b, degrees, 0 to 90: normals have no sign. 90 where a is
+// no direction.
+double angle_between(double ax, double ay, double bx, double by);
+
+// How far rounding of the points alone can turn a normal, degrees: eps times the largest coordinate over the smallest
+// distance between two points.
+double rounding_of_normals(const MarkedPoints& points);
+
+// A membrane at rest, without stress, for one step: what is measured are the normals of where its points stand, of
+// every method: `<method>.max_angle_error_deg` and `<method>.mean_angle_error_deg`. The profile has the points,
+// `judged` (1 or 0), the exact normals, and of each method the normals, turned to the side of the exact ones, and the
+// angle between both.
+std::unique_ptr<Problem> normals_problem(const Settings& settings, const GridSpec& grid, MarkedPoints points);
+
+// At most `bound` degrees off; `what`: max or mean.
+CaseGate angle_gate(const std::string& study, const std::string& method, const std::string& what, double level,
+                    double bound, Origin origin, const std::string& reason);
+// The same where York's method is known to fail: why, and the band of its angle; stamp: date and commit of the
+// measurement behind the band, empty if it is York's own.
+CaseGate failing_angle_gate(const std::string& study, const std::string& method, const std::string& what, double level,
+                            double bound, const std::string& reason, const std::string& cause, Range band,
+                            const std::string& stamp = {});
+// The ratio of two errors at one level; the second may be of another study.
+CaseGate angle_ratio_gate(const std::string& study, const std::string& measure, const std::string& over_study,
+                          const std::string& over_measure, double level, Gate gate);
+
+}  // namespace plumbline

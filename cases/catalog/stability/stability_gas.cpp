@@ -1,0 +1,267 @@
+// What the laboratory says of a gas, against closed forms and against runs.
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "cases/catalog/stability/fast_growth.hpp"
+#include "cases/catalog/stability/gas_patch.hpp"
+#include "cases/catalog/stability/trial_case.hpp"
+#include "cases/harness/judge/gates.hpp"
+#include "cases/harness/laboratory/matrices.hpp"
+#include "cases/harness/laboratory/problem.hpp"
+
+namespace plumbline {
+namespace {
+
+constexpr double quick_width = 1e-4;  // relative, of predicted limits that are compared with runs
+
+const StabilityProblem& gas() { return find_stability_problem("gas"); }
+
+// Linear shapes and FLIP, one point a cell, nothing viscous.
+Settings frozen_bar_like(const std::string& integrator, double offset) {
+  return stability_settings(gas(), "default",
+                            {{"shape", "linear"},
+                             {"transfer", "flip"},
+                             {"integrator", integrator},
+                             {"sharpening", 0.0},
+                             {"ppc", 1.0},
+                             {"offset", offset}});
+}
+
+Findings closed_forms(const std::string& integrator) {
+  Findings findings;
+  findings.profile.abscissa = "offset";
+  std::vector<double> at, predicted, closed;
+  double worst = 0;
+  for (int k = 0; k < 12; ++k) {
+    const Settings settings = frozen_bar_like(integrator, (k + 0.5) / 12);
+    at.push_back(settings.number("offset"));
+    predicted.push_back(gas().predicted(settings, 1e-9).limit());
+    closed.push_back(gas().closed_form(settings)->limit);
+    worst = larger(worst, std::abs(predicted.back() / closed.back() - 1));
+  }
+  findings.measures.push_back(scalar_measure("limit.departure", worst, 0, 1e-15, "1"));
+  findings.profile.columns = {{"offset", "1", "shift of the lattice", at},
+                              {"limit", "h/c", "largest stable step", predicted},
+                              {"limit_reference", "h/c", "closed form", closed}};
+  return findings;
+}
+
+struct Seen {
+  double predicted = 0, observed = 0, brackets = 0;
+};
+
+Seen look(const std::string& scheme, const std::vector<Override>& overrides) {
+  const Settings settings = stability_settings(gas(), scheme, overrides);
+  const Prediction predicted = gas().predicted(settings, quick_width);
+  const Observation observed = gas().observed(settings, predicted.reach);
+  Seen seen{predicted.limit(), std::nan(""), static_cast<double>(observed.brackets.size())};
+  if (!observed.brackets.empty()) seen.observed = 0.5 * (observed.brackets[0].low + observed.brackets[0].high);
+  return seen;
+}
+
+Findings runs(const std::string& scheme, const std::vector<std::vector<Override>>& choices) {
+  Findings findings;
+  double worst = 0, brackets = 0, least = HUGE_VAL;
+  for (const auto& overrides : choices) {
+    const Seen seen = look(scheme, overrides);
+    worst = larger(worst, std::abs(seen.observed / seen.predicted - 1));
+    brackets = larger(brackets, seen.brackets);
+    least = std::min(least, seen.predicted);
+  }
+  findings.measures = {scalar_measure("observed.departure", worst, 0, 1e-15, "1"),
+                       finding("observed.brackets", brackets), finding("limit.least", least, "h/c")};
+  return findings;
+}
+
+// The step, in h/c, at which waves grow by a twentieth a step: beyond all that a compression itself makes grow.
+double step_of_strong_growth(const std::function<Patch(const Extent&)>& patch, const Settings& settings) {
+  constexpr int reach = 5;
+  double low = 0.5, high = 3;
+  while (high - low > 1e-3) {
+    const double dt = 0.5 * (low + high);
+    const Amplification a(patch({1, reach}), {settings.text("integrator"), integrator_parameters(settings)},
+                          Positions::moving, dt);
+    (worst_wave(a, 1).radius > 1.05 ? high : low) = dt;
+  }
+  return 0.5 * (low + high);
+}
+
+// york1997: the limit of a gas under compression, its switch as it is, over that of the viscosity that `closing` takes.
+Findings the_switch() {
+  const Settings settings = stability_settings(gas(), "york1997", {});
+  const auto limit = [&](const GasLattice& lattice) {
+    return step_of_strong_growth([&](const Extent& e) { return gas_patch(settings, lattice, e); }, settings);
+  };
+  const double closing = limit({.side = Side::closing}), opening = limit({.side = Side::opening});
+  Findings findings;
+  findings.measures = {finding("compressed", limit({.compression = 0.003}) / closing),
+                       finding("expanding", limit({.compression = -0.003}) / opening)};
+  const double both = look("york1997", {{"side", "both"}}).observed;
+  findings.measures.push_back(finding("both", (both - closing) / (opening - closing)));
+  return findings;
+}
+
+// How far sound of infinitesimal amplitude comes in h/c, in cells: of the eigenvalues those of the two waves have the
+// largest argument among all that the maps hardly damp.
+double speed_of_sound(const std::string& scheme, const std::vector<Override>& overrides) {
+  constexpr double dt = 0.1, theta = 0.1;
+  const Settings settings = stability_settings(gas(), scheme, overrides);
+  const Experiment experiment = experiment_of(gas(), settings);
+  const Amplification a(experiment.patch({1, 16}), experiment.integrator, experiment.positions, dt);
+  double fastest = 0;
+  for (const std::complex<double>& value : eigenvalues(a.at({theta, 0}))) {
+    if (std::abs(value) > 0.99) fastest = std::max(fastest, std::abs(std::arg(value)));
+  }
+  return fastest / (theta * dt);
+}
+
+Findings sound() {
+  Findings findings;
+  findings.measures = {
+      finding("default", speed_of_sound("default", {})),
+      finding("york1997", speed_of_sound("york1997", {{"side", "opening"}})),
+      finding("york1997.quadratic", speed_of_sound("york1997", {{"side", "opening"}, {"shape", "quadratic"}}))};
+  return findings;
+}
+
+Findings viscosities() {
+  Findings findings;
+  findings.profile.abscissa = "viscosity";
+  std::vector<double> at{0, 0.03, 0.1, 0.3, 1, 3, 10, 30};
+  for (const std::string scheme : {"default", "york1997"}) {
+    std::vector<double> limits;
+    for (const double nu : at) {
+      const Settings settings = stability_settings(gas(), scheme,
+                                                   {{"viscosity", nu}, {"side", "opening"}, {"ppc", 3.0}});
+      limits.push_back(gas().predicted(settings, 1e-4).limit());
+    }
+    double rise = 0;
+    for (std::size_t k = 1; k < at.size(); ++k) rise = larger(rise, limits[k] - limits[k - 1]);
+    const std::size_t last = at.size() - 1;
+    findings.measures.push_back(finding(scheme + ".rise", rise, "h/c"));
+    findings.measures.push_back(
+        finding(scheme + ".diffusive", limits[last] * at[last] / (limits[last - 1] * at[last - 1])));
+    findings.profile.columns.push_back({"limit_" + scheme, "h/c", "largest stable step, " + scheme, limits});
+  }
+  findings.profile.columns.insert(findings.profile.columns.begin(), {"viscosity", "1", "viscosity", at});
+  return findings;
+}
+
+// Growth in the plane at two steps, of the wave that grows most.
+Findings plane() {
+  Findings findings;
+  for (const std::string scheme : {"default", "york1997"}) {
+    const Settings settings = stability_settings(gas(), scheme, {{"dim", 2.0}, {"ppc", 4.0}, {"side", "opening"}});
+    const Experiment experiment = experiment_of(gas(), settings);
+    const auto growth = [&](double dt) {
+      const Amplification a(experiment.patch({1, 5}), experiment.integrator, experiment.positions, dt);
+      return worst_wave(a, 2).radius - 1;
+    };
+    const double fine = growth(0.1), coarse = growth(0.2);
+    findings.measures.push_back(finding(scheme + ".rate", std::log1p(coarse) / 0.2, "c/h"));
+    findings.measures.push_back(finding(scheme + ".ratio", coarse / fine));
+  }
+  return findings;
+}
+
+class StabilityGas final : public TrialCase {
+ public:
+  std::string name() const override { return "stability-gas"; }
+
+  std::vector<Trial> trials() const override {
+    std::vector<Trial> all;
+    for (const std::string name : {"usf", "musl", "usl"}) {
+      all.push_back({name + "-closed-form", name + ": limits at twelve offsets of the lattice",
+                     "Points that stay in their cells push a bar of the modulus (γ − 1) p.",
+                     [name] { return closed_forms(name); }});
+    }
+    all.push_back({"default-runs", "default: limits that runs show", "24 periods carry 24 of all wave numbers.", [] {
+                     return runs("default", {{}, {{"offset", 0.2}, {"ppc", 3.0}}});
+                   }});
+    all.push_back({"york1997-runs", "york1997: limits that runs show, on both sides of the viscosity's switch",
+                   "Three points a cell at three offsets.", [] {
+                     return runs("york1997", {{},
+                                              {{"offset", 0.1}},
+                                              {{"offset", 0.2}},
+                                              {{"side", "opening"}},
+                                              {{"offset", 0.2}, {"side", "opening"}}});
+                   }});
+    all.push_back(
+        {"switch", "A gas that closes, one that opens, and the switch between",
+         "The limit of a gas that is compressed, its own switch on, is that of a viscosity 4/3 μ = c_L ρ c h.",
+         the_switch});
+    all.push_back({"sound", "How fast sound of no amplitude travels", "π/31 a cell.", sound});
+    all.push_back({"viscosity", "Limits with physical viscosity", "From none to 30 c h.", viscosities, Tier::full});
+    all.push_back(
+        {"plane", "Growth in the plane, at steps of 0.1 and 0.2 h/c", "All wave numbers, 2 x 2 points a cell.", plane});
+    return all;
+  }
+
+  std::vector<CaseGate> gates() const override {
+    std::vector<CaseGate> all;
+    const auto value = [&](const std::string& trial, const std::string& measure, Gate gate, Tier tier = Tier::quick) {
+      all.push_back(value_gate(trial, measure, trial_level, std::move(gate), tier));
+    };
+    for (const std::string name : {"usf", "musl", "usl"}) {
+      all.push_back(error_gate(name + "-closed-form", "limit.departure", trial_level,
+                               declare(name + "-closed-form/limit", {{}, 1e-6}, Origin::target,
+                                       "predicted limits equal the closed form to 1e-6; a growth below 1e-6 a step is "
+                                       "no growth, which moves limits by less, as growth begins like a root")));
+    }
+    for (const std::string scheme : {"default", "york1997"}) {
+      const std::string trial = scheme + "-runs";
+      all.push_back(error_gate(
+          trial, "observed.departure", trial_level,
+          declare(trial + "/limit", {{}, 0.02}, Origin::target, "observed limits within 2 % of the predicted ones")));
+      value(
+          trial, "observed.brackets",
+          declare(trial + "/brackets", {1, 1}, Origin::theory, "below the limit all steps are stable, above it none"));
+    }
+    const std::string same =
+        "the same law on this side of its switch; 2 % for the compression of 0.003 c/h and 5 % a step";
+    value("switch", "compressed", declare("switch/compressed", {0.98, 1.02}, Origin::identity, same));
+    value("switch", "expanding", declare("switch/expanding", {0.98, 1.02}, Origin::identity, same));
+    value("switch", "both", declare("switch/both", {0, 1}, Origin::theory, "a mean of both sides"));
+    const std::string long_waves = "long waves travel with c, but for (k h)² = 0.01 and the step";
+    value("sound", "default", declare("sound/default", {0.99, 1.01}, Origin::theory, long_waves));
+    value("sound", "york1997.quadratic", declare("sound/quadratic", {0.99, 1.01}, Origin::theory, long_waves));
+    value("sound", "york1997",
+          expected_failure(declare("sound/york1997", {0.99, 1.01}, Origin::theory, long_waves),
+                           "gradients of linear shapes do not change within a cell: √((γ − 1)/γ) = 0.5345",
+                           {0.529, 0.540}));
+    for (const std::string scheme : {"default", "york1997"}) {
+      value("viscosity", scheme + ".rise",
+            declare("viscosity/" + scheme + "-rise", {{}, 1e-3}, Origin::theory,
+                    "more diffusion never lets a step be longer; a thousandth for the limits' own accuracy"),
+            Tier::full);
+      value("viscosity", scheme + ".diffusive",
+            declare("viscosity/" + scheme + "-diffusive", {0.95, 1.05}, Origin::theory,
+                    "of great viscosity the limit falls as h²/ν; from 10 to 30 c h all but (c h/ν)²"),
+            Tier::full);
+    }
+    value(
+        "plane", "york1997.rate",
+        expected_failure(declare("plane/york1997-rate", {{}, 1e-5}, Origin::theory, "a gas at rest stays at rest"),
+                         "the mixed derivative of bilinear shapes, but not their second ones, changes forces as points "
+                         "move: waves of shear grow",
+                         {0.55, 0.7}));
+    value("plane", "york1997.ratio",
+          declare("plane/york1997-ratio", {1.9, 2.2}, Origin::theory,
+                  "FLIP damps nothing: growth per time does not depend on the step, growth per step is in proportion"));
+    value("plane", "default.rate",
+          expected_failure(declare("plane/default-rate", {{}, 1e-5}, Origin::theory, "a gas at rest stays at rest"),
+                           "sums over points of second derivatives of shapes are not the integrals that vanish; APIC "
+                           "damps what that makes grow, once a step",
+                           {0.0069, 0.0084}, "2026-11-23 5825b24"));
+    value("plane", "default.ratio",
+          declare("plane/default-ratio", {3.6, 4.2}, Origin::theory,
+                  "damped by a share a step, driven by Δt²: growth per step is in proportion to Δt²"));
+    return all;
+  }
+};
+
+PLUMBLINE_CASE(StabilityGas);
+
+}  // namespace
+}  // namespace plumbline

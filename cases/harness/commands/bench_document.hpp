@@ -1,0 +1,37 @@
+// The parts of the bench, and the JSON that tells of them.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cases/harness/commands/bench_timing.hpp"
+#include "cases/harness/results/documents.hpp"
+
+namespace plumbline {
+
+// What the machine can do at best, measured when first asked for.
+class MachineLimits {
+ public:
+  double copy_bytes_per_s(double bytes, int threads);  // arrays of the next power of two, at least 64 KiB
+  double flops_per_s(int threads);
+  Json document() const;  // everything that was measured
+
+ private:
+  std::map<std::pair<int, int>, double> copies_;  // by threads and exponent of two
+  std::map<int, double> flops_;
+};
+
+// An entry of "kernels". part: matrix, target or scale.
+Json kernel_entry(const std::string& part, const BenchFlow& flow, const StepTiming& timing, MachineLimits& limits);
+
+// An entry of "targets": a figure that the project's plan sets; a missed one is shown as missed.
+Json target_entry(const std::string& name, const std::string& unit, double measured, std::optional<double> low,
+                  std::optional<double> high);
+
+// Cost of a point-step at the dearest size over that at the cheapest, among sizes from 1e4 to 1e7 points; one entry per
+// number of threads. `kernels`: entries of part scale.
+std::vector<Json> scale_targets(const Json& kernels);
+
+}  // namespace plumbline

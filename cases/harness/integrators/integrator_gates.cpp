@@ -1,0 +1,54 @@
+#include "cases/harness/integrators/integrator_gates.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace plumbline {
+
+const std::vector<std::string>& gate_families() {
+  static const std::vector<std::string> all{"consistency", "order", "stability", "energy",
+                                            "invariance",  "jumps", "identities"};
+  return all;
+}
+
+Gate gate_row(const std::string& family, const std::string& name, const std::string& quantity, Range expected,
+              Origin origin, const std::string& reason) {
+  Gate gate = declare(family + "/" + name, expected, origin, reason);
+  gate.quantity = quantity;
+  return gate;
+}
+
+Measured plain(double value, std::string note) {
+  Measured measured;
+  measured.value = value;
+  measured.scale = 1;
+  measured.note = std::move(note);
+  return measured;
+}
+
+std::vector<IntegratorGate> integrator_gates(const Subject& subject, Effort effort) {
+  std::vector<IntegratorGate> all;
+  const auto add = [&](std::vector<IntegratorGate> rows) {
+    std::move(rows.begin(), rows.end(), std::back_inserter(all));
+  };
+  add(consistency_gates());
+  add(order_gates(subject));
+  add(stability_gates(subject));
+  add(energy_gates(subject));
+  add(invariance_gates(subject));
+  if (effort == Effort::whole) {
+    add(jump_gates());
+    add(identity_gates(subject));
+  }
+  all.erase(std::remove_if(all.begin(), all.end(), [&](const IntegratorGate& row) { return row.effort > effort; }),
+            all.end());
+  for (IntegratorGate& row : all) {
+    for (const KnownFailure& known : subject.claims().known_failures) {
+      if (known.gate != row.gate.id) continue;
+      row.gate.expected_failure = ExpectedFailure{known.cause, {known.low, known.high}, {}, {}};
+    }
+  }
+  return all;
+}
+
+}  // namespace plumbline

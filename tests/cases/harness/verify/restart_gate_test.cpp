@@ -1,0 +1,172 @@
+// Every case goes on from its checkpoint to the same bits, and the gate that says so sees it when one does not.
+#include "cases/harness/verify/restart_gate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/cases/harness/toy_case.hpp"
+
+namespace plumbline {
+namespace {
+
+// --- all cases ----------------------------------------------------------------------------------------------------------
+
+// A problem as it is, but for an earlier end; or one that does not name what it has seen.
+class EndsEarly final : public Problem {
+ public:
+  EndsEarly(std::unique_ptr<Problem> whole, double end, bool forgetful)
+      : whole_(std::move(whole)),
+        end_(end),
+        forgetful_(forgetful) {}
+  Scene scene() const override { return whole_->scene(); }
+  double end_time() const override { return end_; }
+  void observe(const Simulation& simulation) override { whole_->observe(simulation); }
+  void history(Archive& archive) override {
+    if (!forgetful_) whole_->history(archive);
+  }
+  std::vector<Measure> measures(const Simulation& simulation) const override { return whole_->measures(simulation); }
+  Profile profile(const Simulation& simulation) const override { return whole_->profile(simulation); }
+
+ private:
+  std::unique_ptr<Problem> whole_;
+  double end_;
+  bool forgetful_;
+};
+
+class Shortened final : public Case {
+ public:
+  Shortened(const Case& whole, long steps, bool forgetful = false)
+      : whole_(whole),
+        steps_(steps),
+        forgetful_(forgetful) {}
+  std::string name() const override { return whole_.name(); }
+  Kind kind() const override { return whole_.kind(); }
+  std::vector<Key> keys() const override { return whole_.keys(); }
+  std::vector<Override> points_and_end(const std::string& scheme) const override {
+    return whole_.points_and_end(scheme);
+  }
+  std::unique_ptr<Problem> problem(const Settings& settings) const override {
+    auto problem = whole_.problem(settings);
+    const double end = std::min(problem->end_time(), static_cast<double>(steps_) * first_step(*problem, settings));
+    return std::make_unique<EndsEarly>(std::move(problem), end, forgetful_);
+  }
+  void derive(Settings& settings, const std::string& scheme) const override { whole_.derive(settings, scheme); }
+  std::vector<StudyPlan> studies() const override { return {}; }
+  std::vector<CaseGate> gates() const override { return {}; }
+  std::vector<double> default_levels() const override { return whole_.default_levels(); }
+
+ private:
+  static double first_step(const Problem& problem, const Settings& settings) {
+    Simulation run(problem.scene(), settings.text("integrator"), step_control(settings));
+    run.step(problem.end_time());
+    return run.last_dt();
+  }
+  const Case& whole_;
+  long steps_;
+  bool forgetful_;
+};
+
+// What is averaged over the last part of a run begins with an end of its own.
+Settings settings_for(const Case& entry) {
+  const double coarsest = entry.default_levels().front();
+  Settings settings = entry.settings("default", {{"cells", coarsest}});
+  constexpr double steps = 40;
+  if (!settings.has("t_end")) return settings;
+  const auto problem = entry.problem(settings);
+  Simulation run(problem->scene(), settings.text("integrator"), step_control(settings));
+  run.step(problem->end_time());
+  if (run.last_dt() * steps < problem->end_time()) settings.set("t_end", run.last_dt() * steps, entry.name());
+  return settings;
+}
+
+class EachCase : public testing::TestWithParam<const Case*> {};
+
+TEST_P(EachCase, GoesOnToTheSameBits) {
+  const Shortened entry(*GetParam(), 40);
+  const Settings settings = settings_for(*GetParam());
+  for (const double share : {0.0, 0.5, 1.0}) {
+    const RestartDifference difference = restart_difference(entry, "default", settings, share);
+    EXPECT_EQ(difference.numbers, 0) << "from " << share << " of the end time on: " << difference.first;
+    EXPECT_GT(difference.compared, 20);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EachCase, testing::ValuesIn(cases()), [](const auto& about) {
+  std::string name = about.param->name();
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+// --- the gate -----------------------------------------------------------------------------------------------------------
+
+JudgedGate judged(const Case& entry, const CaseGate& gate, std::int64_t steps) {
+  StudyResult study;
+  study.entry = &entry;
+  study.plan = {.id = "default", .title = {}, .why = {}};
+  study.levels.push_back({10, 0, RunResult(entry.name(), "default", settings_for(entry)), {}});
+  study.levels.front().run.steps = steps;
+  return judge_gates({gate}, study).at(0);
+}
+
+TEST(RestartGate, ComparesEveryNumberOfARun) {
+  const Shortened entry(find_case("string-vibration"), 40);
+  const JudgedGate gate = judged(entry, restart_gate("default", "runs of a membrane"), 40);
+  EXPECT_EQ(gate.gate.id, "default/restart");
+  EXPECT_EQ(gate.judgement.verdict, Verdict::pass) << gate.measured.note;
+  EXPECT_EQ(gate.measured.value, 0);
+}
+
+TEST(RestartGate, IsRedWhereAProblemDoesNotNameWhatItHasSeen) {
+  for (const char* name : {"two-bar", "mms-bar", "ring-at-rest"}) {
+    const Shortened entry(find_case(name), 40, true);
+    const JudgedGate gate = judged(entry, restart_gate("default", "runs"), 40);
+    EXPECT_EQ(gate.judgement.verdict, Verdict::fail) << name;
+    EXPECT_GT(gate.measured.value.value_or(0), 0) << name;
+    EXPECT_NE(gate.measured.note.find("the first in "), std::string::npos) << gate.measured.note;
+  }
+}
+
+TEST(RestartGate, TakesOverridesAndASuffix) {
+  const Shortened entry(find_case("bar-vibration"), 40);
+  const CaseGate gate = restart_gate("default", "runs", {{"integrator", "generalized-alpha"}, {"transfer", "flip"}},
+                                     "-x");
+  EXPECT_EQ(gate.gate.id, "default/restart-x");
+  EXPECT_EQ(judged(entry, gate, 40).judgement.verdict, Verdict::pass);
+}
+
+// The final state of another program has no steps: nothing can be said of it.
+TEST(RestartGate, SaysNothingOfAFinalState) {
+  const Shortened entry(find_case("sod"), 40);
+  EXPECT_TRUE(judged(entry, restart_gate("default", "runs"), 0).measured.invalid);
+}
+
+// A run that stopped before its checkpoint: the same words each time, whatever file it would have been written to.
+TEST(RestartGate, SaysNothingOfARunThatStopped) {
+  StudyResult study;
+  study.entry = &find_case("sod");
+  study.plan = {.id = "default", .title = {}, .why = {}};
+  const Settings settings = study.entry->settings("default", {{"cells", 20.0}, {"cfl", 5.0}});
+  study.levels.push_back({20, 0, RunResult("sod", "default", settings), {}});
+  study.levels.front().run.steps = 1;
+  const JudgedGate gate = judge_gates({restart_gate("default", "runs")}, study).at(0);
+  EXPECT_EQ(gate.judgement.verdict, Verdict::invalid);
+  EXPECT_EQ(gate.measured.note, "the run ended before the half of its time: there is nothing to be taken up again");
+}
+
+// Gas that expands must split points before the restart and after it, or the gate of the case says nothing of that.
+TEST(RestartGate, PointsAreSplitOnTheWay) {
+  const Case& entry = find_case("gas-expansion");
+  const Settings settings = entry.settings("default", {{"cells", 40.0}, {"split", 0.2}});
+  const auto problem = entry.problem(settings);
+  Simulation run(problem->scene(), settings.text("integrator"), step_control(settings));
+  const long start = run.points();
+  run.run_until(problem->end_time() / 2);
+  const long half_way = run.points();
+  run.run_until(problem->end_time());
+  EXPECT_LT(start, half_way);
+  EXPECT_LT(half_way, run.points());
+}
+
+}  // namespace
+}  // namespace plumbline
