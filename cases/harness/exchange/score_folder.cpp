@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "cases/harness/files/errors.hpp"
 #include "cases/harness/files/input_file.hpp"
 #include "cases/harness/files/json_text.hpp"
 #include "cases/harness/files/text_file.hpp"

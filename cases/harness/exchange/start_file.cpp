@@ -8,6 +8,7 @@
 
 #include "cases/harness/exchange/exchange.hpp"
 #include "cases/harness/exchange/final_state.hpp"
+#include "cases/harness/files/errors.hpp"
 #include "cases/harness/files/hdf5_file.hpp"
 #include "cases/harness/files/json_text.hpp"
 
