@@ -737,9 +737,13 @@ def _parsed(words):
     return json.loads(words, parse_constant=_refuse_constant, object_hook=_renamed)
 
 
+_FORMER_ORIGINS = {"frozen": "regression", "target": "requirement"}
+
+
 def _renamed(entry):
-    """Until 0.8: what files of the previous version call the origin `regression`."""
-    return {**entry, "origin": "regression"} if entry.get("origin") == "frozen" else entry
+    """Until 0.8: what files of the previous version call the origins `regression` and `requirement`."""
+    was = entry.get("origin")
+    return {**entry, "origin": _FORMER_ORIGINS[was]} if isinstance(was, str) and was in _FORMER_ORIGINS else entry
 
 
 def _refuse_constant(name):

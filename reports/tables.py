@@ -16,7 +16,7 @@ ORIGINS = {
     "literature": "literature",
     "reference_bound": "accuracy of the reference",
     "identity": "identity",
-    "target": "target of the project",
+    "requirement": "requirement: what users of such a code expect",
     "regression": "regression: a run of Plumbline itself",
 }
 MEANINGS = {

@@ -192,7 +192,7 @@ def test_gates_that_say_nothing_of_another_program_are_listed_with_the_reason(pl
     assert not judged.keys() & left_out.keys()
     assert judged["default/density-100"] == "FAIL" and judged["default/order"] == "INCONCLUSIVE"
     gate = next(gate for gate in document["gates"] if gate["id"] == "default/order")
-    assert gate["expected"]["low"] == 0.4 and gate["origin"] == "theory", "a target of Plumbline's own scheme binds nobody else"
+    assert gate["expected"]["low"] == 0.4 and gate["origin"] == "theory", "what is required of Plumbline's own scheme binds nobody else"
     assert "a run of Plumbline's own scheme" in left_out["default/density-400"]
     assert "expected to miss" in left_out["default/stick-density-100"]
     assert "ledger" in left_out["default/drift"]

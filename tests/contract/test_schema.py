@@ -9,7 +9,7 @@ PROVENANCE = {"version": "0.1.0", "git": "1a2b3c4", "dirty": False, "fingerprint
               "instruction_set": "x86-64-v3", "threads": 1, "libraries": {"Eigen": "3.4.0"},
               "command": "plumbline run sod", "started": "2026-01-31T12:00:00Z"}
 GATE = {"id": "sod/default/density.L1@100", "case": "sod", "scheme": "default", "quantity": "density.L1 at 100 cells",
-        "expected": {"low": None, "high": 0.007}, "origin": "target", "reason": "first order from a prototype's 0.0066",
+        "expected": {"low": None, "high": 0.007}, "origin": "requirement", "reason": "first order from a prototype's 0.0066",
         "measured": 0.0066, "interval": None, "margin": 0.06, "verdict": "PASS", "cause": None, "run_ids": ["sod-default-100-0123456789ab"]}
 MEASURE = {"error": 0.0066, "relative_error": 0.017, "value": None, "reference": None, "reference_bound": 1e-13, "unit": "1"}
 BALANCE = {"initial": 1, "final": 1, "relative_drift": 0}
@@ -92,7 +92,7 @@ DOCUMENTS = {
                            "before": 1.0, "after": 0.4, "size": -0.6, "interval": [-0.7, None], "equal": False, "note": ""}]},
     "tolerances": {"file": "cases/tolerances.json", "recorded": 1, "declared": 1,
                    "widened": [{"case": "sod", "study": "cells", "id": "a", "tier": "quick", "low": None, "high": 1, "order": True,
-                                "origin": "target", "reason": "0123456789ab", "since": "2026-11-22",
+                                "origin": "requirement", "reason": "0123456789ab", "since": "2026-11-22",
                                 "widened": {"from": {"low": None, "high": 0.9}, "date": "2026-11-22", "why": "because"}}],
                    "discrepancies": [{"kind": "new", "case": "*", "study": "*", "id": "*/mass", "message": "new"}]},
     "error": {"error": {"key": "cflx", "value": "1", "allowed": ["cfl", "dt"], "nearest": ["cfl"], "message": "unknown key cflx"}},

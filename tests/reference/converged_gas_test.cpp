@@ -144,12 +144,12 @@ void expect_comparator_converges(const GasProblem& problem, const ConvergedGas& 
 
 TEST(ShuOsher, FiniteVolumesConvergeToIt) {
   expect_comparator_converges(shu_osher_problem(), shu_osher(), -5, 5);
-  EXPECT_LT(shu_osher().error().density, 0.003);  // a tenth of what 400 cells of a good point method leave (target)
+  EXPECT_LT(shu_osher().error().density, 0.003);  // a tenth of what 400 cells of a good point method leave
 }
 
 TEST(WoodwardColella, FiniteVolumesConvergeToIt) {
   expect_comparator_converges(woodward_colella_problem(), woodward_colella(), 0, 1);
-  EXPECT_LT(woodward_colella().error().density, 0.01);  // a tenth of what 400 cells leave (target)
+  EXPECT_LT(woodward_colella().error().density, 0.01);  // a tenth of what 400 cells leave
 }
 
 TEST(WoodwardColella, HoldsItsMassAndEnergy) {
@@ -167,7 +167,7 @@ TEST(WoodwardColella, HoldsItsMassAndEnergy) {
 TEST(GasExpansion, HeadFrontAndEnergy) {
   const ConvergedGas& gas = gas_expansion();
   const Bounded head = gas_expansion_head(0.38, 0.005), front = gas_expansion_front(0.38, 0.005);
-  EXPECT_NEAR(head.value, 0.38 - 0.0592, 5e-5);  // printed in the project's plan
+  EXPECT_NEAR(head.value, 0.38 - 0.0592, 5e-5);  // as computed beforehand
   EXPECT_NEAR(front.value, 0.676, 5e-4);
   const Sample inside = gas.sample(head.value - 0.02), behind = gas.sample(head.value + 0.005);
   EXPECT_NEAR(inside.velocity.value, 0, 1e-6);  // two grid lengths ahead of the head the scheme knows nothing

@@ -41,7 +41,7 @@ TEST(FiniteVolume, ConservesMomentumUpToThePressureOnTheEnds) {
   EXPECT_NEAR(totals(s).momentum, 0.143 * (1 - 0.1), 10 * 2.3e-16 * static_cast<double>(s.steps));
 }
 
-// The figures of the project's plan, measured with another implementation of this scheme. Its choice of wave speeds
+// Figures measured with another implementation of this scheme. Its choice of wave speeds
 // and Courant number is not known: 10 % either way.
 TEST(FiniteVolume, MakesTheErrorsOnSodsProblemThatTheSchemeIsKnownFor) {
   const ExactTube exact(sod_tube());

@@ -95,7 +95,7 @@ TEST(LagrangianGas, CarriesAContactOnItsEdgeWithoutSmearingIt) {
 }
 
 // The wall, axis or centre is heated at the start, which stays in the first few cells; away from it the plateau's error
-// must fall by order 1 less a fifth. Two per cent at 400 cells is the project's target in all three; in the sphere the
+// must fall by order 1 less a fifth. Two per cent at 400 cells is required of all three; in the sphere the
 // density ahead grows to 16, and it is met between a tenth and a fifth of the radius.
 class LagrangianNoh : public testing::TestWithParam<int> {};
 TEST_P(LagrangianNoh, PlateauAndShock) {

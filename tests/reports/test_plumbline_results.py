@@ -46,22 +46,23 @@ def test_study_and_verdicts(results):
     assert set(verdicts.catalog) == {"sod", "spring-mass"}
 
 
-def test_the_origin_name_of_the_previous_version_is_read(tmp_path):
+@pytest.mark.parametrize("was, name", [("frozen", "regression"), ("target", "requirement")])
+def test_the_origin_name_of_the_previous_version_is_read(tmp_path, was, name):
     """Until 0.8, in every file: gates of verdicts and of the catalog, killers of seeded bugs."""
-    before = {"id": "a", "origin": "frozen", "settings": {"positions": "frozen"}}
+    before = {"id": "a", "origin": was, "settings": {"positions": "frozen"}}
     path = tmp_path / "verdicts.h5"
     with h5py.File(path, "w") as file:
         file.attrs.update(plumbline_format=2, kind="verdicts")
         file["verdicts"] = json.dumps({"gates": [before]})
         file["gates"] = json.dumps([before])
         file["catalog"] = json.dumps({"sod": {"gates": [before]}})
-    now = {**before, "origin": "regression"}
+    now = {**before, "origin": name}
     read = plumbline_results.load(path)
     assert read.gates == [now] and read.verdicts["gates"] == [now] and read.catalog["sod"]["gates"] == [now]
-    matrix = synthetic_mutants.document()
+    matrix = json.loads(json.dumps(synthetic_mutants.document()).replace('"origin": "regression"', f'"origin": "{name}"'))
     path = tmp_path / "mutants.json"
-    path.write_text(json.dumps(matrix).replace('"origin": "regression"', '"origin": "frozen"'), encoding="utf-8")
-    assert "frozen" in path.read_text(encoding="utf-8") and plumbline_results.load_mutants(path) == matrix
+    path.write_text(json.dumps(matrix).replace(f'"origin": "{name}"', f'"origin": "{was}"'), encoding="utf-8")
+    assert f'"{was}"' in path.read_text(encoding="utf-8") and plumbline_results.load_mutants(path) == matrix
 
 
 def test_comparator_of_a_study(results):

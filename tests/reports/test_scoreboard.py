@@ -74,7 +74,7 @@ def test_cards_count_results_and_verdicts(source, page):
 
 
 def test_gates_and_what_was_left_out_are_told(page):
-    for words in ("default/order", "target of the project", "default/drift", "reads the <ledger>", "cases/cut.h5", "truncated: 7 of 9",
+    for words in ("default/order", "requirement: what users of such a code expect", "default/drift", "reads the <ledger>", "cases/cut.h5", "truncated: 7 of 9",
                   "programs/exact/sod-90.h5", "ValueError: <no> such wall", "t_end=1.25", "density.L1 in kg/m³", "plumbline scoreboard board"):
         assert words in page.text, words
 

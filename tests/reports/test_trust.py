@@ -45,7 +45,7 @@ def test_gate_that_stands_on_every_study_must_be_asked_for_by_name():
     assert trust.matches("noh", "default/mass/regression", ["*", "*/mass"]) and not trust.matches("noh", "default/mass/regression", ["noh", "*/*"])
 
 
-def gate(name, margin, origin="target", verdict="PASS", high=1.0, low=None):
+def gate(name, margin, origin="requirement", verdict="PASS", high=1.0, low=None):
     return {"id": name, "case": "sod", "scheme": "default", "quantity": "x", "expected": {"low": low, "high": high},
             "origin": origin, "reason": "for a test", "measured": 0.5, "interval": None, "margin": margin, "verdict": verdict}  # fmt: skip
 
@@ -68,8 +68,8 @@ def test_flags_of_margins():
     assert {row["id"]: row["flag"] for row in rows if row["flag"]} == {"a": "wide", "b": "near the bound"}
     assert [row["id"] for row in rows][:2] == ["b", "a"]
     table = trust.origins(rows)
-    target = next(row for row in table["rows"] if row["origin"].startswith("target"))
-    assert (target["total"], target["near"], target["wide"]) == (6, 1, 1)
+    required = next(row for row in table["rows"] if row["origin"].startswith("requirement"))
+    assert (required["total"], required["near"], required["wide"]) == (6, 1, 1)
 
 
 def test_widened_tolerances_come_first(tmp_path):

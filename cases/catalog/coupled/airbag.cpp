@@ -119,11 +119,12 @@ class AirbagCase : public Case {
     };
     return {
         value_gate(study, "rebound_velocity", 25,
-                   declare(study + "/rebounds", {0.5 * spec_.speed, {}}, Origin::target,
+                   declare(study + "/rebounds", {0.5 * spec_.speed, {}}, Origin::requirement,
                            "the probe is thrown back; with less than half its speed three quarters of its energy would "
                            "be lost, and an adiabatic bag has no such sink")),
         value_gate(study, "apart", 25,
-                   declare(study + "/leaves", {0.02, {}}, Origin::target, "the probe has left the bag, by a cell")),
+                   declare(study + "/leaves", {0.02, {}}, Origin::requirement,
+                           "the probe has left the bag: a cell lies between them")),
         largest_gate(study,
                      declare(study + "/displacement-limit", {{}, 1}, Origin::theory,
                              "a bag of that meridian and gas that cannot stretch lets no probe deeper"),
@@ -135,19 +136,21 @@ class AirbagCase : public Case {
                      "largest of rebound_velocity over its upper bound", share("rebound_velocity", "rebound_limit")),
         uncertainty(study),
         largest_gate(study,
-                     declare(study + "/no-escape", {{}, 0}, Origin::target,
+                     declare(study + "/no-escape", {{}, 0}, Origin::identity,
                              "gas and skin move with one velocity field: no point passes the skin"),
                      "gas points outside", of("escaped_points")),
         largest_gate(study,
-                     declare(study + "/volume-ratio", {{}, 0.01}, Origin::target,
-                             "the gas fills the bag within 1 %: its volumes are those of the space inside the skin"),
+                     declare(study + "/volume-ratio", {{}, 0.01}, Origin::requirement,
+                             "the gas fills the bag within 1 %: its volumes are those of the space inside the skin, of "
+                             "which York's density misses a tenth"),
                      "largest error of the gas's volume over that of the bag",
                      [](const RunResult& r) { return std::abs(value_of(r, "volume_ratio") - 1); }),
-        drift_gate(study, declare(study + "/energy", {{}, 1e-10}, Origin::target, "the ledger closes, as planned"))};
+        drift_gate(study, declare(study + "/energy", {{}, 1e-10}, Origin::identity,
+                                  "the step closes the energy ledger to rounding, which adds up over the steps"))};
   }
 
   static CaseGate uncertainty(const std::string& study) {
-    Gate gate = declare(study + "/uncertainty", {{}, 1}, Origin::target,
+    Gate gate = declare(study + "/uncertainty", {{}, 1}, Origin::requirement,
                         "what touches, skin, probe and plate, is known to a share of a cell each: together to a cell");
     gate.quantity = "uncertainty of max_displacement on the finest mesh, over its cell";
     return study_gate(study, gate, [](const StudyResult& s) {
@@ -195,7 +198,8 @@ class AirbagCase : public Case {
                    Tier::full),
         error_gate("york1997", "volume_ratio", 25,
                    expected_failure(
-                       declare("york1997/volume-ratio", {{}, 0.01}, Origin::target, "the gas fills the bag"),
+                       declare("york1997/volume-ratio", {{}, 0.01}, Origin::requirement,
+                               "the gas fills the bag within 1 %, as by default"),
                        "his density takes the mass of a whole cell over its volume where the skin cuts it: the gas "
                        "at the skin counts as thinner than it is",
                        {0.100, 0.126}, "2026-11-23 5825b24"),

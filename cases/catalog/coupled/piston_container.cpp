@@ -325,7 +325,8 @@ class PistonContainerCase final : public Case {
     std::vector<CaseGate> all = massless_gates();
     for (CaseGate& gate : york_gates()) all.push_back(std::move(gate));
     const auto near = [](const std::string& id, double exact) {
-      return declare(id, {{}, 0.01 * exact}, Origin::target, "York's input within 1 % of the coupled root");
+      return declare(id, {{}, 0.01 * exact}, Origin::requirement,
+                     "York's input within 1 % of the exact frequency; its two modes of the piston are 5 % apart");
     };
     all.push_back(error_gate("heavy-spring", "omega", 80, near("heavy-spring/omega-80", 885.9)));
     all.push_back(error_gate("heavy-spring-4", "omega", 160, near("heavy-spring-4/omega-160", 865.43), Tier::full));
@@ -338,16 +339,17 @@ class PistonContainerCase final : public Case {
 
   static std::vector<CaseGate> massless_gates() {
     const auto massless = [](const std::string& id, double exact) {
-      return declare(id, {{}, 1e-3 * exact}, Origin::target, "within 0.1 % of (6.2), the spring nearly without mass");
+      return declare(id, {{}, 1e-3 * exact}, Origin::requirement,
+                     "within 0.1 % of (6.2), a spring without mass; this one has at most 0.2 % of the piston's");
     };
     std::vector<CaseGate> all{
         error_gate("default", "omega_massless", 160, massless("default/omega-160", 886.43)),
         error_gate("heavy-piston", "omega_massless", 160, massless("heavy-piston/omega-160", 281.15), Tier::full)};
     for (const char* study : {"default", "heavy-piston"}) {
       const std::string id = study;
-      all.push_back(order_gate(
-          study, "omega",
-          declare(id + "/omega-order", {1.8, {}}, Origin::target, "at least 1.8, as the plan asks; 2 in theory")));
+      all.push_back(order_gate(study, "omega",
+                               declare(id + "/omega-order", {1.8, {}}, Origin::theory,
+                                       "order 2; 0.2 for the coarse meshes and the interval")));
       all.push_back(constant_gate(study));
     }
     return all;
@@ -374,15 +376,16 @@ class PistonContainerCase final : public Case {
 
   static std::vector<CaseGate> york_gates() {
     const std::string reading =
-        "within 1 % of what the exact motion of piston, gas and heavy spring reads between its extremes";
+        "within 1 % of what the exact motion of piston, gas and heavy spring reads between its extremes: about what "
+        "the two digits that he prints can tell";
     const auto printed = [](const std::string& id, double shortest, double longest, const std::string& reason) {
       return declare(id, {2 * pi / longest, 2 * pi / shortest}, Origin::literature, reason);
     };
-    return {error_gate("york1997", "omega", 40, declare("york1997/omega", {{}, 8.859}, Origin::target, reading)),
+    return {error_gate("york1997", "omega", 40, declare("york1997/omega", {{}, 8.859}, Origin::requirement, reading)),
             value_gate("york1997", "omega", 40,
                        printed("york1997/printed", 0.00705, 0.00715, "his Table 3: 0.0071 s, half of the last digit")),
             error_gate("york-heavy-piston", "omega", 40,
-                       declare("york-heavy-piston/omega", {{}, 2.8096}, Origin::target, reading)),
+                       declare("york-heavy-piston/omega", {{}, 2.8096}, Origin::requirement, reading)),
             value_gate(
                 "york-heavy-piston", "omega", 40,
                 printed("york-heavy-piston/printed", 0.0215, 0.0225, "his Table 3: 0.022 s, half of the last digit")),

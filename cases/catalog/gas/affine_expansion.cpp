@@ -123,8 +123,8 @@ class AffineExpansionCase final : public Case {
   std::vector<CaseGate> gates() const override {
     std::vector<CaseGate> all;
     for (const char* study : {"default", "sphere"}) {
-      for (CaseGate& gate : target_order(study, "density.L1", 1.0,
-                                         "2 inside, but the layer at the edge is wrong by a share of itself")) {
+      for (CaseGate& gate : required_order(study, "density.L1", 1.0,
+                                           "2 inside, but the layer at the edge is wrong by a share of itself")) {
         all.push_back(std::move(gate));
       }
       all.push_back(energy_gate(study));

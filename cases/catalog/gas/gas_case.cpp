@@ -13,18 +13,18 @@ void york_step(Settings& settings, const std::string& scheme) {
   if (scheme == "york1997" && !settings.is_set("dt") && !settings.is_set("cfl")) settings.set("cfl", 0.021, "gas");
 }
 
-std::vector<CaseGate> target_order(const std::string& study, const std::string& measure, double order,
-                                   const std::string& reason) {
+std::vector<CaseGate> required_order(const std::string& study, const std::string& measure, double order,
+                                     const std::string& reason) {
   const std::string id = study + "/" + measure.substr(0, measure.find('.'));
-  return {fitted_order_gate(study, measure, declare(id + "-order", {order, {}}, Origin::target, reason)),
+  return {fitted_order_gate(study, measure, declare(id + "-order", {order, {}}, Origin::requirement, reason)),
           order_gate(study, measure,
-                     declare(id + "-order-interval", {order - 0.1, {}}, Origin::target,
-                             "the interval's low end, 0.1 below the target for the estimate"))};
+                     declare(id + "-order-interval", {order - 0.1, {}}, Origin::requirement,
+                             "the low end of the 95 % interval of the fit, 0.1 below what the estimate must reach"))};
 }
 
 CaseGate energy_gate(const std::string& study) {
   return drift_gate(study,
-                    declare(study + "/drift", {{}, 1e-12}, Origin::target,
+                    declare(study + "/drift", {{}, 1e-12}, Origin::identity,
                             "the step closes the energy ledger to rounding; 1e-12 is 1e4 units in the last place"));
 }
 

@@ -13,10 +13,10 @@ namespace plumbline {
 std::vector<Override> york_points(const std::string& scheme);
 void york_step(Settings& settings, const std::string& scheme);
 
-// The gates that the plan asks of a study in which a field's error falls: the estimate at least `order`, the low end of
+// The gates of a study in which a field's error falls: the estimate at least `order`, the low end of
 // its interval at least 0.1 below that.
-std::vector<CaseGate> target_order(const std::string& study, const std::string& measure, double order,
-                                   const std::string& reason);
+std::vector<CaseGate> required_order(const std::string& study, const std::string& measure, double order,
+                                     const std::string& reason);
 // Energy closes to rounding; the points fill their space.
 CaseGate energy_gate(const std::string& study);
 CaseGate coverage_gate(const std::string& study, double level);

@@ -90,8 +90,8 @@ class Noh final : public Case {
   }
 
   std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all = target_order("default", "density.L1", 0.8,
-                                             "a shock and the layer at the wall allow 1; 0.8 as of the shock tubes");
+    std::vector<CaseGate> all = required_order("default", "density.L1", 0.8,
+                                               "a shock and the layer at the wall allow 1; 0.8 as of the shock tubes");
     for (CaseGate& gate : shock_gates("default", 400, 1.0 / 400, 4)) all.push_back(std::move(gate));
     all.push_back(energy_gate("default"));
     all.push_back(coverage_gate("default", 100));

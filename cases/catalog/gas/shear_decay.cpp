@@ -82,8 +82,8 @@ class ShearDecayCase final : public Case {
   }
 
   std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all = target_order("default", "velocity.L1", 1.8,
-                                             "smooth flow allows 2; 0.2 for the coarsest mesh, as of the sound pulse");
+    std::vector<CaseGate> all = required_order(
+        "default", "velocity.L1", 1.8, "smooth flow allows 2; 0.2 for the coarsest mesh, as of the sound pulse");
     all.push_back(energy_gate("default"));
     return all;
   }

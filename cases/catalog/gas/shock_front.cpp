@@ -60,12 +60,14 @@ std::vector<Measure> shock_measures(const std::vector<GasSample>& points, double
 
 std::vector<CaseGate> shock_gates(const std::string& study, double level, double cell, double plateau) {
   const std::string at = fmt::format("-{}", level);
-  return {error_gate(study, "shock_position", level,
-                     declare(study + "/shock-position" + at, {{}, cell}, Origin::target,
-                             "the shock stands within one cell of its exact place")),
+  return {error_gate(
+              study, "shock_position", level,
+              declare(study + "/shock-position" + at, {{}, cell}, Origin::requirement,
+                      "the shock stands within one cell of its exact place, closer than the several cells it is wide")),
           error_gate(study, "plateau_density", level,
-                     declare(study + "/plateau" + at, {{}, 0.02 * plateau}, Origin::target,
-                             "the density behind it is exact to 2 %, away from the wall"))};
+                     declare(study + "/plateau" + at, {{}, 0.02 * plateau}, Origin::requirement,
+                             "away from the wall the density behind it is exact to 2 %: what the first cells at the "
+                             "wall are off by must not be felt there"))};
 }
 
 }  // namespace plumbline

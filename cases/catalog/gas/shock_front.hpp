@@ -28,7 +28,7 @@ double shock_place(const std::vector<GasSample>& points, double h, double halfwa
 // wall_heating: largest share by which the internal energy between origin and half the shock's distance is too high.
 std::vector<Measure> shock_measures(const std::vector<GasSample>& points, double h, const ShockFront& exact);
 
-// The gates that the plan asks of it at one level: within one cell, within 2 %.
+// Its gates at one level: within one cell, within 2 %.
 std::vector<CaseGate> shock_gates(const std::string& study, double level, double cell, double plateau);
 
 }  // namespace plumbline

@@ -107,8 +107,9 @@ class SodRotated final : public Case {
   static CaseGate isotropy_gate(const std::string& study, double level) {
     CaseGate g = study_gate(
         study,
-        declare(study + "/as-aligned-" + to_text(level), {0.9, 1.1}, Origin::target,
-                "asked for by the plan: within 10 % of the aligned tube's error at the same h"),
+        declare(study + "/as-aligned-" + to_text(level), {0.9, 1.1}, Origin::requirement,
+                "within 10 % of the aligned tube's error at the same h: at first order so much comes of cells a tenth "
+                "larger"),
         [level](const StudyResult& s) {
           Measured measured;
           measured.value = error(s, level) / error(*s.sibling("angle-0"), level);

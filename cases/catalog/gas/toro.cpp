@@ -11,8 +11,7 @@ const TubeCase toro_2{
      .tube = {{{1, -2, 0.4}, {1, 2, 0.4}, 1.4}, 0, 1, 0.5, 0.15},
      .order = 0.5,
      .order_reason = "rarefactions allow 1; where they part in the middle gas is near vacuum, its entropy is set in "
-                     "the first steps "
-                     "from a few points, and half an order is what the plan asks"}};
+                     "the first steps from a few points, and half an order is what can be relied on"}};
 
 const TubeCase toro_3{{.name = "toro-3", .tube = {{{1, 0, 1000}, {1, 0, 0.01}, 1.4}, 0, 1, 0.5, 0.012}}};
 

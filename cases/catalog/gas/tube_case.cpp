@@ -34,7 +34,7 @@ std::vector<StudyPlan> TubeCase::studies() const {
 }
 
 std::vector<CaseGate> TubeCase::gates() const {
-  std::vector<CaseGate> all = target_order("default", "density.L1", about_.order, about_.order_reason);
+  std::vector<CaseGate> all = required_order("default", "density.L1", about_.order, about_.order_reason);
   all.push_back(energy_gate("default"));
   all.push_back(coverage_gate("default", 100));
   return all;

@@ -12,9 +12,10 @@ namespace plumbline {
 struct TubeDescription {
   std::string name;
   ShockTube tube;
-  double order = 0.8;  // target for the fitted order of density.L1
+  double order = 0.8;  // that the fitted order of density.L1 must reach
   bool cold = false;   // a gas with next to no energy: what maps take from points must be returned
-  std::string order_reason = "shock and contact allow 1; 0.8 is asked of every tube of the table";
+  std::string order_reason =
+      "shock and contact allow 1; 0.8, as of every shock tube here, leaves a fifth for coarse meshes";
 };
 
 // Registers itself with the first mention of a static object, as a case of the file that mentions it.

@@ -250,56 +250,58 @@ class GeoTubeCase final : public Case {
 
   std::vector<CaseGate> gates() const override {
     const reference::GeoTube tube(reference::GeoTubeProblem{.compliance = 1 / 2e5});
-    return {error_gate("default", "departure", 80,
-                       declare("default/departure-80", {{}, 1e-4}, Origin::target,
-                               "at rest: no point leaves its place by more than 1e-4 of the height, 0.002 cells")),
-            fitted_order_gate("default", "departure",
-                              declare("default/departure-order", {1, {}}, Origin::theory,
-                                      "the jump of curvature at the end of the contact, spread over a cell, allows 1")),
-            error_gate("default", "tension", 40,
-                       declare("default/tension-40", {{}, 1e-3 * tube.tension().value}, Origin::theory,
-                               "chords of h/4 over the smallest radius T/p0 = 0.25 m: (l/R)^2/24 = 4e-4, and the same "
-                               "share for the maps")),
-            fitted_order_gate("default", "tension",
-                              declare("default/tension-order", {1.8, {}}, Origin::theory,
-                                      "chords of an arc: order 2; 0.2 for the swing about the rest")),
-            error_gate("default", "height", 80,
-                       declare("default/height-80", {{}, 1e-4 * tube.height().value}, Origin::target,
-                               "within 0.01 % of the exact height")),
-            error_gate("default", "width", 80,
-                       declare("default/width-80", {{}, 1e-4 * tube.width().value}, Origin::target,
-                               "within 0.01 % of the exact width")),
-            error_gate("default", "contact_width", 80,
-                       declare("default/contact-80", {{}, 1e-3 * tube.contact_width().value}, Origin::target,
-                               "within 0.1 % of the exact width in contact")),
-            error_gate("from-circle", "departure_at_end", 56,
-                       declare("from-circle/departure-56", {{}, 3.1e-3}, Origin::theory,
-                               "where it leaves the floor nodes bend the membrane over a cell; in half a cell its "
-                               "curvature p0/T makes a height of p0 h^2/8T, 0.0031 of the tube's")),
-            error_gate("from-circle", "contact_width", 56,
-                       declare("from-circle/contact-56", {{}, 2 * 4.0 / 56}, Origin::theory,
-                               "a cell at either end: the kernel feels the floor from there")),
-            error_gate("from-circle", "tension", 56,
-                       declare("from-circle/tension-56", {{}, 1e-3 * tube.tension().value}, Origin::target,
-                               "within 0.1 % of the exact tension, as at rest")),
-            error_gate("from-circle", "height", 56,
-                       declare("from-circle/height-56", {{}, 1e-3 * tube.height().value}, Origin::target,
-                               "within 0.1 % of the exact height")),
-            error_gate("accumulated", "tension", 80,
-                       declare("accumulated/tension-80", {{}, 1e-3 * tube.tension().value}, Origin::target,
-                               "within 0.1 % of the exact tension in the mean over the points")),
-            error_gate(
-                "accumulated", "departure", 80,
-                expected_failure(declare("accumulated/departure-80", {{}, 1e-4}, Origin::target,
-                                         "at rest: no point leaves its place by more than 1e-4 of the height"),
-                                 "nodes feel only what a cell's points pull together: strains of single points drift "
-                                 "apart in patterns that no node sees, and points with them",
-                                 {4.3e-4, 5.3e-4}, "2026-11-23 5825b24")),
-            fitted_order_gate(
-                "from-circle", "departure_at_end",
-                declare("from-circle/departure-order", {1, {}}, Origin::theory,
-                        "a height of p0 h^2/8T at the end of the contact: order 2, 1 while it still lies down"),
-                Tier::full)};
+    return {
+        error_gate("default", "departure", 80,
+                   declare("default/departure-80", {{}, 1e-4}, Origin::requirement,
+                           "at rest: no point leaves its place by more than 1e-4 of the height, 0.002 cells")),
+        fitted_order_gate("default", "departure",
+                          declare("default/departure-order", {1, {}}, Origin::theory,
+                                  "the jump of curvature at the end of the contact, spread over a cell, allows 1")),
+        error_gate("default", "tension", 40,
+                   declare("default/tension-40", {{}, 1e-3 * tube.tension().value}, Origin::theory,
+                           "chords of h/4 over the smallest radius T/p0 = 0.25 m: (l/R)^2/24 = 4e-4, and the same "
+                           "share for the maps")),
+        fitted_order_gate("default", "tension",
+                          declare("default/tension-order", {1.8, {}}, Origin::theory,
+                                  "chords of an arc: order 2; 0.2 for the swing about the rest")),
+        error_gate("default", "height", 80,
+                   declare("default/height-80", {{}, 1e-4 * tube.height().value}, Origin::requirement,
+                           "within 0.01 % of the exact height, 0.002 cells, as its points at rest")),
+        error_gate("default", "width", 80,
+                   declare("default/width-80", {{}, 1e-4 * tube.width().value}, Origin::requirement,
+                           "within 0.01 % of the exact width, a few thousandths of a cell, as its points at rest")),
+        error_gate(
+            "default", "contact_width", 80,
+            declare("default/contact-80", {{}, 1e-3 * tube.contact_width().value}, Origin::requirement,
+                    "within 0.1 % of the exact width in contact, whose ends stand anywhere in a cell: 0.02 cells")),
+        error_gate("from-circle", "departure_at_end", 56,
+                   declare("from-circle/departure-56", {{}, 3.1e-3}, Origin::theory,
+                           "where it leaves the floor nodes bend the membrane over a cell; in half a cell its "
+                           "curvature p0/T makes a height of p0 h^2/8T, 0.0031 of the tube's")),
+        error_gate("from-circle", "contact_width", 56,
+                   declare("from-circle/contact-56", {{}, 2 * 4.0 / 56}, Origin::theory,
+                           "a cell at either end: the kernel feels the floor from there")),
+        error_gate("from-circle", "tension", 56,
+                   declare("from-circle/tension-56", {{}, 1e-3 * tube.tension().value}, Origin::requirement,
+                           "within 0.1 % of the exact tension, as at rest")),
+        error_gate("from-circle", "height", 56,
+                   declare("from-circle/height-56", {{}, 1e-3 * tube.height().value}, Origin::requirement,
+                           "within 0.1 % of the exact height, a hundredth of a cell")),
+        error_gate("accumulated", "tension", 80,
+                   declare("accumulated/tension-80", {{}, 1e-3 * tube.tension().value}, Origin::requirement,
+                           "within 0.1 % of the exact tension in the mean over the points, as with segments")),
+        error_gate("accumulated", "departure", 80,
+                   expected_failure(
+                       declare("accumulated/departure-80", {{}, 1e-4}, Origin::requirement,
+                               "at rest: no point leaves its place by more than 1e-4 of the height, as with segments"),
+                       "nodes feel only what a cell's points pull together: strains of single points drift "
+                       "apart in patterns that no node sees, and points with them",
+                       {4.3e-4, 5.3e-4}, "2026-11-23 5825b24")),
+        fitted_order_gate(
+            "from-circle", "departure_at_end",
+            declare("from-circle/departure-order", {1, {}}, Origin::theory,
+                    "a height of p0 h^2/8T at the end of the contact: order 2, 1 while it still lies down"),
+            Tier::full)};
   }
 };
 

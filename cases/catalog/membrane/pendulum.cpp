@@ -292,17 +292,19 @@ class Pendulum final : public Case {
   }
 
  private:
-  // What is asked at h = 0.05.
+  // What is required at h = 0.05.
   static std::vector<CaseGate> accuracy(const std::string& study) {
     const reference::ElasticPendulumProblem p;
-    return {error_gate(study, "period", 20,
-                       declare(study + "/period-20", {{}, 1e-3 * reference::ElasticPendulum(p).heavy_period().value},
-                               Origin::target, "within 0.1 % of the elastic pendulum, as the plan asks")),
+    return {error_gate(
+                study, "period", 20,
+                declare(study + "/period-20", {{}, 1e-3 * reference::ElasticPendulum(p).heavy_period().value},
+                        Origin::requirement,
+                        "within 0.1 % of the elastic pendulum; the bob's smeared inertia makes h^2/(8 L^2) = 0.06 %")),
             error_gate(study, "amplitude_loss", 20,
-                       declare(study + "/loss-20", {{}, 1e-3}, Origin::target,
-                               "at most 0.1 % in a whole swing, as the plan asks")),
+                       declare(study + "/loss-20", {{}, 1e-3}, Origin::requirement,
+                               "at most 0.1 % in a whole swing: the amplitude would halve in seven hundred")),
             value_gate(study, "misalignment", 20,
-                       declare(study + "/aligned-20", {{}, 0.1 / 79}, Origin::target,
+                       declare(study + "/aligned-20", {{}, 0.1 / 79}, Origin::requirement,
                                "points on the chord: York judges by eye, where points touch; a tenth of their spacing, "
                                "L/79, is not seen"))};
   }
@@ -311,20 +313,20 @@ class Pendulum final : public Case {
     std::vector<CaseGate> all = york_gates();
     const double tenth_percent = 1e-3 * reference::ElasticPendulum({}).heavy_period().value;
     all.push_back(error_gate("box", "period", 20,
-                             declare("box/period-20", {{}, tenth_percent}, Origin::target,
+                             declare("box/period-20", {{}, tenth_percent}, Origin::requirement,
                                      "within 0.1 % of the elastic pendulum, as in the wide box: two cells to the wall"),
                              Tier::full));
     all.push_back(error_gate(
         "box", "period", 10,
         expected_failure(declare("box/period-10", {{}, 4 * tenth_percent}, Origin::theory,
-                                 "four times what is asked at half the cell, as at second order"),
+                                 "four times what is required at half the cell, as at second order"),
                          "the left wall stands one cell from the bob at its release, within its kernel, and mirrors it",
                          {0.028, 0.0345}, "2026-11-23 5825b24"),
         Tier::full));
     all.push_back(value_gate("free", "amplitude_loss", 10,
                              declare("free/loss-10", {{}, 4e-3}, Origin::theory,
-                                     "the one-way law does not matter to the swing: at most four times what is asked "
-                                     "at half the cell, as at second order"),
+                                     "the one-way law does not matter to the swing: at most four times what is "
+                                     "required at half the cell, as at second order"),
                              Tier::full));
     return all;
   }
@@ -430,9 +432,9 @@ class Pendulum final : public Case {
   // The least ratio of the errors at two levels that the reference's own bound leaves.
   static CaseGate falls(const std::string& study, const std::string& measure, double coarse, double fine, Tier tier) {
     Gate gate = declare(study + "/" + measure + "-" + to_text(coarse) + "-" + to_text(fine), {std::pow(2, 1.5), {}},
-                        Origin::target,
-                        "falls at every halving of h by 2^1.5 at least, as the plan asks; theory: 4. The bound of the "
-                        "reference counts against it");
+                        Origin::theory,
+                        "order 2 divides it by 4 at every halving of h; 2^1.5, half an order less, for coarse meshes. "
+                        "The bound of the reference counts against it");
     gate.quantity = measure + " at " + to_text(coarse) + " over " + to_text(fine);
     return study_gate(
         study, gate,

@@ -322,8 +322,8 @@ class StringSlack final : public Case {
                         : measure == "release_time" ? exact.release_time().value
                                                     : exact.apex_time().value;
     return error_gate(study, measure, level,
-                      declare(study + "/" + measure + "-" + to_text(level), {{}, 0.01 * time}, Origin::target,
-                              "within 1 %, as the plan asks"));
+                      declare(study + "/" + measure + "-" + to_text(level), {{}, 0.01 * time}, Origin::requirement,
+                              "within 1 % of the exact time; York reads his apex off Fig. 29 to 1.3 %"));
   }
 
   static std::vector<CaseGate> times(const std::string& study, double level) {

@@ -307,15 +307,16 @@ class NormalsCylinder final : public Case {
     all.push_back(error_gate("modern", "max_angle_error_deg", york_cells,
                              declare("modern/angle", {{}, 0.5}, Origin::theory,
                                      "as close to the radii as the angle between two points, 90/179 degrees")));
-    all.push_back(compared(
-        "modern", "connectivity",
-        declare("modern/as-connectivity", {{}, 0.005}, Origin::target,
-                "within 0.5 % of the way to rest of connectivity's radius, as the plan asks of the bag"),
-        "difference of the mean radius from that with connectivity, over the way to rest",
-        [](const RunResult& here, const RunResult& there) {
-          const double apart = *here.find("radius_change_mean")->value - *there.find("radius_change_mean")->value;
-          return std::abs(apart) / way_to_rest();
-        }));
+    all.push_back(compared("modern", "connectivity",
+                           declare("modern/as-connectivity", {{}, 0.005}, Origin::requirement,
+                                   "within 0.5 % of the way to rest of connectivity's radius, a quarter of what either "
+                                   "may be off from the exact mean"),
+                           "difference of the mean radius from that with connectivity, over the way to rest",
+                           [](const RunResult& here, const RunResult& there) {
+                             const double apart = *here.find("radius_change_mean")->value -
+                                                  *there.find("radius_change_mean")->value;
+                             return std::abs(apart) / way_to_rest();
+                           }));
     all.push_back(compared("york-quadratic", "york-cubic",
                            declare("york-quadratic/worse-than-cubic", {1, {}}, Origin::literature,
                                    "York: the quadratic method is worse than the cubic (Fig. 73)"),

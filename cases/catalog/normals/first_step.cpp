@@ -114,7 +114,8 @@ class NormalsFirstStep final : public Case {
   static std::vector<CaseGate> modern_gates() {
     std::vector<CaseGate> all;
     for (const char* study : {"empty", "four", "sixteen"}) {
-      all.push_back(angle_gate(study, "modern", "max", york_cells, 0.1, Origin::target, "at most 0.1 degrees"));
+      all.push_back(angle_gate(study, "modern", "max", york_cells, 0.1, Origin::requirement,
+                               "at most 0.1 degrees, a thirtieth of what a drawn arrow shows"));
     }
     Gate exact = declare("empty/modern-exact", {{}, 1e-9}, Origin::identity,
                          "points of a circle leave the fitted circle nothing to miss: rounding of points over their "
@@ -123,7 +124,8 @@ class NormalsFirstStep final : public Case {
     all.push_back(fitted_order_gate("ellipse", "modern.max_angle_error_deg",
                                     declare("ellipse/modern-order", {1.8, {}}, Origin::theory,
                                             "order 2 in the distance of points; 0.2 for the coarsest ones")));
-    all.push_back(angle_gate("ellipse", "modern", "max", 10, 0.1, Origin::target, "at most 0.1 degrees"));
+    all.push_back(angle_gate("ellipse", "modern", "max", 10, 0.1, Origin::requirement,
+                             "at most 0.1 degrees, a thirtieth of what a drawn arrow shows"));
     return all;
   }
 

@@ -148,10 +148,11 @@ class NormalsCell final : public Case {
     std::vector<CaseGate> all;
     for (const char* study : {"line-45", "line-80", "vertical", "single"}) {
       all.push_back(
-          angle_gate(study, "modern", "max", block, rounding, Origin::target, "exact on lines, but for rounding"));
+          angle_gate(study, "modern", "max", block, rounding, Origin::identity, "exact on lines, but for rounding"));
     }
     for (const char* study : {"arc-45", "arc-60", "arc-75", "arc-90"}) {
-      all.push_back(angle_gate(study, "modern", "max", block, 0.1, Origin::target, "at most 0.1 degrees"));
+      all.push_back(angle_gate(study, "modern", "max", block, 0.1, Origin::requirement,
+                               "at most 0.1 degrees, a thirtieth of what a drawn arrow shows"));
     }
     return all;
   }
@@ -184,9 +185,9 @@ class NormalsCell final : public Case {
                            "points of equal y have one x component where the exact ones are opposite [York 7.15-7.17]",
                            {75, 90}, measured_on)};
     for (const char* study : {"arc-45", "arc-60", "arc-75", "arc-90"}) {
-      all.push_back(
-          angle_gate(study, nine, "max", block, 0.1, Origin::target,
-                     "York: computed normals lie on the exact ones (Fig. 85); 0.1 degrees as of the modern method"));
+      all.push_back(angle_gate(study, nine, "max", block, 0.1, Origin::literature,
+                               "York: computed normals lie on the exact ones (Fig. 85); 0.1 degrees, a thirtieth of "
+                               "what a drawn arrow shows"));
     }
     return all;
   }

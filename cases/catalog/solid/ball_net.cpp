@@ -277,8 +277,8 @@ class BallNetCase final : public Case {
   std::vector<CaseGate> gates() const override {
     const double cell = 0.25;
     const std::string narrower = "2026-11-23 5825b24";
-    const auto target = [](const std::string& id, Range range, const std::string& why) {
-      return declare(id, range, Origin::target, why);
+    const auto theory = [](const std::string& id, Range range, const std::string& why) {
+      return declare(id, range, Origin::theory, why);
     };
     const auto literature = [](const std::string& id, Range range, const std::string& why) {
       return declare(id, range, Origin::literature, why);
@@ -286,17 +286,19 @@ class BallNetCase final : public Case {
     return {
         value_gate("default", "ball_velocity", 40,
                    literature("default/speed", {-1, -0.7}, "York: about -0.7; no faster than it came")),
-        value_gate("default", "apart", 40, target("default/leaves", {cell, {}}, "the ball leaves: more than a cell")),
+        value_gate("default", "apart", 40,
+                   literature("default/leaves", {cell, {}}, "York: with release it leaves; more than a cell")),
         error_gate("default", "turn_time", 40,
-                   target("default/turn-time", {{}, 0.04 * 1.604},
+                   theory("default/turn-time", {{}, 0.04 * 1.604},
                           "within 4 %: the net is touched half a spacing early, 0.031 m or 2 % of the time, and "
                           "its arc round the ball is wider by as much")),
         ratio_gate("default", "turn_time", 40, 20,
-                   target("default/turn-time-falls", {{}, 0.75}, "first order: half, and half as much again")),
+                   theory("default/turn-time-falls", {{}, 0.75}, "first order: half, and half as much again")),
         ratio_gate("default", "deepest", 40, 20,
-                   target("default/deepest-falls", {{}, 0.75}, "first order: half, and half as much again")),
+                   theory("default/deepest-falls", {{}, 0.75}, "first order: half, and half as much again")),
         value_gate("default", "highest_energy", 40,
-                   target("default/energy", {{}, 1 + 1e-12}, "nothing creates energy; sums round at 1e-15")),
+                   declare("default/energy", {{}, 1 + 1e-12}, Origin::identity,
+                           "nothing creates energy; sums round at 1e-15")),
         value_gate(
             "none", "apart", 40,
             literature("none/sticks", {{}, cell}, "York: without release it sticks; nodes within a cell hold both")),
@@ -308,7 +310,7 @@ class BallNetCase final : public Case {
         value_gate("york-9.9", "ball_velocity", 40,
                    literature("york-9.9/speed", {-0.8, -0.6}, "York: about -0.7, as his figure is read")),
         value_gate("york-9.9", "highest_energy", 40,
-                   expected_failure(target("york-9.9/energy", {{}, 1.001}, "no energy is created"),
+                   expected_failure(theory("york-9.9/energy", {{}, 1.001}, "no energy is created"),
                                     "the net's points cross cells, and with linear shapes each crossing throws them; "
                                     "most of what is created stays in the net",
                                     {1.105, 1.125}, narrower)),

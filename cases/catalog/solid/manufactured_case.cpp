@@ -41,10 +41,10 @@ constexpr const char* worst = "displacement.worst";
 }
 
 std::vector<CaseGate> displacement_order(const std::string& study, double order, const std::string& reason, Tier tier) {
-  return {fitted_order_gate(study, worst, declare(study + "/order", {order, {}}, Origin::target, reason), tier),
+  return {fitted_order_gate(study, worst, declare(study + "/order", {order, {}}, Origin::requirement, reason), tier),
           order_gate(study, worst,
-                     declare(study + "/order-interval", {order - 0.1, {}}, Origin::target,
-                             "the interval's low end, 0.1 below the target for the estimate"),
+                     declare(study + "/order-interval", {order - 0.1, {}}, Origin::requirement,
+                             "the low end of the 95 % interval of the fit, 0.1 below what the estimate must reach"),
                      tier)};
 }
 
@@ -76,7 +76,8 @@ CaseGate energy_monotone_gate(const std::string& study) {
 CaseGate missed_order(const std::string& study, const std::vector<double>& levels, double order,
                       const std::string& cause, Range band) {
   Gate gate = expected_failure(
-      declare(study + "/order", {order, {}}, Origin::target, "the order that the plan asks of a scheme for solids"),
+      declare(study + "/order", {order, {}}, Origin::requirement,
+              "second order, as with points that stay in their cells; what is missing to 2 is room for coarse meshes"),
       cause, band, "2026-11-23 5825b24");
   gate.quantity = fmt::format("fitted order of {} from {} to {} cells", worst, levels.front(), levels.back());
   return study_gate(

@@ -38,7 +38,7 @@ CaseGate displacement_gate(const std::string& study, double level, double most, 
 // That no step raises the energy of the points: largest measure energy_rise of all runs of a study. Linear elasticity,
 // midpoint step, no load.
 CaseGate energy_monotone_gate(const std::string& study);
-// The order that the target asks for and a scheme misses: as an expected failure with the band of its estimate.
+// The order that is required and that a scheme misses: as an expected failure with the band of its estimate.
 // Fitted over these levels alone, so that each tier judges the same number.
 CaseGate missed_order(const std::string& study, const std::vector<double>& levels, double order,
                       const std::string& cause, Range band);

@@ -172,7 +172,7 @@ class TwoDisksCase final : public Case {
 
  private:
   static CaseGate kept_more_gate() {
-    Gate gate = declare("default/kept-rises", {0, {}}, Origin::target, "what the maps take falls with refinement");
+    Gate gate = declare("default/kept-rises", {0, {}}, Origin::theory, "what the maps take falls with refinement");
     gate.quantity = "least rise of the energy kept from level to level";
     return study_gate("default", gate, [](const StudyResult& s) {
       Measured measured;

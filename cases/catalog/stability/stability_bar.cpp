@@ -75,12 +75,14 @@ class StabilityBar final : public TrialCase {
   std::vector<CaseGate> gates() const override {
     std::vector<CaseGate> all;
     for (const std::string name : {"usf", "musl", "usl"}) {
-      all.push_back(error_gate(name + "-closed-form", "limit.departure", trial_level,
-                               declare(name + "-closed-form/limit", {{}, 1e-6}, Origin::target,
-                                       "predicted limits equal the closed form to 1e-6")));
+      all.push_back(error_gate(
+          name + "-closed-form", "limit.departure", trial_level,
+          declare(name + "-closed-form/limit", {{}, 1e-6}, Origin::theory,
+                  "predicted limits equal the closed form; 1e-6 for finding the step at which a radius leaves 1")));
       all.push_back(error_gate(name + "-runs", "observed.departure", trial_level,
-                               declare(name + "-runs/limit", {{}, 0.01}, Origin::target,
-                                       "observed limits within 1 % of the predicted ones")));
+                               declare(name + "-runs/limit", {{}, 0.01}, Origin::requirement,
+                                       "observed limits within 1 % of the predicted ones, a tenth of the room that "
+                                       "cfl=auto leaves below a limit")));
       all.push_back(value_gate(name + "-runs", "observed.brackets", trial_level,
                                declare(name + "-runs/brackets", {1, 1}, Origin::theory,
                                        "below the limit all steps are stable, above it none")));

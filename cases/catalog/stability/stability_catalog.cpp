@@ -84,10 +84,11 @@ class StabilityCatalog final : public TrialCase {
     for (const Entry& chosen : entries()) {
       const std::string trial = chosen.trial;
       for (const char* share : {"at-0.5", "at-0.9"}) {
-        all.push_back(value_gate(trial, share, trial_level,
-                                 declare(trial + "/" + share, {{}, 2}, Origin::target,
-                                         "below the limit a case holds: its energy stays within twice that of its "
-                                         "start, what gravity and walls give included")));
+        all.push_back(
+            value_gate(trial, share, trial_level,
+                       declare(trial + "/" + share, {{}, 2}, Origin::requirement,
+                               "below the limit a case holds: its energy stays within twice that of its start, what "
+                               "gravity and walls give included; above the limit it grows tenfold and more")));
       }
       Gate above = declare(trial + "/at-1.1", {10, {}}, Origin::theory,
                            "above the limit something grows from step to step, and the energy with it");

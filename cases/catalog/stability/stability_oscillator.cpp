@@ -186,10 +186,12 @@ class StabilityOscillator final : public TrialCase {
     for (const Member& m : limited()) {
       all.push_back(error_gate(
           "limits", m.label + ".limit", trial_level,
-          declare("limits/" + m.label, {{}, 1e-6}, Origin::target, "predicted limits equal the closed form to 1e-6")));
+          declare("limits/" + m.label, {{}, 1e-6}, Origin::theory,
+                  "predicted limits equal the closed form; 1e-6 for finding the step at which a radius leaves 1")));
       all.push_back(error_gate("runs", m.label + ".observed", trial_level,
-                               declare("runs/" + m.label, {{}, 0.01}, Origin::target,
-                                       "observed limits within 1 % of the predicted ones, all of which are above 1")));
+                               declare("runs/" + m.label, {{}, 0.01}, Origin::requirement,
+                                       "observed limits within 1 % of the predicted ones, all of which are above 1, a "
+                                       "tenth of the room that cfl=auto leaves below a limit")));
     }
     is_true("limits", "implicit-midpoint.always_stable",
             "the implicit midpoint rule keeps the energy of an oscillator");
@@ -204,8 +206,8 @@ class StabilityOscillator final : public TrialCase {
       for (const auto& [quantity, order] : {std::pair{"displacement", m.displacement}, {"velocity", m.velocity}}) {
         const std::string measure = m.label + "." + quantity;
         all.push_back(value_gate("orders", measure, trial_level,
-                                 declare("orders/" + measure, {order - 0.05, order + 0.05}, Origin::target,
-                                         "measured orders within 0.05 of theory")));
+                                 declare("orders/" + measure, {order - 0.05, order + 0.05}, Origin::theory,
+                                         "the method's order, to 0.05 for the longest steps")));
       }
     }
     return all;

@@ -26,7 +26,7 @@ class MachineLimits {
 // An entry of "kernels". part: matrix, target or scale.
 Json kernel_entry(const std::string& part, const BenchFlow& flow, const StepTiming& timing, MachineLimits& limits);
 
-// An entry of "targets": a figure that the project's plan sets; a missed one is shown as missed.
+// An entry of "targets": a figure of speed that is wanted; a missed one is shown as missed.
 Json target_entry(const std::string& name, const std::string& unit, double measured, std::optional<double> low,
                   std::optional<double> high);
 

@@ -16,7 +16,7 @@ inline constexpr double error_share = 0.01;
 // Errors nearer to each other than this share of the reference's size differ by rounding: the bound of the generic
 // gates.
 inline constexpr double rounding_share = 1e-12;
-// Orders: half of the 0.1 that an order gate leaves between its target and its bound.
+// Orders: half of the 0.1 that an order gate leaves between the bounds of estimate and interval.
 inline constexpr double order_difference = 0.05;
 // A predicted limit is where a spectral radius passes 1 + 1e-6, found from finite differences: rounding moves it by some
 // 1e-6 of itself, and nobody sets a step to more than four digits.

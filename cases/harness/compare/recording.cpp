@@ -41,7 +41,7 @@ std::optional<RecordedValue> measured(const Json& gate, const std::string& tier,
   Gate judged;
   judged.quantity = gate.at("quantity").get<std::string>();
   judged.order = !gate.at("interval").is_null();
-  const Origin origin = origin_from(gate.at("origin").get<std::string>()).value_or(Origin::target);
+  const Origin origin = origin_from(gate.at("origin").get<std::string>()).value_or(Origin::requirement);
   value.within = recorded_range(range_of(gate.at("expected")), origin, is_order(judged), value.measured);
   return value;
 }

@@ -215,11 +215,11 @@ std::string why_not(const CaseGate& gate, const StudyResult& study) {
   return "";
 }
 
-// An order that is a target of Plumbline's own scheme binds others no further than theory does.
+// An order that is required of Plumbline's own scheme binds others no further than theory does.
 Gate for_any_program(Gate gate) {
   constexpr double least_order = 0.4;
   const bool of_order = gate.order || gate.quantity.starts_with("fitted order of ");  // see fitted_order_gate
-  if (of_order && gate.origin == Origin::target && gate.expected.low) {
+  if (of_order && gate.origin == Origin::requirement && gate.expected.low) {
     gate.expected.low = std::min(*gate.expected.low, least_order);
     gate.origin = Origin::theory;
     gate.reason = "what converges is at least of order 1/2, as schemes of first order at a contact; 0.1 for the fit";

@@ -16,8 +16,8 @@ constexpr double reference_ulps = 10;
 
 constexpr std::array<std::string_view, all_verdicts.size()> verdict_names{"PASS",  "FAIL",    "INCONCLUSIVE", "XFAIL",
                                                                           "XPASS", "INVALID", "NONE"};
-constexpr std::array<std::string_view, all_origins.size()> origin_names{"theory",   "literature", "reference_bound",
-                                                                        "identity", "target",     "regression"};
+constexpr std::array<std::string_view, all_origins.size()> origin_names{"theory",   "literature",  "reference_bound",
+                                                                        "identity", "requirement", "regression"};
 
 std::string text(double value) {  // the same under every locale
   std::array<char, 32> digits{};
@@ -169,7 +169,8 @@ std::optional<Verdict> verdict_from(std::string_view wanted) {
 }
 
 std::optional<Origin> origin_from(std::string_view wanted) {
-  if (wanted == "frozen") return Origin::regression;  // until 0.8: what files of the previous version call it
+  if (wanted == "frozen") return Origin::regression;   // until 0.8: what files of the previous version call it
+  if (wanted == "target") return Origin::requirement;  // likewise
   for (Origin origin : all_origins)
     if (name(origin) == wanted) return origin;
   return {};

@@ -23,18 +23,19 @@ enum class Origin {
   literature,       // published
   reference_bound,  // the reference's own error
   identity,         // holds exactly but for rounding
-  target,           // set by the project's plan; a missed one is shown as missed
+  requirement,      // what users of such a code expect, said in words and compared with something
   regression        // the yardstick is a run of this program: an earlier measurement (two-sided, with date and commit,
                     // guards against drift) or a reference run made beside it (the reason says the factor)
 };
-inline constexpr std::array all_origins{Origin::theory,   Origin::literature, Origin::reference_bound,
-                                        Origin::identity, Origin::target,     Origin::regression};
+inline constexpr std::array all_origins{Origin::theory,   Origin::literature,  Origin::reference_bound,
+                                        Origin::identity, Origin::requirement, Origin::regression};
 
 // Spelled as in results: "PASS", "reference_bound".
 std::string_view name(Verdict verdict);
 std::string_view name(Origin origin);
 std::optional<Verdict> verdict_from(std::string_view name);
-std::optional<Origin> origin_from(std::string_view name);  // takes "frozen" for regression until 0.8
+// Until 0.8 takes "frozen" for regression and "target" for requirement.
+std::optional<Origin> origin_from(std::string_view name);
 
 // Closed interval; an end that is absent does not bind.
 struct Range {
@@ -61,7 +62,7 @@ struct Gate {
   std::string id;
   std::string quantity;
   Range expected;  // in the unit of the quantity
-  Origin origin = Origin::target;
+  Origin origin = Origin::requirement;
   std::string reason;  // why this number
   std::optional<ExpectedFailure> expected_failure;
   bool order = false;       // judge the 95 % interval, not the value

@@ -1,4 +1,4 @@
-// What every gas case must have: complete words, gates that the plan asks for, points that are the initial gas, and a
+// What every gas case must have: complete words, gates with reasons, points that are the initial gas, and a
 // reference that starts from it.
 #include <gtest/gtest.h>
 
@@ -51,7 +51,7 @@ TEST_P(GasCases, DeclareValidGates) {
   }
 }
 
-// What the plan allows to be missed: the moving tube at its own steps, beside a gate at equal ones that holds.
+// What may be missed: the moving tube at its own steps, beside a gate at equal ones that holds.
 TEST_P(GasCases, ExpectNoFailureButTheOneWithAReason) {
   for (const CaseGate& gate : find_case(GetParam()).gates()) {
     const bool named = GetParam() == "sod-moving" && gate.gate.id.rfind("default/invariance-", 0) == 0 &&
@@ -153,10 +153,10 @@ TEST(Tubes, TheEndsAreUndisturbedAtTheEnd) {
   }
 }
 
-TEST(Tubes, OrdersAskedForAreThoseOfThePlan) {
-  const std::map<std::string, double> plan{{"toro-1", 0.8}, {"toro-2", 0.5}, {"toro-3", 0.8},
-                                           {"toro-4", 0.8}, {"toro-5", 0.8}, {"lax", 0.8}};
-  for (const auto& [name, order] : plan) {
+TEST(Tubes, OrdersRequiredAreThoseThatTheFlowAllows) {
+  const std::map<std::string, double> required{{"toro-1", 0.8}, {"toro-2", 0.5}, {"toro-3", 0.8},
+                                               {"toro-4", 0.8}, {"toro-5", 0.8}, {"lax", 0.8}};
+  for (const auto& [name, order] : required) {
     std::map<std::string, double> low;
     for (const CaseGate& gate : find_case(name).gates()) low[gate.gate.id] = gate.gate.expected.low.value_or(-1);
     EXPECT_DOUBLE_EQ(low.at("default/density-order"), order) << name;
@@ -263,7 +263,7 @@ TEST(PistonShock, BothFramesSeeTheSameShock) {
 }
 
 // A piston that moves does work, p2 u_p t in the end; one at rest does none.
-// The three published numbers and what the points say of them; 2 % of pressure and density as the plan asks, a cell in 0.4 s.
+// The three published numbers and what the points say of them; 2 % of pressure and density as in the gates, a cell in 0.4 s.
 TEST(PistonShock, TheMeasuresHaveThePublishedReferences) {
   for (const char* frame : {"frame=laboratory", "frame=piston"}) {
     const RunResult& run = run_of("piston-shock", {"cells=100", frame});

@@ -59,12 +59,12 @@ TEST(ShockFront, WallHeatingIsAShareOfTheExactEnergy) {
   EXPECT_EQ(find(shock_measures(step(0.4, 0.01, 4, 0.7), 0.01, front), "wall_heating").error, 0);
 }
 
-TEST(ShockFront, GatesAskForOneCellAndTwoPercent) {
+TEST(ShockFront, GatesAreOneCellAndTwoPercent) {
   const auto gates = shock_gates("default", 400, 1.0 / 400, 4);
   ASSERT_EQ(gates.size(), 2u);
   EXPECT_EQ(*gates[0].gate.expected.high, 1.0 / 400);
   EXPECT_EQ(*gates[1].gate.expected.high, 0.08);
-  for (const CaseGate& gate : gates) EXPECT_EQ(gate.gate.origin, Origin::target);
+  for (const CaseGate& gate : gates) EXPECT_EQ(gate.gate.origin, Origin::requirement);
 }
 
 }  // namespace

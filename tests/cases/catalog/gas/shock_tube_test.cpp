@@ -199,7 +199,7 @@ TEST(ShockTube, TheReferenceMovesWithTheSettings) {
   }
 }
 
-// Kernel and reference move together: the error changes by less than a factor of two, as the plan asks.
+// Kernel and reference move together: the error changes by less than a factor of two.
 TEST(ShockTube, ChangingStatesTimeOrDiaphragmKeepsTheError) {
   const double as_given = error(run({}), "density.L1");
   for (const char* change : {"gamma=1.67", "gamma=1.2", "t_end=0.1", "t_end=0.18", "diaphragm=0.4", "diaphragm=0.55"}) {

@@ -14,9 +14,9 @@ namespace {
 using ::testing::HasSubstr;
 
 Json gate(const std::string& id, double high, double measured, const std::string& verdict = "PASS") {
-  return {{"case", "sod"},       {"study", "default"}, {"id", id},
-          {"quantity", "error"}, {"origin", "target"}, {"expected", {{"low", nullptr}, {"high", high}}},
-          {"interval", nullptr}, {"verdict", verdict}, {"measured", measured}};
+  return {{"case", "sod"},       {"study", "default"},      {"id", id},
+          {"quantity", "error"}, {"origin", "requirement"}, {"expected", {{"low", nullptr}, {"high", high}}},
+          {"interval", nullptr}, {"verdict", verdict},      {"measured", measured}};
 }
 
 Json verification(const std::vector<Json>& gates) {

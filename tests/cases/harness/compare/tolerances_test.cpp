@@ -13,7 +13,7 @@ using ::testing::HasSubstr;
 LedgerLine line(const std::string& id, std::optional<double> low, std::optional<double> high) {
   CaseGate gate;
   gate.study = "cells";
-  gate.gate = declare(id, {low, high}, Origin::target, "first order from the plan");
+  gate.gate = declare(id, {low, high}, Origin::requirement, "first order from a coarse mesh");
   return declared_line("toy", gate, "2026-11-22");
 }
 

@@ -14,30 +14,30 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::optional<Range> target(Range expected, double measured) {
-  return recorded_range(expected, Origin::target, false, measured);
+std::optional<Range> range_beside(Range expected, double measured) {
+  return recorded_range(expected, Origin::requirement, false, measured);
 }
 
 TEST(RecordedRange, StandsBesideBoundsThatLetPassThreeTimesTheValue) {
-  EXPECT_FALSE(target({{}, 0.3}, 0.1));
-  const auto range = target({{}, 0.31}, 0.1);
+  EXPECT_FALSE(range_beside({{}, 0.3}, 0.1));
+  const auto range = range_beside({{}, 0.31}, 0.1);
   ASSERT_TRUE(range);
   EXPECT_DOUBLE_EQ(*range->low, 0.1 / 3);
   EXPECT_DOUBLE_EQ(*range->high, 0.3);
-  EXPECT_FALSE(target({0.4, {}}, 1.0));
-  EXPECT_TRUE(target({0.3, {}}, 1.0));
-  EXPECT_FALSE(target({0.9, 1.1}, 1.0));
-  EXPECT_FALSE(target({{}, 1.0}, std::nan("")));
+  EXPECT_FALSE(range_beside({0.4, {}}, 1.0));
+  EXPECT_TRUE(range_beside({0.3, {}}, 1.0));
+  EXPECT_FALSE(range_beside({0.9, 1.1}, 1.0));
+  EXPECT_FALSE(range_beside({{}, 1.0}, std::nan("")));
 }
 
 TEST(RecordedRange, NegativeValuesAndRangesAboutZero) {
-  EXPECT_FALSE(target({-2, -0.5}, -1));
-  const auto range = target({-10, -0.1}, -1);
+  EXPECT_FALSE(range_beside({-2, -0.5}, -1));
+  const auto range = range_beside({-10, -0.1}, -1);
   ASSERT_TRUE(range);
   EXPECT_DOUBLE_EQ(*range->low, -3);
   EXPECT_DOUBLE_EQ(*range->high, -1.0 / 3);
-  EXPECT_TRUE(target({-0.1, 0.1}, 0.05)) << "it may lose its sign";
-  EXPECT_FALSE(target({0, 0}, 0));
+  EXPECT_TRUE(range_beside({-0.1, 0.1}, 0.05)) << "it may lose its sign";
+  EXPECT_FALSE(range_beside({0, 0}, 0));
 }
 
 // A round-off identity may get better without a word; worse than thirty times, and above the least, it may not.
@@ -46,9 +46,9 @@ TEST(RecordedRange, RoundingHasAnUpperEndAlone) {
   ASSERT_TRUE(range);
   EXPECT_EQ(*range->low, 0);
   EXPECT_DOUBLE_EQ(*range->high, 6e-14);
-  EXPECT_DOUBLE_EQ(*target({{}, 1e-12}, 1e-17)->high, 64 * 0x1p-52);
-  EXPECT_DOUBLE_EQ(*target({{}, 0.5}, 0)->high, 64 * 0x1p-52);
-  EXPECT_DOUBLE_EQ(*target({-0.5, 0.5}, 1e-17)->low, -64 * 0x1p-52);
+  EXPECT_DOUBLE_EQ(*range_beside({{}, 1e-12}, 1e-17)->high, 64 * 0x1p-52);
+  EXPECT_DOUBLE_EQ(*range_beside({{}, 0.5}, 0)->high, 64 * 0x1p-52);
+  EXPECT_DOUBLE_EQ(*range_beside({-0.5, 0.5}, 1e-17)->low, -64 * 0x1p-52);
   EXPECT_FALSE(recorded_range({{}, 1e-12}, Origin::identity, false, 5e-14)) << "30 times it is beyond the bound itself";
 }
 
@@ -72,7 +72,7 @@ JudgedGate judged(double value) {
 }
 
 RecordedValue recorded(double value) {
-  return {"toy", "s", "s/error", "quick", value, target({{}, 1}, value), "2026-11-23 5825b24", {}};
+  return {"toy", "s", "s/error", "quick", value, range_beside({{}, 1}, value), "2026-11-23 5825b24", {}};
 }
 
 TEST(JudgeRegression, ATenfoldLossIsRedAndSoIsATenfoldGain) {

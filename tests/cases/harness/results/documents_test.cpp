@@ -134,7 +134,7 @@ TEST(Documents, OfAGate) {
   EXPECT_EQ(d["quantity"], "a number");
   EXPECT_EQ(d["expected"]["low"], 0.5);
   EXPECT_TRUE(d["expected"]["high"].is_null());
-  EXPECT_EQ(d["origin"], "target");
+  EXPECT_EQ(d["origin"], "requirement");
   EXPECT_EQ(d["measured"], 0.2);
   EXPECT_TRUE(d["interval"].is_null());
   EXPECT_EQ(d["verdict"], "XFAIL");

@@ -21,7 +21,7 @@ Gate gate(Range expected) {
   result.id = "sod.error";
   result.quantity = "density.L1";
   result.expected = expected;
-  result.reason = "the plan asks for it";
+  result.reason = "as accurate as another method";
   return result;
 }
 
@@ -69,7 +69,8 @@ TEST(Verdict, NamesAreThoseOfTheResults) {
   EXPECT_EQ(name(Verdict::xpass), "XPASS");
   EXPECT_EQ(name(Verdict::none), "NONE");
   EXPECT_FALSE(verdict_from("pass"));
-  const std::vector<std::string> origins{"theory", "literature", "reference_bound", "identity", "target", "regression"};
+  const std::vector<std::string> origins{"theory",   "literature",  "reference_bound",
+                                         "identity", "requirement", "regression"};
   for (std::size_t k = 0; k < origins.size(); ++k) {
     EXPECT_EQ(name(all_origins[k]), origins[k]);
     EXPECT_EQ(origin_from(origins[k]), all_origins[k]);
@@ -77,6 +78,7 @@ TEST(Verdict, NamesAreThoseOfTheResults) {
   EXPECT_EQ(name(Origin::reference_bound), "reference_bound");
   EXPECT_FALSE(origin_from("guess"));
   EXPECT_EQ(origin_from("frozen"), Origin::regression);  // until 0.8: files of the previous version
+  EXPECT_EQ(origin_from("target"), Origin::requirement);
 }
 
 TEST(Verdict, ARangeBindsAtItsEndsAndHoldsNoNan) {
