@@ -2,6 +2,7 @@
 # and which folder of the catalog includes which. Results carry hashes of it, so that they are taken again only where no code
 # that could change them has changed. Called with -DLIST (a file with the objects' paths), -DSOURCE and -DOUTPUT.
 file(STRINGS ${LIST} objects)
+list(FILTER objects EXCLUDE REGEX "/cmake_pch[^/]*$")
 list(SORT objects)
 set(lines "")
 foreach(object IN LISTS objects)

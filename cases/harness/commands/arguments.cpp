@@ -87,8 +87,10 @@ template Argument Arguments::option(const std::string&, int&, const std::string&
 template Argument Arguments::option(const std::string&, double&, const std::string&) const;
 template Argument Arguments::option(const std::string&, std::optional<std::string>&, const std::string&) const;
 template Argument Arguments::option(const std::string&, std::optional<int>&, const std::string&) const;
+template Argument Arguments::option(const std::string&, std::optional<long>&, const std::string&) const;
 template Argument Arguments::option(const std::string&, std::optional<double>&, const std::string&) const;
 template Argument Arguments::option(const std::string&, std::vector<std::string>&, const std::string&) const;
+template Argument Arguments::option(const std::string&, std::vector<int>&, const std::string&) const;
 template Argument Arguments::option(const std::string&, std::vector<double>&, const std::string&) const;
 
 Argument Arguments::flag(const std::string& name, bool& to, const std::string& what) const {

@@ -38,8 +38,8 @@ class Arguments {
   // A command with arguments of its own. `footer`: the last lines of its --help.
   Arguments command(const std::string& name, const std::string& what, const std::string& footer) const;
 
-  // A value goes to `to`, which outlives the parsing. Names as --name, or a word: an argument by position. T: a text, int, double,
-  // an optional or a vector of them.
+  // A value goes to `to`, which outlives the parsing. Names as --name, or a word: an argument by position. T: a text, a number,
+  // an optional or a vector of one.
   template <class T>
   Argument option(const std::string& name, T& to, const std::string& what) const;
   Argument flag(const std::string& name, bool& to, const std::string& what) const;

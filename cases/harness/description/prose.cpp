@@ -49,7 +49,8 @@ Prose::Prose(std::string name, const std::string& markdown, const TextOf& text_o
         continue;
       }
       const std::string other = line.substr(2, line.size() - 4);
-      for (const std::string& more : Prose(other, text_of(other), text_of).wanted(section.heading).lines) {
+      const Prose shared(other, text_of(other), text_of);
+      for (const std::string& more : shared.wanted(section.heading).lines) {
         if (!more.empty()) lines.push_back(more);
       }
     }

@@ -11,8 +11,7 @@
 namespace plumbline {
 namespace {
 
-const AirbagSpec narrow{
-    .name = "probe", .title = "", .mass = 6.03, .radius = 0.1, .speed = 3.9, .crown = 0.318, .end_time = 0.1};
+const AirbagSpec narrow{.name = "probe", .mass = 6.03, .radius = 0.1, .speed = 3.9, .crown = 0.318, .end_time = 0.1};
 
 // On any mesh the probe has its mass, and its points fill it.
 TEST(AirbagRun, ProbeIsWhole) {
