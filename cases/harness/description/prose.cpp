@@ -23,13 +23,20 @@ const Written& written(const std::string& name) {
   return text->second;
 }
 
+// "2" or "4/3".
+double order_of(const std::string& text) {
+  const std::size_t over = text.find('/');
+  return over == std::string::npos ? std::stod(text)
+                                   : std::stod(text.substr(0, over)) / std::stod(text.substr(over + 1));
+}
+
 // "A, B of order 1: why" as two orders.
 void add_orders(const Prose& prose, const std::string& item, std::vector<Statement::TheoryOrder>& orders) {
   const std::string between = " of order ";
   const std::size_t of = item.find(between), why = item.find(": ", of);
   if (of == std::string::npos || why == std::string::npos)
     throw prose.wrong("Orders", "'MEASURE, ... of order NUMBER: why' is wanted, not '" + item + "'");
-  const double order = std::stod(item.substr(of + between.size(), why - of - between.size()));
+  const double order = order_of(item.substr(of + between.size(), why - of - between.size()));
   for (std::size_t from = 0; from < of;) {
     const std::size_t end = std::min(item.find(", ", from), of);
     orders.push_back({item.substr(from, end - from), order, item.substr(why + 2)});

@@ -48,7 +48,7 @@ Prose written_prose(const std::string& name);
 std::string written_sketch(const std::string& name);
 
 // Sections: Source, Claim, Physics, [Equations] (code), Cells, Reference: NAME, Bound of the reference, [Orders] (items
-// `MEASURE, ... of order NUMBER: why`), [Known limits] (items).
+// `MEASURE, ... of order NUMBER: why`, the number as 2 or 4/3), [Known limits] (items).
 Statement statement_of(const Prose& prose, std::string sketch);
 
 // Of the source that the build makes of the texts.

@@ -45,7 +45,7 @@ Rounding.
 ## Orders
 - density.L1, velocity.L1 of order 1: jumps: they
   spread
-- pressure.L1 of order 0.5: slow
+- pressure.L1 of order 1/2: slow
 
 ## Known limits
 - One that goes
@@ -107,7 +107,7 @@ TEST(StatementOfProse, NamesALineThatHasNoPlace) {
   };
   EXPECT_THROW(read(replaced("    p =", "p =")), std::invalid_argument);
   EXPECT_THROW(read(replaced("- One", "One")), std::invalid_argument);
-  EXPECT_THROW(read(replaced(" of order 0.5", "")), std::invalid_argument);
+  EXPECT_THROW(read(replaced(" of order 1/2", "")), std::invalid_argument);
   EXPECT_THROW(read(replaced("{{shared}}", "{{other}}")), std::invalid_argument);
   EXPECT_THROW(read("before\n" + whole), std::invalid_argument);
 }
