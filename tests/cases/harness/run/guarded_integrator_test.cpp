@@ -16,6 +16,11 @@ namespace {
 using testing::HasSubstr;
 
 std::function<void()> act = [] {};  // in a step
+
+class GuardedIntegrator : public testing::Test {
+ protected:
+  void TearDown() override { act = [] {}; }  // a registered integrator outlives its test
+};
 struct Odd {};
 
 class Acting final : public TimeIntegrator {
@@ -48,7 +53,7 @@ MisbehavingIntegrator thrown_by(const std::function<void()>& what) {
   return {"none", "threw nothing", "step", 0, 0};
 }
 
-TEST(GuardedIntegrator, WhatItThrowsNamesIt) {
+TEST_F(GuardedIntegrator, WhatItThrowsNamesIt) {
   const auto error = thrown_by([] { throw std::runtime_error("boom"); });
   EXPECT_EQ(error.integrator, "acting");
   EXPECT_EQ(error.reason, "integrator acting threw std::exception: boom");
@@ -59,12 +64,12 @@ TEST(GuardedIntegrator, WhatItThrowsNamesIt) {
   EXPECT_THAT(thrown_by([] { throw std::runtime_error("\xff"); }).reason, HasSubstr("\xef\xbf\xbd"));
 }
 
-TEST(GuardedIntegrator, AStateThatCannotBeIsNoMisbehaviour) {
+TEST_F(GuardedIntegrator, AStateThatCannotBeIsNoMisbehaviour) {
   EXPECT_THROW(thrown_by([] { throw InadmissibleState("no midpoint", "all", 0, "velocity", 1); }), InadmissibleState);
   EXPECT_THROW(thrown_by([] { throw Interrupted(2); }), Interrupted);
 }
 
-TEST(GuardedIntegrator, CountsItsStepsAndCopiesTakeThemAlong) {
+TEST_F(GuardedIntegrator, CountsItsStepsAndCopiesTakeThemAlong) {
   const IntegratorEntry entry = guarded(entry_of("acting"));
   const auto first = entry.make();
   RecordingStages stages;
@@ -83,7 +88,7 @@ TEST(GuardedIntegrator, CountsItsStepsAndCopiesTakeThemAlong) {
 }
 
 // In a run, step and time are the run's: a run that goes on from a checkpoint has others than its integrator.
-TEST(GuardedIntegrator, InARunTheStepIsTheRuns) {
+TEST_F(GuardedIntegrator, InARunTheStepIsTheRuns) {
   class Plain final : public TimeIntegrator {
     void step(Stages&, double) override { act(); }
   };
@@ -106,7 +111,7 @@ TEST(GuardedIntegrator, InARunTheStepIsTheRuns) {
   }
 }
 
-TEST(GuardedIntegrator, OtherCallsAreGuardedToo) {
+TEST_F(GuardedIntegrator, OtherCallsAreGuardedToo) {
   const auto integrator = guarded(entry_of("acting")).make();
   EXPECT_THROW(integrator->claims(), MisbehavingIntegrator);
   EXPECT_THROW(integrator->parameters(), MisbehavingIntegrator);
@@ -122,7 +127,7 @@ TEST(GuardedIntegrator, OtherCallsAreGuardedToo) {
 }
 
 // All that a run is taken up again by.
-TEST(GuardedIntegrator, WhatItSaysOfItselfArrives) {
+TEST_F(GuardedIntegrator, WhatItSaysOfItselfArrives) {
   class Honest final : public TimeIntegrator {
     void step(Stages&, double) override {}
     std::vector<IntegratorParameter> parameters() override { return {{"test_share", &share, 0, 1, "of something"}}; }
@@ -146,7 +151,7 @@ TEST(GuardedIntegrator, WhatItSaysOfItselfArrives) {
   EXPECT_TRUE(copy->claims().reversible);
 }
 
-TEST(GuardedIntegrator, OneThatIsRefusedIsNotCalled) {
+TEST_F(GuardedIntegrator, OneThatIsRefusedIsNotCalled) {
   act = [] { FAIL(); };
   const IntegratorEntry entry = guarded(entry_of("acting"), "called exit when it was tried");
   const auto integrator = entry.copy(*entry.make());
@@ -156,7 +161,7 @@ TEST(GuardedIntegrator, OneThatIsRefusedIsNotCalled) {
               integrator->claims().orders.empty());
 }
 
-TEST(GuardedIntegrator, OthersSeeWhichStepIsUnderWay) {
+TEST_F(GuardedIntegrator, OthersSeeWhichStepIsUnderWay) {
   std::string seen;
   const auto look = [&] {
     for_calls_under_way(
