@@ -55,7 +55,7 @@ DOCUMENTS = {
     "cost": {"machine": {"cpu": "some"}, "fingerprint": None, "tier": "quick", "repeats": 5, "runs": [COST],
              "left_out": [{"case": "sod", "scheme": "default", "study": "integrator/rk4", "vary": "cells", "value": 400}], "provenance": PROVENANCE},
     "list": {"cases": [{"name": "sod", "title": "Shock tube", "source": "York 4.1", "cells_along": "the tube, 1 m", "keys": ["gamma", "t_end"]}],
-             "schemes": [{"name": "default", "title": "the project's best", "source": "this project", "settings": {"gas": {"shape": "quadratic"}}}],
+             "schemes": [{"name": "default", "title": "the project's best", "source": "this project", "kinds": {"gas": {"shape": "cubic"}}, "settings": {"gas": {"shape": "quadratic"}}}],
              **{kind: [{"name": "usl", "title": "a line", "source": "York 3"}]
                 for kind in ("integrators", "shapes", "transfers", "materials", "references")}, "problems": []},
     "explain": {"name": "sod", "title": "Shock tube", "source": "York 4.1", "claim": "a claim", "physics": "first\n\nsecond", "equations": ["p = (γ-1) ρ i"],

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "cases/catalog/gas/ideal_gas.hpp"
 #include "cases/catalog/solid/collision.hpp"
 #include "cases/harness/description/archive.hpp"
 #include "cases/harness/files/errors.hpp"
@@ -20,13 +21,7 @@ constexpr double probe_modulus = 5e7, probe_poisson = 0.3, probe_height = 0.08; 
 constexpr int probe_ppc = 2;                                                     // and direction
 constexpr double turn = 2 * std::numbers::pi;
 
-std::shared_ptr<IdealGas> bag_gas(const Settings& settings) {
-  auto gas = std::make_shared<IdealGas>();
-  gas->gamma = bag_gamma;
-  gas->viscosity_linear = settings.number("viscosity.linear");
-  gas->viscosity_quadratic = settings.number("viscosity.quadratic");
-  return gas;
-}
+std::shared_ptr<IdealGas> bag_gas(const Settings& settings) { return chosen_gas(settings, bag_gamma); }
 
 // Bounds from outside the run: what a bag as long along the meridian as this ever got does at most to the probe.
 struct Limits {

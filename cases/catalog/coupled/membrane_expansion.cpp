@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "cases/catalog/coupled/dog_bone.hpp"
+#include "cases/catalog/gas/ideal_gas.hpp"
 #include "cases/harness/description/archive.hpp"
 #include "cases/harness/description/case.hpp"
 #include "cases/harness/files/whole.hpp"
@@ -41,10 +42,8 @@ class MembraneExpansionRun final : public Problem {
     scene.grid.cells = {settings_.integer("cells"), settings_.integer("cells"), 1};
     // York's outer sides are fixed; the bag never comes near.
     for (auto& wall : scene.grid.walls) wall = {Wall::symmetry, Wall::symmetry};
-    auto gas = std::make_shared<IdealGas>();
+    auto gas = chosen_gas(settings_, IdealGas().gamma);
     gas->viscosity = settings_.number("viscosity");
-    gas->viscosity_linear = settings_.number("viscosity.linear");
-    gas->viscosity_quadratic = settings_.number("viscosity.quadratic");
     Body inside = fill_polygon("gas", gas, scene.grid, settings_.integer("ppc"), dog_bone_gas(), 1, specific_energy);
     if (settings_.text("density") == "grid") inside.enclosure = Enclosure{"membrane", corners()};
     scene.bodies.push_back(std::move(inside));

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "cases/catalog/gas/ideal_gas.hpp"
 #include "cases/harness/files/whole.hpp"
 #include "reference/bessel.hpp"
 
@@ -165,10 +166,7 @@ Scene ring_scene(const Settings& settings, const RestingRing& ring) {
   scene.grid.h = problem.radius / settings.number("cells");
   scene.grid.cells = {settings.integer("cells") + beyond, settings.integer("cells") + beyond, 1};
   for (std::size_t d = 0; d < 2; ++d) scene.grid.walls[d] = {Wall::symmetry, Wall::symmetry};
-  auto gas = std::make_shared<IdealGas>();
-  gas->gamma = problem.gamma;
-  gas->viscosity_linear = settings.number("viscosity.linear");
-  gas->viscosity_quadratic = settings.number("viscosity.quadratic");
+  auto gas = chosen_gas(settings, problem.gamma);
   Curve polygon = ring.curve;
   polygon.push_back({0, 0});
   const int ppc = settings.integer("ppc");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/catalog/gas/ideal_gas.hpp"
 #include "cases/harness/files/whole.hpp"
 
 namespace plumbline {
@@ -112,11 +113,8 @@ Body GasProblem::body(const Layout& at) const {
     gas.velocity[axis] += flow_.frame_velocity;
     return gas;
   };
-  auto gas = std::make_shared<IdealGas>();
-  gas->gamma = flow_.gamma;
+  auto gas = chosen_gas(settings_, flow_.gamma);
   gas->viscosity = flow_.viscosity;
-  gas->viscosity_linear = settings_.number("viscosity.linear");
-  gas->viscosity_quadratic = settings_.number("viscosity.quadratic");
   const PointRule rule{settings_.text("points") == "equal-mass", settings_.number("ppc"), flow_.lines, 1};
   if (flow_.fill) return flow_.fill(gas, rule, at.grid);
   return fill_gas(gas, box, rule, at.grid);
@@ -126,12 +124,6 @@ Scene GasProblem::scene() const {
   const Layout at = layout();
   Scene scene;
   scene.grid = at.grid;
-  scene.shape = settings_.text("shape");
-  scene.transfer = settings_.text("transfer");
-  scene.density = density_method(settings_.text("density"));
-  scene.sharpening = settings_.number("sharpening");
-  scene.heat_exchange = settings_.number("heat_exchange");
-  scene.split = settings_.number("split");
   for (int side : {0, 1}) {
     const auto& piston = flow_.pistons[static_cast<std::size_t>(side)];
     if (!piston) continue;
@@ -141,6 +133,7 @@ Scene GasProblem::scene() const {
                              .velocity = *piston + flow_.frame_velocity});
   }
   scene.bodies.push_back(body(at));
+  apply_choices(settings_, scene);
   return scene;
 }
 

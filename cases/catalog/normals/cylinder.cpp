@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "cases/catalog/coupled/membrane.hpp"
+#include "cases/catalog/gas/ideal_gas.hpp"
 #include "cases/catalog/normals/marked_points.hpp"
 #include "cases/harness/description/archive.hpp"
 #include "cases/harness/files/whole.hpp"
@@ -88,10 +89,7 @@ class CylinderProblem final : public Problem {
     scene.grid.h = at_.ring.radius / cells;
     scene.grid.cells[0] = scene.grid.cells[1] = whole(std::round(domain * cells));
     for (std::size_t d = 0; d < 2; ++d) scene.grid.walls[d] = {Wall::symmetry, Wall::no_slip};
-    auto gas = std::make_shared<IdealGas>();
-    gas->gamma = at_.ring.gamma;
-    gas->viscosity_linear = settings_.number("viscosity.linear");
-    gas->viscosity_quadratic = settings_.number("viscosity.quadratic");
+    auto gas = chosen_gas(settings_, at_.ring.gamma);
     Curve polygon = quarter_circle(at_.ring.radius, at_.points);
     polygon.push_back({0, 0});
     const double energy = at_.ring.pressure / ((at_.ring.gamma - 1) * at_.ring.gas_density);

@@ -47,7 +47,7 @@ Patch box_patch(const Settings& s) {
   grid.cells = {box.width, box.height, 1};
   for (std::size_t d = 0; d < 2; ++d) grid.walls[d] = {Wall::symmetry, Wall::symmetry};
   patch.scene.bodies.push_back(gas_body(s, box));
-  choose_gas(s, patch.scene);
+  apply_choices(s, patch.scene);
   patch.places.emplace_back(patch.scene.bodies[0].id.size());
   for (std::size_t p = 0; p < patch.places[0].size(); ++p) patch.places[0][p].member = static_cast<int>(p);
   return patch;

@@ -29,13 +29,6 @@ std::vector<LinePoint> line_points(int cells, int per_cell, double offset) {
 
 }  // namespace
 
-void choose_gas(const Settings& settings, Scene& scene) {
-  apply_choices(settings, scene);
-  scene.density = density_method(settings.text("density"));
-  scene.sharpening = settings.number("sharpening");
-  scene.heat_exchange = settings.number("heat_exchange");
-}
-
 std::shared_ptr<const IdealGas> gas_material(const Settings& settings, double viscosity, Side side, bool quadratic) {
   auto gas = std::make_shared<IdealGas>();
   gas->gamma = gas_gamma;
@@ -102,7 +95,7 @@ Patch gas_patch(const Settings& settings, const GasLattice& lattice, const Exten
   }
   if (moves) set_in_motion(lattice, cells, settings.text("transfer") == "apic", body);
   patch.scene.bodies.push_back(std::move(body));
-  choose_gas(settings, patch.scene);
+  apply_choices(settings, patch.scene);
   return patch;
 }
 

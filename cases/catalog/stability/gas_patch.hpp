@@ -25,9 +25,6 @@ enum class Side { both, closing, opening };
 // 4/3 mu = c_L rho c h: Side::closing puts that in its place.
 std::shared_ptr<const IdealGas> gas_material(const Settings& settings, double viscosity, Side side, bool quadratic);
 
-// What the settings of a gas say of its scene: shape, transfer, density, sharpening, exchange of heat.
-void choose_gas(const Settings& settings, Scene& scene);
-
 // Gives a point of gas at rest its mass, volume, density and energy. volume: in h^dim (axisymmetric: per radian).
 void put_gas(Columns& points, std::size_t p, double volume);
 

@@ -20,8 +20,15 @@ Json scheme_entries() {
   for (const std::string& scheme : scheme_names()) {
     Json resolved = Json::object();
     for (const Case* entry : cases()) resolved[entry->name()] = to_json(entry->settings(scheme, {}));
-    list.push_back(
-        {{"name", scheme}, {"title", scheme_title(scheme)}, {"source", scheme_source(scheme)}, {"settings", resolved}});
+    Json by_kind = Json::object();
+    for (const Kind kind : all_kinds) {
+      for (const auto& [key, value] : scheme_values(scheme, kind)) by_kind[name(kind)][key] = to_json(value);
+    }
+    list.push_back({{"name", scheme},
+                    {"title", scheme_title(scheme)},
+                    {"source", scheme_source(scheme)},
+                    {"kinds", by_kind},
+                    {"settings", resolved}});
   }
   return list;
 }
@@ -89,16 +96,14 @@ void print(const Output& out, const Json& all) {
         out.line("  {:18} claims {}", "", claims);
       }
       if (group == "schemes") {
-        for (const auto& [case_name, settings] : e.at("settings").items()) {
+        for (const auto& [kind, values] : e.at("kinds").items()) {
           std::string text;
-          for (const char* key : {"shape", "transfer", "integrator", "density", "points", "ppc", "cfl", "dt",
-                                  "viscosity.linear", "viscosity.quadratic"}) {
-            if (settings.contains(key))
+          for (const auto& [key, value] : values.items()) {
+            if (!value.is_null())
               text += fmt::format(" {}={}", key,
-                                  settings.at(key).is_string() ? settings.at(key).template get<std::string>()
-                                                               : json_text(settings.at(key)));
+                                  value.is_string() ? value.template get<std::string>() : json_text(value));
           }
-          out.line("  {:18} {}:{}", "", case_name, text);
+          out.line("  {:18} {}:{}", "", kind, text);
         }
       }
     }

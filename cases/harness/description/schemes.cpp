@@ -1,6 +1,8 @@
 #include "cases/harness/description/schemes.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "cases/harness/files/errors.hpp"
 #include "kernel/integrator_traits.hpp"
@@ -38,24 +40,6 @@ void add_integrator_keys(std::vector<Key>& keys) {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-Key number(std::string name, double value, std::string unit, double low, double high, bool open,
-           std::string description) {
-  return {.name = std::move(name),
-          .value = value,
-          .unit = std::move(unit),
-          .low = low,
-          .high = high,
-          .low_open = open,
-          .description = std::move(description)};
-}
-
-Key choice(std::string name, std::string value, std::vector<std::string> choices, std::string description) {
-  return {.name = std::move(name),
-          .value = std::move(value),
-          .choices = std::move(choices),
-          .description = std::move(description)};
-}
-
 }  // namespace
 
 std::string name(Kind kind) {
@@ -85,117 +69,128 @@ std::string scheme_source(const std::string& scheme) {
 
 namespace {
 
-void add_gas_keys(Kind kind, std::vector<Key>& keys) {
-  if (kind == Kind::gas) {
-    keys.push_back({.name = "offset",
-                    .value = 0.0,
-                    .low = 0,
-                    .high = 1,
-                    .high_open = true,
-                    .description = "shift of the grid in cells"});
-  }
-  keys.push_back(choice("density", "grid", names(densities()), "how points get their density"));
-  keys.push_back(choice("points", "equal-mass", {"equal-mass", "equal-volume"}, "what all points have alike"));
-  keys.push_back(number("sharpening", 1.0, "1", 0, 1, false,
-                        "how much of the maps' smoothing of forces and strain rates is undone on the nodes"));
-  keys.push_back(number("heat_exchange", 1.0, "1", 0, infinite, false,
-                        "kappa: how fast points of a gas under compression share their heat"));
-  if (kind == Kind::gas) {
-    keys.push_back(number("split", 1.3, "1", 0, infinite, false,
-                          "points that have grown to more cells than this are split in two, 0.1 at least; 0: none"));
-  }
-  keys.push_back(number("viscosity.linear", 0.0, "1", 0, infinite, false, "c_L of the artificial viscosity"));
-  keys.push_back(number("viscosity.quadratic", 0.5, "1", 0, infinite, false, "c_Q of the artificial viscosity"));
+Key choice(std::string name, std::vector<std::string> choices, std::string description) {
+  return {.name = std::move(name), .choices = std::move(choices), .description = std::move(description)};
 }
 
-void add_coupling_keys(std::vector<Key>& keys) {
-  keys.push_back({.name = "membrane.ppc",
-                  .value = 4.0,
-                  .low = 1,
-                  .high = 1e3,
-                  .description = "points per cell along the membrane"});
-  keys.push_back(
-      {.name = "membrane.strain",
-       .value = std::monostate{},
-       .choices = {"accumulated", "segments"},
-       .description = "the stretch of the segments between points, which is what follows if not set, or summed "
-                      "from rates at the points, which is what follows from normals without connectivity"});
-  keys.push_back(
-      choice("membrane.loss", "gas", {"booked", "gas"},
-             "what maps and strains take from membranes heats the gas at their nodes, or is booked as lost"));
-  keys.push_back(number("membrane.relaxation", 0.5, "1", 0, 1, false,
-                        "theta: how much of what no node sees of the segments' motion is taken out each step"));
-  keys.push_back(number("membrane.smoothing", 0.01, "1", 0, infinite, false,
-                        "kappa: how fast what no node sees of accumulated strains is taken out"));
-  keys.push_back(choice("normals", "connectivity", names(normals_methods()),
-                        "how membranes with accumulated strain know their tangents"));
+Key number(std::string name, std::string description, double high = infinite) {
+  return {.name = std::move(name), .low = 0, .high = high, .description = std::move(description)};
 }
 
-}  // namespace
+Key count(std::string name, std::string description, double low, double high) {
+  return {.name = std::move(name), .low = low, .high = high, .integer = true, .description = std::move(description)};
+}
+
+// What the keys mean; their values are in the table below.
+std::vector<Key> described_keys() {
+  std::vector<Key> keys{
+      count("cells", "cells along the case's reference length", 2, 1e6),
+      choice("shape", names(shapes()), "shape functions"),
+      choice("transfer", names(transfers()), "what goes back and forth between points and grid"),
+      count("transfer_order", "m of the transfers xpic and fmpm", 1, 100),
+      choice("integrator", integrator_names(), "time integrator"),
+      number("cfl",
+             "dt = cfl min_p h / (c_p + |v_p|), below the viscous limit too; auto: what the laboratory finds safe"),
+      number("dt", "fixed step; overrides cfl"),
+      count("ppc",
+            "points per cell: of a gas (where points have equal mass, in the densest), of solids in each direction, of "
+            "membranes along them",
+            1, 1e4),
+      choice("contact", {"none", "york-9.7", "york-9.8", "york-9.9", "default"},
+             "between bodies: none (one velocity for all), York's criteria, or where points touch"),
+      number("offset", "shift of the grid in cells", 1),
+      choice("density", names(densities()), "how points get their density"),
+      choice("points", {"equal-mass", "equal-volume"}, "what all points have alike"),
+      number("sharpening", "how much of the maps' smoothing of forces and strain rates is undone on the nodes", 1),
+      number("heat_exchange", "kappa: how fast points of a gas under compression share their heat"),
+      number("split", "points that have grown to more cells than this are split in two, 0.1 at least; 0: none"),
+      number("viscosity.linear", "c_L of the artificial viscosity"),
+      number("viscosity.quadratic", "c_Q of the artificial viscosity"),
+      number("membrane.ppc", "points per cell along the membrane", 1e3),
+      choice(
+          "membrane.strain", {"accumulated", "segments"},
+          "the stretch of the segments between points, which is what follows if not set, or summed from rates at the "
+          "points, which is what follows from normals without connectivity"),
+      choice("membrane.loss", {"booked", "gas"},
+             "what maps and strains take from membranes heats the gas at their nodes, or is booked as lost"),
+      number("membrane.relaxation",
+             "theta: how much of what no node sees of the segments' motion is taken out each step", 1),
+      number("membrane.smoothing", "kappa: how fast what no node sees of accumulated strains is taken out"),
+      choice("normals", names(normals_methods()), "how membranes with accumulated strain know their tangents")};
+  const auto key = [&](const char* name) -> Key& {
+    return *std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == name; });
+  };
+  key("cfl").low_open = key("cfl").optional = key("dt").low_open = key("dt").optional = true;
+  key("cfl").words = {"auto"};
+  key("dt").unit = "s";
+  key("offset").high_open = true;
+  key("membrane.ppc").low = 1;
+  return keys;
+}
+
+// Values by `default` and in `york1997`. Scenes of a kind without them have no such key.
+struct Values {
+  std::optional<Value> by_default = {}, york = {};
+};
+struct Row {
+  const char* key;
+  Values gas, membrane, solid, coupled;
+
+  const Values& of(Kind kind) const {
+    const Values* const by_kind[] = {&gas, &membrane, &solid, &coupled};
+    return *by_kind[static_cast<std::size_t>(kind)];
+  }
+};
 
 // Gas: the energy-conserving leapfrog. Membrane: symplectic stress update, because a stress evaluated at the start of the
 // step and strained with the midpoint velocity amplifies an elastic oscillation by 1 + (omega dt)^2 / 4 a step. Solid: the
 // midpoint step, which raises no energy even in contact, on shapes whose boxes deform with the points. Coupled: the gas's
-// step, which neither damps nor amplifies membranes below omega dt = 2, and gives what they lose to the gas.
+// step, which neither damps nor amplifies membranes below omega dt = 2, and gives what they lose to the gas. York's steps are
+// fixed, and follow from the case.
+const std::vector<Row>& schemes_table() {
+  static const Value none;
+  // clang-format off
+  static const std::vector<Row> rows{
+      // key                    gas                       membrane                 solid                          coupled
+      {"cells",               {100.0, 100.0},           {100.0, 100.0},          {100.0, 100.0},                {100.0, 100.0}},
+      {"shape",               {"cubic", "linear"},      {"quadratic", "linear"}, {"contiguous-gimp", "linear"}, {"cubic", "linear"}},
+      {"transfer",            {"apic", "flip"},         {"apic", "flip"},        {"apic", "flip"},              {"apic", "flip"}},
+      {"transfer_order",      {2.0, 2.0},               {2.0, 2.0},              {2.0, 2.0},                    {2.0, 2.0}},
+      {"integrator",          {"leapfrog", "musl"},     {"musl", "musl"},        {"midpoint", "musl"},          {"leapfrog", "musl"}},
+      {"cfl",                 {0.5, none},              {0.5, none},             {0.5, none},                   {0.9, none}},
+      {"dt",                  {none, none},             {none, none},            {none, none},                  {none, none}},
+      {"ppc",                 {8.0, 8.0},               {4.0, 4.0},              {2.0, 2.0},                    {8.0, 8.0}},
+      {"contact",             {},                       {},                      {"default", "york-9.7"},       {"default", "none"}},
+      {"offset",              {0.0, 0.0},               {},                      {},                            {}},
+      {"density",             {"grid", "quadratic"},    {},                      {},                            {"grid", "quadratic"}},
+      {"points",              {"equal-mass", "equal-volume"}, {},                {},                            {"equal-mass", "equal-volume"}},
+      {"sharpening",          {1.0, 0.0},               {},                      {},                            {1.0, 0.0}},
+      {"heat_exchange",       {1.0, 0.0},               {},                      {},                            {1.0, 0.0}},
+      {"split",               {1.3, 0.0},               {},                      {},                            {}},
+      {"viscosity.linear",    {0.0, 1.0},               {},                      {},                            {0.0, 0.0}},
+      {"viscosity.quadratic", {0.5, 1.0},               {},                      {},                            {0.5, 0.0}},
+      {"membrane.ppc",        {},                       {},                      {},                            {4.0, 4.0}},
+      {"membrane.strain",     {},                       {},                      {},                            {none, "accumulated"}},
+      {"membrane.loss",       {},                       {},                      {},                            {"gas", "booked"}},
+      {"membrane.relaxation", {},                       {},                      {},                            {0.5, 0.0}},
+      {"membrane.smoothing",  {},                       {},                      {},                            {0.01, 0.0}},
+      {"normals",             {},                       {},                      {},                            {"connectivity", "connectivity"}},
+  };
+  // clang-format on
+  return rows;
+}
+
+}  // namespace
+
 std::vector<Key> kind_keys(Kind kind) {
-  const bool gas = kind == Kind::gas || kind == Kind::coupled, solid = kind == Kind::solid;
-  std::vector<Key> keys{
-      {.name = "cells",
-       .value = 100.0,
-       .low = 2,
-       .high = 1e6,
-       .integer = true,
-       .description = "cells along the case's reference length"},
-      choice("shape",
-             gas     ? "cubic"
-             : solid ? "contiguous-gimp"
-                     : "quadratic",
-             names(shapes()), "shape functions"),
-      choice("transfer", "apic", names(transfers()), "what goes back and forth between points and grid"),
-      {.name = "transfer_order",
-       .value = 2.0,
-       .low = 1,
-       .high = 100,
-       .integer = true,
-       .description = "m of the transfers xpic and fmpm"},
-      choice("integrator",
-             gas     ? "leapfrog"
-             : solid ? "midpoint"
-                     : "musl",
-             integrator_names(), "time integrator"),
-      {.name = "cfl",
-       .value = kind == Kind::coupled ? 0.9 : 0.5,
-       .low = 0,
-       .high = infinite,
-       .low_open = true,
-       .optional = true,
-       .description =
-           "dt = cfl min_p h / (c_p + |v_p|), below the viscous limit too; auto: what the laboratory finds safe",
-       .words = {"auto"}},
-      {.name = "dt",
-       .value = std::monostate{},
-       .unit = "s",
-       .low = 0,
-       .low_open = true,
-       .optional = true,
-       .description = "fixed step; overrides cfl"},
-      {.name = "ppc",
-       .value = gas     ? 8.0
-                : solid ? 2.0
-                        : 4.0,
-       .low = 1,
-       .high = 1e4,
-       .integer = true,
-       .description = kind == Kind::gas ? "points per cell, in the densest gas where points have equal mass"
-                      : gas             ? "points per cell of the gas"
-                      : solid           ? "points per cell and direction"
-                                        : "points per cell along the membrane"}};
-  if (solid || kind == Kind::coupled) {
-    keys.push_back(choice("contact", "default", {"none", "york-9.7", "york-9.8", "york-9.9", "default"},
-                          "between bodies: none (one velocity for all), York's criteria, or where points touch"));
+  std::vector<Key> keys;
+  const std::vector<Key> described = described_keys();
+  for (std::size_t k = 0; k < described.size(); ++k) {
+    const Values& values = schemes_table()[k].of(kind);
+    if (!values.by_default) continue;
+    keys.push_back(described[k]);
+    keys.back().value = *values.by_default;
   }
-  if (gas) add_gas_keys(kind, keys);
-  if (kind == Kind::coupled) add_coupling_keys(keys);
   add_integrator_keys(keys);
   return keys;
 }
@@ -224,10 +219,15 @@ void apply_choices(const Settings& settings, Scene& scene) {
       if (contact != "none" && !coupled) body.field = body.name;
     }
   }
+  const bool gas = std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                               [](const Body& body) { return body.material->has_density(); });
+  if (coupled || (gas && settings.has("density"))) {
+    scene.density = density_method(settings.text("density"));
+    scene.sharpening = settings.number("sharpening");
+    scene.heat_exchange = settings.number("heat_exchange");
+  }
+  if (gas && settings.has("split")) scene.split = settings.number("split");
   if (!coupled) return;
-  scene.density = density_method(settings.text("density"));
-  scene.sharpening = settings.number("sharpening");
-  scene.heat_exchange = settings.number("heat_exchange");
   scene.loss_to_gas = settings.text("membrane.loss") == "gas";
   scene.chain_relaxation = settings.number("membrane.relaxation");
   scene.strain_smoothing = settings.number("membrane.smoothing");
@@ -242,30 +242,24 @@ void refuse_lacks(const IntegratorEntry& integrator, const Settings& settings) {
                       "shape=" + shape + ", transfer=" + transfer, missing);
 }
 
+std::vector<Override> scheme_values(const std::string& scheme, Kind kind) {
+  std::vector<Override> all;
+  for (const Row& row : schemes_table()) {
+    const auto& value = scheme == "york1997" ? row.of(kind).york : row.of(kind).by_default;
+    if (value) all.emplace_back(row.key, *value);
+  }
+  return all;
+}
+
 std::vector<Override> scheme_choices(const std::string& scheme, Kind kind) {
-  if (scheme != "york1997") return {};
-  std::vector<Override> york{{"shape", "linear"},
-                             {"transfer", "flip"},
-                             {"integrator", "musl"},
-                             {"cfl", std::monostate{}}};  // the case derives his fixed step
-  if (kind == Kind::solid) york.push_back({"contact", "york-9.7"});
-  if (kind == Kind::gas || kind == Kind::coupled) {
-    york.insert(york.end(), {{"density", "quadratic"},
-                             {"points", "equal-volume"},
-                             {"sharpening", 0.0},
-                             {"heat_exchange", 0.0},
-                             {"viscosity.linear", kind == Kind::gas ? 1.0 : 0.0},
-                             {"viscosity.quadratic", kind == Kind::gas ? 1.0 : 0.0}});
-  }
-  if (kind == Kind::gas) york.push_back({"split", 0.0});
-  if (kind == Kind::coupled) {
-    york.insert(york.end(), {{"contact", "none"},
-                             {"membrane.strain", "accumulated"},
-                             {"membrane.loss", "booked"},
-                             {"membrane.relaxation", 0.0},
-                             {"membrane.smoothing", 0.0}});
-  }
-  return york;
+  std::vector<Override> all = scheme_values(scheme, kind);
+  const std::vector<Override> by_default = scheme_values("default", kind);
+  all.erase(std::remove_if(all.begin(), all.end(),
+                           [&](const Override& choice) {
+                             return std::find(by_default.begin(), by_default.end(), choice) != by_default.end();
+                           }),
+            all.end());
+  return all;
 }
 
 }  // namespace plumbline

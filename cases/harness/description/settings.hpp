@@ -17,7 +17,7 @@ using Value = std::variant<std::monostate, double, std::string>;
 // A key that --set may change.
 struct Key {
   std::string name;
-  Value value;  // the default
+  Value value = {};  // the default
   std::string unit = "1";
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   bool low_open = false, high_open = false, integer = false;
