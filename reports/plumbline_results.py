@@ -32,6 +32,7 @@ STABILITY_FILE = "stability.json"
 MUTANTS_FILE = "mutants.json"
 COST_FILE = "cost.json"
 EQUATIONS_FILE = "equations.json"
+LIST_FILE = "list.json"
 COVERAGE_FILE = "coverage.json"
 DIFF_FILE = "diff.json"
 JUDGES_FILE = "judges.json"
@@ -169,7 +170,7 @@ class Folder:
     `plumbline stability` under STABILITY_FILE; `mutants`: the kill matrix of ci/mutants under MUTANTS_FILE;
     `cost`: that of `plumbline bench --cases` under COST_FILE; `equations`: that of `ci/check_equations` under
     EQUATIONS_FILE; `coverage`: that of `ci/coverage` under COVERAGE_FILE; `judges`: that of `ci/judges` under JUDGES_FILE;
-    `scorecards`: those of `plumbline verify --integrator` under SCORECARD_FILES.
+    `listed`: that of `plumbline list` under LIST_FILE; `scorecards`: those of `plumbline verify --integrator` under SCORECARD_FILES.
     """
 
     runs: list = field(default_factory=list)
@@ -181,6 +182,7 @@ class Folder:
     mutants: dict = field(default_factory=dict)
     cost: dict = field(default_factory=dict)
     equations: dict = field(default_factory=dict)
+    listed: dict = field(default_factory=dict)
     coverage: dict = field(default_factory=dict)
     diff: dict = field(default_factory=dict)  # of `plumbline diff` under DIFF_FILE
     judges: dict = field(default_factory=dict)
@@ -235,6 +237,7 @@ def load_folder(path):
     folder.mutants = _load_if_there(load_mutants, path / MUTANTS_FILE, folder)
     folder.cost = _load_if_there(load_cost, path / COST_FILE, folder)
     folder.equations = _load_if_there(load_equations, path / EQUATIONS_FILE, folder)
+    folder.listed = _load_if_there(load_list, path / LIST_FILE, folder)
     folder.coverage = _load_if_there(load_coverage, path / COVERAGE_FILE, folder)
     folder.diff = _load_if_there(load_diff, path / DIFF_FILE, folder)
     folder.judges = _load_if_there(load_judges, path / JUDGES_FILE, folder)
@@ -316,6 +319,22 @@ _COST_PARTS = {
     "wall_s": list,
     "finished": bool,
 }
+
+
+def load_list(path):
+    """The JSON object that `plumbline list` wrote. Raises DamagedFile or FileNotFoundError."""
+    document = _json_file(path)
+    schemes = document.get("schemes") if isinstance(document, dict) else None
+    whole = isinstance(schemes, list) and all(
+        isinstance(scheme, dict)
+        and all(isinstance(scheme.get(part), str) for part in ("name", "title", "source"))
+        and isinstance(scheme.get("kinds"), dict)
+        and all(isinstance(values, dict) for values in scheme["kinds"].values())
+        for scheme in schemes
+    )
+    if not whole:
+        raise DamagedFile("not an output of plumbline list: there is no list of schemes with name, title, source and kinds")
+    return document
 
 
 def load_equations(path):

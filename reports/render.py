@@ -118,6 +118,7 @@ def front_page(folder, cases):
         "expected_failure_count": sum(len(one["rows"]) for one in parts["expected_failures"]),
         "overview": overview,
         "choices": tables.choices(cases),
+        "schemes": tables.schemes(folder.listed),
         "verdicts_present": [name for name in gathering.URGENCY if any(case.counts[name] for case in cases.values())],
         "damaged": folder.damaged,
         "meanings": tables.MEANINGS,

@@ -323,6 +323,24 @@ def parameter_rows(case):
     ]
 
 
+def schemes(listed):
+    """What the schemes are for each kind of scene: {"schemes", "kinds", "rows"}; None where no program listed them."""
+    found = listed.get("schemes")
+    if not found:
+        return None
+    kinds = list(dict.fromkeys(kind for scheme in found for kind in scheme["kinds"]))
+    keys = dict.fromkeys(key for scheme in found for values in scheme["kinds"].values() for key in values)
+
+    def cell(kind, key):
+        values = [scheme["kinds"].get(kind, {}) for scheme in found]
+        if not any(key in own for own in values):
+            return ""
+        words = ["none" if own.get(key) is None else text.exact(own[key]) for own in values]
+        return words[0] if len(set(words)) == 1 else " / ".join(words)
+
+    return {"schemes": found, "kinds": kinds, "rows": [{"key": key, "cells": [cell(kind, key) for kind in kinds]} for key in keys]}
+
+
 def choices(cases):
     """The numerical choices that any case has, each once: meaning, unit and range are the same everywhere."""
     found = {}

@@ -561,3 +561,14 @@ def test_measured_value_is_told_from_its_bound():
     assert text.measured(0.007, {"high": 0.007}) == "0.007"
     assert text.expected({"low": 0.005, "high": 0.0085}) == "0.005 … 0.0085"
     assert text.expected({"low": None, "high": 1e-12}) == "≤ 1\u202f×\u202f10⁻¹²"
+
+
+def test_schemes_stand_side_by_side_for_each_kind_of_scene(tmp_path):
+    write_run(tmp_path, run_object("sod", "york1997", 100, {"integrator": "musl"}, {"density.L1": measure(0.01)}))
+    assert "id=schemes" not in rendered(tmp_path)
+    default = {"name": "default", "title": "the best", "source": "s", "kinds": {"gas": {"shape": "cubic", "ppc": 8}, "solid": {"shape": "linear"}}}
+    york = {"name": "york1997", "title": "York's", "source": "s", "kinds": {"gas": {"shape": "linear", "ppc": 8}, "solid": {"shape": None}}}
+    (tmp_path / "list.json").write_text(json.dumps({"schemes": [default, york]}))
+    page = rendered(tmp_path)
+    assert "<td>cubic / linear<td>linear / none" in page
+    assert "<code>ppc</code><td>8<td>" in page

@@ -112,7 +112,7 @@ def test_features_are_those_of_the_runs():
 
 @pytest.mark.parametrize("name, text", [
     ("equations.json", "[]"), ("equations.json", '{"equations": [{"tag": 1}]}'), ("coverage.json", '{"total": 2, "folders": {}}'),
-    ("coverage.json", '{"total": 0.9}'),
+    ("coverage.json", '{"total": 0.9}'), ("list.json", '{"schemes": [{"name": "default"}]}'),
 ])  # fmt: skip
 def test_damaged_documents_are_listed(tmp_path, name, text):
     (tmp_path / name).write_text(text)
