@@ -18,7 +18,10 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
 # A second build of the same sources, in whatever folder, takes seconds.
 find_program(PLUMBLINE_CCACHE ccache)
 if(PLUMBLINE_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${PLUMBLINE_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${PLUMBLINE_CCACHE}")
+endif()
+if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache$")  # which keeps what is made with precompiled headers only if told so
+  list(PREPEND CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros)
 endif()
 
 # Headers of libraries that most sources of a target include take longer to read than the sources themselves. Every source still
@@ -27,11 +30,9 @@ function(plumbline_precompile target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_precompile_headers(${target} PRIVATE <algorithm> <cmath> <filesystem> <functional> <map> <memory> <optional>
       <sstream> <stdexcept> <string> <vector> ${ARGN})
+    target_compile_options(${target} PRIVATE -fpch-preprocess)  # ccache then knows what such headers hold
   endif()
 endfunction()
-if(PLUMBLINE_CCACHE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  add_compile_options(-fpch-preprocess)  # for ccache, which then knows what such headers hold
-endif()
 
 # Cases know their file by name; where the sources stand must not show in what the compiler makes of them. A ccache with
 # a base folder sees to that itself, and would take the option for another program.
