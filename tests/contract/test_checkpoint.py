@@ -28,7 +28,6 @@ KINDS = {
     "load": ("mms-ring", "--cells", 8),
     "normals": ("normals-cylinder", "--set", "membrane.strain=accumulated", "--set", "normals=modern", "--set", "t_end=2e-3"),
     "bag, contact, axisymmetric": ("airbag-200", "--cells", 12, "--set", "t_end=2e-3"),
-    "stability": ("stability-bar",),
     "stopped": ("sod", "--cells", 40, "--set", "cfl=5"),
 }
 

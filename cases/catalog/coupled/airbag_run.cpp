@@ -1,9 +1,11 @@
 #include "cases/catalog/coupled/airbag_run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
 
 #include "cases/catalog/gas/ideal_gas.hpp"
 #include "cases/catalog/solid/collision.hpp"
@@ -20,8 +22,6 @@ namespace {
 constexpr double probe_modulus = 5e7, probe_poisson = 0.3, probe_height = 0.08;  // York 6.3.1, A.4.8
 constexpr int probe_ppc = 2;                                                     // and direction
 constexpr double turn = 2 * std::numbers::pi;
-
-std::shared_ptr<IdealGas> bag_gas(const Settings& settings) { return chosen_gas(settings, bag_gamma); }
 
 // Bounds from outside the run: what a bag as long along the meridian as this ever got does at most to the probe.
 struct Limits {
@@ -40,10 +40,9 @@ Measure reported(std::string name, double value, std::string unit) {
 
 class AirbagRun final : public Problem {
  public:
-  AirbagRun(const AirbagSpec& spec, const Settings& settings)
-      : spec_(spec),
-        settings_(settings),
-        pressures_(bag_pressures(settings.text("pressure"))),
+  AirbagRun(const AirbagSpec& defaults, const Settings& settings)
+      : settings_(settings),
+        at_(defaults, settings),
         grid_(airbag_grid(settings.integer("cells"))),
         bag_(blown_up()) {
     if (settings.text("membrane.strain") != "segments") {
@@ -52,24 +51,23 @@ class AirbagRun final : public Problem {
     }
   }
 
-  double end_time() const override { return settings_.number("t_end"); }
+  double end_time() const override { return at_.spec.end_time; }
 
   Scene scene() const override {
     Scene scene;
     scene.grid = grid_;
-    scene.bodies = {bag_.gas, bag_.skin, airbag_probe(spec_, grid_, probe_ppc, start_height())};
+    scene.bodies = {bag_.gas, bag_.skin, airbag_probe(at_.spec, grid_, probe_ppc, start_height())};
     if (density_method(settings_.text("density")) == DensityMethod::grid) {
       scene.bodies[0].enclosure = Enclosure{"bag", {}};
     }
-    const bool tethered = settings_.text("tether") == "kept";
-    scene.bodies[1].load = [outside = pressures_.outside, tethered, tether = bag_.tether](double, Columns& points,
-                                                                                          std::span<const int>) {
+    scene.bodies[1].load = [outside = at_.pressures.outside, tethered = at_.tethered, tether = bag_.tether](
+                               double, Columns& points, std::span<const int>) {
       for (int d = 0; d < 2; ++d) std::fill_n(points(column::body_force, d), points.points(), 0.0);
       add_outside_pressure(points, outside);
       if (tethered) add_tether(points, tether);
     };
     Columns& probe = scene.bodies[2].points;
-    std::fill_n(probe(column::velocity, 1), probe.points(), -speed());
+    std::fill_n(probe(column::velocity, 1), probe.points(), -at_.spec.speed);
     scene.bodies[2].field = "probe";
     apply_choices(settings_, scene);
     return scene;
@@ -84,7 +82,7 @@ class AirbagRun final : public Problem {
     const double pressure = (bag_gamma - 1) * stores.internal / volume;  // [York 4.4]
     meridian_ = std::max(meridian_, length(outline(bodies[1], {})));
     history_.push_back({simulation.time(), start_height() + 0.5 * probe_height - probe.position[1], probe.velocity[1],
-                        pressure - pressures_.outside, turn * volume, turn * stores.kinetic, turn * stores.elastic,
+                        pressure - at_.pressures.outside, turn * volume, turn * stores.kinetic, turn * stores.elastic,
                         highest_point(bodies[1], 0)});
   }
   void history(Archive& archive) override {
@@ -114,7 +112,7 @@ class AirbagRun final : public Problem {
     std::vector<Measure> all{reported("max_displacement", (*deepest)[1], "m"),
                              reported("time_of_max", (*deepest)[0], "s"),
                              reported("rebound_velocity", rebound, "m/s"),
-                             reported("energy_returned", rebound * rebound / (speed() * speed()), "1"),
+                             reported("energy_returned", rebound * rebound / (at_.spec.speed * at_.spec.speed), "1"),
                              reported("peak_pressure", (*highest)[3], "Pa"),
                              reported("escaped_points", escaped, "1"),
                              scalar_measure("volume_ratio", gas_volume / enclosed(polygon, true), 1, 0, "1"),
@@ -142,41 +140,41 @@ class AirbagRun final : public Problem {
   }
 
  private:
-  double speed() const { return settings_.number("speed"); }
   double start_height() const { return highest_point(bag_.skin, 1); }  // of the pole, where the probe is first
   double start_volume() const { return turn * enclosed_volume(bag_.skin); }
 
   // The energy that the skin held at first counts with the probe's; for the rebound so does what the gas can do
   // besides, at most its excess pressure times the volume that the skin could open. None where the model has no answer.
   std::optional<Limits> limits() const {
-    const double energy = 0.5 * spec_.mass * speed() * speed() + start_elastic_;
+    const AirbagSpec& probe = at_.spec;
+    const auto& [inside, outside] = at_.pressures;
+    const double energy = 0.5 * probe.mass * probe.speed * probe.speed + start_elastic_;
     try {
-      const reference::AirbagLumped lumped({.mass = spec_.mass,
-                                            .probe_radius = spec_.radius,
-                                            .speed = std::sqrt(2 * energy / spec_.mass),
+      const reference::AirbagLumped lumped({.mass = probe.mass,
+                                            .probe_radius = probe.radius,
+                                            .speed = std::sqrt(2 * energy / probe.mass),
                                             .meridian = meridian_,
                                             .height = start_height(),
                                             .gamma = bag_gamma,
-                                            .pressure = pressures_.inside,
-                                            .ambient_pressure = pressures_.outside,
+                                            .pressure = inside,
+                                            .ambient_pressure = outside,
                                             .gas_volume = start_volume()});
       const double opened = lumped.bag().free_volume().value - start_volume();
-      const double swelling = (pressures_.inside - pressures_.outside) * std::max(0.0, opened);
-      return Limits{lumped.displacement_limit().value, std::sqrt(2 * (energy + swelling) / spec_.mass)};
+      const double swelling = (inside - outside) * std::max(0.0, opened);
+      return Limits{lumped.displacement_limit().value, std::sqrt(2 * (energy + swelling) / probe.mass)};
     } catch (const reference::ParameterError&) {
       return std::nullopt;
     }
   }
 
   Bag blown_up() const {
-    const Bag flat = unstretched_bag(grid_, settings_.integer("ppc"), settings_.number("membrane.ppc"), spec_.crown,
-                                     pressures_, bag_gas(settings_));
-    return inflate(flat, grid_, pressures_);
+    const Bag flat = unstretched_bag(grid_, settings_.integer("ppc"), settings_.number("membrane.ppc"), at_.spec.crown,
+                                     at_.pressures, chosen_gas(settings_, bag_gamma));
+    return inflate(flat, grid_, at_.pressures);
   }
 
-  AirbagSpec spec_;
   Settings settings_;
-  BagPressures pressures_;
+  AirbagParameters at_;
   GridSpec grid_;
   Bag bag_;
   double start_elastic_ = 0, meridian_ = 0;
@@ -185,8 +183,8 @@ class AirbagRun final : public Problem {
 
 }  // namespace
 
-std::unique_ptr<Problem> airbag_run(const AirbagSpec& spec, const Settings& settings) {
-  return std::make_unique<AirbagRun>(spec, settings);
+std::function<std::unique_ptr<Problem>(const Settings&)> airbag_run(const AirbagSpec& defaults) {
+  return [defaults](const Settings& settings) { return std::make_unique<AirbagRun>(defaults, settings); };
 }
 
 Body airbag_probe(const AirbagSpec& spec, const GridSpec& grid, int ppc, double face) {

@@ -1,14 +1,18 @@
 // York's membrane expansion: a dog-bone bag that gas blows up to a cylinder.
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <memory>
 #include <numbers>
-#include <tuple>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "cases/catalog/coupled/coupled_gates.hpp"
 #include "cases/catalog/coupled/dog_bone.hpp"
 #include "cases/catalog/gas/ideal_gas.hpp"
 #include "cases/harness/description/archive.hpp"
 #include "cases/harness/description/case.hpp"
+#include "cases/harness/description/parameters.hpp"
 #include "cases/harness/files/whole.hpp"
 #include "cases/harness/judge/gates.hpp"
 #include "reference/membrane_equilibrium.hpp"
@@ -23,17 +27,29 @@ constexpr int rows_wanted = 3000;        // of the history
 constexpr double specific_energy = 250;  // J/kg
 const MembraneMaterial bag{1e6, 0.3, 0.5, 0.1};
 
+struct Expansion : Parameters {
+  using Parameters::Parameters;
+  double end_time = positive("t_end", 8.5, "s", "end time; York's is 8.5 to 10");
+  double viscosity = number({.name = "viscosity",
+                             .value = 0.1,
+                             .unit = "Pa s",
+                             .low = 0,
+                             .high = 10,
+                             .description = "of the gas, which brings it to rest"});
+};
+
 class MembraneExpansionRun final : public Problem {
  public:
   explicit MembraneExpansionRun(const Settings& settings)
       : settings_(settings),
+        at_(settings),
         h_(side / settings.number("cells")),
         curve_(dog_bone_outline(segments())),
         gas_energy_(std::abs(enclosed(dog_bone_gas())) * specific_energy),
         period_(expected(0).breathing_period.value),
         next_look_(end_time() - averaged_periods * period_) {}
 
-  double end_time() const override { return settings_.number("t_end"); }
+  double end_time() const override { return at_.end_time; }
 
   Scene scene() const override {
     Scene scene;
@@ -43,7 +59,7 @@ class MembraneExpansionRun final : public Problem {
     // York's outer sides are fixed; the bag never comes near.
     for (auto& wall : scene.grid.walls) wall = {Wall::symmetry, Wall::symmetry};
     auto gas = chosen_gas(settings_, IdealGas().gamma);
-    gas->viscosity = settings_.number("viscosity");
+    gas->viscosity = at_.viscosity;
     Body inside = fill_polygon("gas", gas, scene.grid, settings_.integer("ppc"), dog_bone_gas(), 1, specific_energy);
     if (settings_.text("density") == "grid") inside.enclosure = Enclosure{"membrane", corners()};
     scene.bodies.push_back(std::move(inside));
@@ -159,6 +175,7 @@ class MembraneExpansionRun final : public Problem {
   }
 
   Settings settings_;
+  Expansion at_;
   double h_;
   Curve curve_;
   double gas_energy_, period_, next_look_, next_row_ = 0, expected_radius_ = expected(0).radius.value;
@@ -181,243 +198,197 @@ class MembraneExpansionRun final : public Problem {
   int count_ = 0, escaped_ = 0;
 };
 
-// York's tables 5 and 6, by cells.
-struct Published {
-  double cells, radius_0, radius_90, pressure, hoop;
-};
-constexpr Published tables[] = {{4, 1.08, 1.13, 33.4, 394},
-                                {8, 1.335, 1.334, 24.9, 372},
-                                {16, 1.388, 1.387, 27.0, 417},
-                                {32, 1.394, 1.396, 29.0, 447}};
-
-// One number of a run over the same of another study's run at the same level.
-CaseGate beside(const std::string& study, const std::string& other, const std::string& measure, double level, Gate gate,
-                Tier tier) {
-  gate.quantity = measure + " over that of " + other + " at " + to_text(level);
-  CaseGate g = study_gate(
-      study, std::move(gate),
-      [other, measure, level](const StudyResult& s) {
-        Measured measured;
-        const StudyLevel *here = s.level(level), *there = s.sibling(other)->level(level);
-        const Measure *a = here ? here->run.find(measure) : nullptr, *b = there ? there->run.find(measure) : nullptr;
-        measured.value = a && b && a->value && b->value ? *a->value / *b->value : std::nan("");
-        return measured;
-      },
-      {level}, tier);
-  g.also = {other};
-  return g;
+std::vector<StudyPlan> studies() {
+  const Override five_seconds{"t_end", 5.0}, accumulated{"membrane.strain", "accumulated"};
+  return {study("default", "default, to 5 s",
+                "Gas and membrane meet inside cells: order 1 at least. "
+                "At 5 s all is as much at rest as at York's 8.5 s.",
+                {4, 6, 8, 12, 16})
+              .with({five_seconds})
+              .in_full({4, 6, 8, 12, 16, 24, 32})
+              .pictured(25, 16),
+          study("unfolding", "the first half second of default", "To look at: two levels, no order.", {8, 16})
+              .with({{"t_end", 0.5}})
+              .pictured(25),
+          study("york1997", "york1997, 64 points a cell: tables 5 and 6", "York's own four meshes.", {4, 8})
+              .of_york()
+              .in_full({4, 8, 16, 32}),
+          study("booked", "default, losses booked", "The end with less energy.", {8})
+              .with({{"membrane.loss", "booked"}, five_seconds})
+              .in_full({8, 16}),
+          study("connectivity", "accumulated strain, tangents by connectivity", "For comparison with the next.", {8})
+              .with({accumulated})
+              .in_full({8, 16}),
+          study("modern", "accumulated strain, tangents without connectivity",
+                "York's open problem: no order of points is known.", {8})
+              .with({accumulated, {"normals", "modern"}})
+              .in_full({8, 16})};
 }
 
-class MembraneExpansion final : public Case {
- public:
-  std::string name() const override { return "membrane-expansion"; }
-  Kind kind() const override { return Kind::coupled; }
-  std::vector<Key> keys() const override {
-    return {positive_key("t_end", 8.5, "s", "end time; York's is 8.5 to 10"),
-            {.name = "viscosity",
-             .value = 0.1,
-             .unit = "Pa s",
-             .low = 0,
-             .high = 10,
-             .description = "of the gas, which brings it to rest"}};
-  }
-  std::vector<Override> points_and_end(const std::string& scheme) const override {
-    if (scheme == "york1997") return {{"cells", 16.0}, {"ppc", 64.0}, {"membrane.ppc", 9.1}};
-    return {{"cells", 16.0}};
-  }
-  // His step of 3.5e-5 s at h = 0.05, in proportion to h. [York A.4.7]
-  void derive(Settings& settings, const std::string& scheme) const override {
-    if (scheme != "york1997" || settings.is_set("dt") || settings.is_set("cfl")) return;
-    settings.set("dt", 3.5e-5 * 32 / settings.number("cells"), "membrane-expansion");
-  }
-  std::unique_ptr<Problem> problem(const Settings& settings) const override {
-    return std::make_unique<MembraneExpansionRun>(settings);
-  }
-  std::vector<double> default_levels() const override { return {4, 6, 8, 12, 16}; }
-  std::vector<StudyPlan> studies() const override;
-  std::vector<CaseGate> gates() const override;
-};
-
-std::vector<StudyPlan> MembraneExpansion::studies() const {
-  return {
-      {.id = "default",
-       .title = "default, to 5 s",
-       .why = "Gas and membrane meet inside cells: order 1 at least. At 5 s all is as much at rest as at York's 8.5 s.",
-       .overrides = {{"t_end", 5.0}},
-       .values = {4, 6, 8, 12, 16},
-       .full_values = {4, 6, 8, 12, 16, 24, 32},
-       .frames = 25,
-       .frames_at = 16.0},
-      {.id = "unfolding",
-       .title = "the first half second of default",
-       .why = "To look at: two levels, no order.",
-       .overrides = {{"t_end", 0.5}},
-       .values = {8, 16},
-       .frames = 25},
-      {.id = "york1997",
-       .title = "york1997, 64 points a cell: tables 5 and 6",
-       .why = "York's own four meshes.",
-       .scheme = "york1997",
-       .values = {4, 8},
-       .full_values = {4, 8, 16, 32}},
-      {.id = "booked",
-       .title = "default, losses booked",
-       .why = "The end with less energy.",
-       .overrides = {{"membrane.loss", "booked"}, {"t_end", 5.0}},
-       .values = {8},
-       .full_values = {8, 16}},
-      {.id = "connectivity",
-       .title = "accumulated strain, tangents by connectivity",
-       .why = "For comparison with the next.",
-       .overrides = {{"membrane.strain", "accumulated"}},
-       .values = {8},
-       .full_values = {8, 16}},
-      {.id = "modern",
-       .title = "accumulated strain, tangents without connectivity",
-       .why = "York's open problem: no order of points is known.",
-       .overrides = {{"membrane.strain", "accumulated"}, {"normals", "modern"}},
-       .values = {8},
-       .full_values = {8, 16}}};
+Number relative_error_at(const std::string& measure, double level) {
+  return number_at("relative error of " + measure + " at " + to_text(level), measure, level,
+                   [](const RunResult&, const Measure& m) {
+                     Measured measured = Measured::of(m.error / m.scale);
+                     measured.reference_bound = m.reference_bound / m.scale;
+                     return measured;
+                   });
 }
 
-std::vector<CaseGate> MembraneExpansion::gates() const {
-  std::vector<CaseGate> all;
-  const auto relative = [&](const char* measure, double level, double share, const char* why, Tier tier) {
-    const std::string id = std::string("default/") + measure + "-" + to_text(level);
-    CaseGate g = measure_gate(
-        "default", declare(id, {{}, share}, Origin::requirement, why), measure, level,
-        [](const RunResult&, const Measure& m) {
-          Measured measured;
-          measured.value = m.error / m.scale;
-          measured.reference_bound = m.reference_bound / m.scale;
-          return measured;
-        },
-        tier);
-    g.gate.quantity = std::string("relative error of ") + measure + " at " + to_text(level);
-    all.push_back(g);
+// STUDY/MEASURE-LEVEL, on a number of that measure at that level.
+CaseGate judged(const std::string& study, Number (*number)(const std::string&, double), const std::string& measure,
+                double level, Range expected, Because because) {
+  return gate(study + "/" + measure + "-" + to_text(level), number(measure, level), expected, std::move(because));
+}
+
+Range around(double value, double share) { return between(value * (1 - share), value * (1 + share)); }
+
+const Because nothing_passes = identity("no gas passes a closed membrane");
+
+// At 16 cells, h = 0.1, and at 32, where half as much is allowed.
+std::vector<CaseGate> gates_at(double level) {
+  const bool first = level == 16;
+  const double share = first ? 1.0 : 0.5;
+  const auto required = [&](const char* why) {
+    return requirement(first ? why : "half of what is required at h = 0.1: first order");
   };
-  const auto value = [&](const std::string& study, const char* measure, double level, Range range, Origin origin,
-                         const char* why, Tier tier) {
-    const std::string id = study + "/" + measure + "-" + to_text(level);
-    all.push_back(value_gate(study, measure, level, declare(id, range, origin, why), tier));
+  const Because thousandth = required("a thousandth at h = 0.1, 1/70 of a cell; York's bag breathes by 2 %");
+  const auto relative = [&](const char* measure, double most, const Because& because) {
+    return judged("default", relative_error_at, measure, level, at_most(share * most), because);
   };
-  for (const auto& [level, share, tier] : {std::tuple{16.0, 1.0, Tier::quick}, std::tuple{32.0, 0.5, Tier::full}}) {
-    const char* halved = "half of what is required at h = 0.1: first order";
-    const bool first = level == 16;
-    for (const char* radius : {"radius_0", "radius_90"}) {
-      relative(radius, level, share * 1e-3,
-               first ? "a thousandth at h = 0.1, 1/70 of a cell; York's bag breathes by 2 %" : halved, tier);
-    }
-    relative("pressure", level, share * 0.015, first ? "1.5 % at h = 0.1, where York's pressure is 13 % low" : halved,
-             tier);
-    relative("hoop_stress", level, share * 0.015, first ? "1.5 % at h = 0.1, as of the pressure that it bears" : halved,
-             tier);
-    value("default", "hoop_scatter", level, {{}, share * 0.1}, Origin::requirement,
-          first ? "a tenth of the mean at h = 0.1; without relaxation single stresses scatter by more than their mean"
-                : halved,
-          tier);
-    value("default", "volume_ratio", level, {1 - share * 0.01, 1 + share * 0.01}, Origin::requirement,
-          first
-              ? "within 1 % at h = 0.1: nodal volumes sum to the enclosed one; by York's density they are 4 % too large"
-              : halved,
-          tier);
-    value("default", "hoop_from_pressure", level, {1 - share * 0.015, 1 + share * 0.015}, Origin::requirement,
-          first ? "stress against pR/t, as close as either must be to its own reference" : halved, tier);
-    value(
-        "default", "hoop_from_radius", level, {0.9, 1.1}, Origin::requirement,
-        "stress against the strain that the mean radius implies: a tenth of it is 4e-5 of the radius, 1/1800 of a cell "
-        "at 16 cells, and an inextensible bag would miss by all",
-        tier);
-    value("default", "escaped_points", level, {{}, 0.0}, Origin::identity, "no gas passes a closed membrane", tier);
-  }
-  value("default", "virial", 16, {0.995, 1.005}, Origin::theory,
-        "an identity at rest, whatever the discretisation; the membrane still breathes by a few thousandths",
-        Tier::quick);
-  all.push_back(
-      drift_gate("default", declare("default/energy", {{}, 1e-10}, Origin::identity,
-                                    "the step closes the energy ledger to rounding, which adds up over the steps")));
-  value("default", "energy_lost", 16, {{}, 1e-8}, Origin::identity,
-        "all that maps take is given back as heat but for what waits at nodes without gas", Tier::quick);
-  CaseGate order = fitted_order_gate("default", "pressure",
-                                     declare("default/pressure-order", {0.9, {}}, Origin::theory,
-                                             "order 1 is what a boundary inside cells allows; 0.1 for coarse meshes"));
-  all.push_back(order);
-  const std::string stamp = "2026-11-21 6c78473";
-  for (const Published& row : tables) {
-    const Tier tier = row.cells > 8 ? Tier::full : Tier::quick;
-    const auto york = [&](const char* measure, double printed, double share, const char* why) -> Gate& {
-      value("york1997", measure, row.cells, {printed * (1 - share), printed * (1 + share)}, Origin::literature, why,
-            tier);
-      return all.back().gate;
-    };
-    const auto fails = [&](Gate& gate, const char* cause, double was, double share) {
-      gate = expected_failure(gate, cause, {was * (1 - share), was * (1 + share)}, stamp);
-    };
-    Gate& r0 = york("radius_0", row.radius_0, 0.03, "table 5; outline and start differ, and his bag breathes by 2 %");
-    if (row.cells == 4) {
-      r0 = expected_failure(
-          r0, "a bag five cells long folds as its outline does, which is not his; and as roundings will, within 5 %",
-          {1.12, 1.26}, "2026-11-22 64431e8");
-    }
-    // On 4 cells these two are no property of the scheme: see the known limits.
-    if (row.cells > 4) {
-      york("radius_90", row.radius_90, 0.03, "table 5; outline and start differ, and his bag breathes by 2 %");
-      Gate& p = york("pressure", row.pressure, 0.05, "table 5, a mean over interior grid points; here over points");
-      const char* mean =
-          "his mean over interior grid points is not one over the gas: it counts cells alike, and what little "
-          "gas stands beside the membrane not at all; here energy over volume, the volumes too large";
-      if (row.cells == 8) fails(p, mean, 28.5, 0.04);
-      if (row.cells == 16) fails(p, mean, 28.6, 0.02);
-    }
-    Gate& hoop = york("hoop_stress", row.hoop, 0.05,
-                      "table 6; no mean can differ from the virial's by more than the energy does");
-    if (row.cells == 8) fails(hoop, "he lost 3.4 % of the energy, this run 0.5 % with 6 % in motion", 403, 0.03);
-    if (row.cells == 32) {
-      hoop = expected_failure(
-          hoop,
-          "first law and virial allow a mean of 432 Pa with nothing lost; this run loses 2 % of the "
-          "energy",
-          {409, 426}, "2026-11-22 7c0a6a5");
-    }
-  }
-  value("york1997", "hoop_scatter", 8, {{}, 0.1}, Origin::requirement,
-        "a tenth of the mean, as of the default scheme at h = 0.1", Tier::quick);
-  all.back().gate = expected_failure(
-      all.back().gate,
-      "strains that no node sees are frozen in as the bag unfolds: single stresses mean nothing, and "
-      "scatter as roundings will (seventeen runs in cases/ensembles.json)",
-      {1.0, 11.0}, "2026-11-23 5825b24");
-  value("york1997", "volume_ratio", 8, {0.99, 1.01}, Origin::requirement,
-        "within 1 %, as of the default scheme at h = 0.1", Tier::quick);
-  all.back().gate = expected_failure(all.back().gate,
-                                     "his quadratic density counts cells that the membrane cuts as full: low density, "
-                                     "large volumes beside it",
-                                     {1.08, 1.18}, stamp);
-  value("york1997", "virial", 8, {0.99, 1.01}, Origin::theory,
-        "an identity at rest; his bag still moves with 6 % of its energy", Tier::quick);
-  all.push_back(error_gate("booked", "pressure", 8,
-                           declare("booked/pressure-8", {{}, 0.3}, Origin::requirement,
-                                   "1 % of the pressure, below the 1.5 % without losses at h = 0.1: the reference has "
-                                   "what the ledger booked taken off")));
-  for (const char* radius : {"radius_0", "radius_90"}) {
-    all.push_back(
-        beside("modern", "connectivity", radius, 16,
-               declare(std::string("modern/") + radius + "-16", {0.995, 1.005}, Origin::requirement,
-                       "without connectivity within half a per cent of the radius with it: 0.07 cells at h = 0.1"),
-               Tier::full));
-  }
-  for (const auto& [level, tier] : {std::pair{8.0, Tier::quick}, std::pair{16.0, Tier::full}}) {
-    all.push_back(beside(
-        "modern", "connectivity", "hoop_stress", level,
-        declare("modern/hoop_stress-" + to_text(level), {0.98, 1.02}, Origin::requirement,
-                "without connectivity within 2 % of the stress with it, a fifth of the 10 % that York's was off by"),
-        tier));
-    value("modern", "escaped_points", level, {{}, 0.0}, Origin::identity, "no gas passes a closed membrane", tier);
-  }
+  const auto value = [&](const char* measure, Range expected, const Because& because) {
+    return judged("default", value_at, measure, level, expected, because);
+  };
+  std::vector<CaseGate> all{
+      relative("radius_0", 1e-3, thousandth),
+      relative("radius_90", 1e-3, thousandth),
+      relative("pressure", 0.015, required("1.5 % at h = 0.1, where York's pressure is 13 % low")),
+      relative("hoop_stress", 0.015, required("1.5 % at h = 0.1, as of the pressure that it bears")),
+      value("hoop_scatter", at_most(share * 0.1),
+            required("a tenth of the mean at h = 0.1; "
+                     "without relaxation single stresses scatter by more than their mean")),
+      value("volume_ratio", between(1 - share * 0.01, 1 + share * 0.01),
+            required("within 1 % at h = 0.1: nodal volumes sum to the enclosed one; "
+                     "by York's density they are 4 % too large")),
+      value("hoop_from_pressure", between(1 - share * 0.015, 1 + share * 0.015),
+            required("stress against pR/t, as close as either must be to its own reference")),
+      value("hoop_from_radius", between(0.9, 1.1),
+            requirement("stress against the strain that the mean radius implies: a tenth of it is 4e-5 of the radius, "
+                        "1/1800 of a cell at 16 cells, and an inextensible bag would miss by all")),
+      value("escaped_points", at_most(0), nothing_passes)};
+  for (CaseGate& gate : all) gate.tier = first ? Tier::quick : Tier::full;
   return all;
 }
 
-PLUMBLINE_CASE(MembraneExpansion);
+// What York's tables 5 and 6 print, on his four meshes.
+std::vector<CaseGate> york_gates() {
+  const auto printed = [](const char* measure, double cells, double value, double share, const char* why) {
+    return judged("york1997", value_at, measure, cells, around(value, share), literature(why))
+        .in(cells > 8 ? Tier::full : Tier::quick);
+  };
+  const auto radius = [&](const char* measure, double cells, double value) {
+    return printed(measure, cells, value, 0.03, "table 5; outline and start differ, and his bag breathes by 2 %");
+  };
+  const auto pressure = [&](double cells, double value) {
+    return printed("pressure", cells, value, 0.05, "table 5, a mean over interior grid points; here over points");
+  };
+  const auto hoop = [&](double cells, double value) {
+    return printed("hoop_stress", cells, value, 0.05,
+                   "table 6; no mean can differ from the virial's by more than the energy does");
+  };
+  const std::string stamp = "2026-11-21 6c78473";
+  const std::string mean =
+      "his mean over interior grid points is not one over the gas: it counts cells alike, and what little gas stands "
+      "beside the membrane not at all; here energy over volume, the volumes too large";
+  // On 4 cells the second radius and the pressure are no property of the scheme: see the known limits.
+  return {
+      radius("radius_0", 4, 1.08)
+          .fails("a bag five cells long folds as its outline does, which is not his; "
+                 "and as roundings will, within 5 %",
+                 {1.12, 1.26}, "2026-11-22 64431e8"),
+      hoop(4, 394),
+      radius("radius_0", 8, 1.335),
+      radius("radius_90", 8, 1.334),
+      pressure(8, 24.9).fails(mean, around(28.5, 0.04), stamp),
+      hoop(8, 372).fails("he lost 3.4 % of the energy, this run 0.5 % with 6 % in motion", around(403, 0.03), stamp),
+      radius("radius_0", 16, 1.388),
+      radius("radius_90", 16, 1.387),
+      pressure(16, 27.0).fails(mean, around(28.6, 0.02), stamp),
+      hoop(16, 417),
+      radius("radius_0", 32, 1.394),
+      radius("radius_90", 32, 1.396),
+      pressure(32, 29.0),
+      hoop(32, 447).fails("first law and virial allow a mean of 432 Pa with nothing lost; "
+                          "this run loses 2 % of the energy",
+                          {409, 426}, "2026-11-22 7c0a6a5"),
+
+      judged("york1997", value_at, "hoop_scatter", 8, at_most(0.1),
+             requirement("a tenth of the mean, as of the default scheme at h = 0.1"))
+          .fails("strains that no node sees are frozen in as the bag unfolds: single stresses mean nothing, and "
+                 "scatter as roundings will (seventeen runs in cases/ensembles.json)",
+                 {1.0, 11.0}, "2026-11-23 5825b24"),
+      judged("york1997", value_at, "volume_ratio", 8, between(0.99, 1.01),
+             requirement("within 1 %, as of the default scheme at h = 0.1"))
+          .fails("his quadratic density counts cells that the membrane cuts as full: "
+                 "low density, large volumes beside it",
+                 {1.08, 1.18}, stamp),
+      judged("york1997", value_at, "virial", 8, between(0.99, 1.01),
+             theory("an identity at rest; his bag still moves with 6 % of its energy"))};
+}
+
+// Tangents without connectivity beside those with it.
+std::vector<CaseGate> modern_gates() {
+  const auto beside = [](const std::string& measure, double level, double share, const char* why) {
+    return gate("modern/" + measure + "-" + to_text(level),
+                over_that_of("connectivity", measure, level,
+                             measure + " over that of connectivity at " + to_text(level)),
+                between(1 - share, 1 + share), requirement(why))
+        .beside({"connectivity"});
+  };
+  const char* radius = "without connectivity within half a per cent of the radius with it: 0.07 cells at h = 0.1";
+  const char* hoop =
+      "without connectivity within 2 % of the stress with it, a fifth of the 10 % that York's was off by";
+  return {beside("radius_0", 16, 0.005, radius).in(Tier::full),
+          beside("radius_90", 16, 0.005, radius).in(Tier::full),
+          beside("hoop_stress", 8, 0.02, hoop),
+          judged("modern", value_at, "escaped_points", 8, at_most(0), nothing_passes),
+          beside("hoop_stress", 16, 0.02, hoop).in(Tier::full),
+          judged("modern", value_at, "escaped_points", 16, at_most(0), nothing_passes).in(Tier::full)};
+}
+
+std::vector<CaseGate> gates() {
+  std::vector<CaseGate> all;
+  const auto add = [&](std::vector<CaseGate> more) { all.insert(all.end(), more.begin(), more.end()); };
+  add(gates_at(16));
+  add(gates_at(32));
+  add({judged("default", value_at, "virial", 16, between(0.995, 1.005),
+              theory("an identity at rest, whatever the discretisation; "
+                     "the membrane still breathes by a few thousandths")),
+       closed_ledger_gate("default"),
+       judged("default", value_at, "energy_lost", 16, at_most(1e-8),
+              identity("all that maps take is given back as heat but for what waits at nodes without gas")),
+       gate("default/pressure-order", fitted_order_of("pressure"), at_least(0.9),
+            theory("order 1 is what a boundary inside cells allows; 0.1 for coarse meshes"))});
+  add(york_gates());
+  add({gate("booked/pressure-8", error_at("pressure", 8), at_most(0.3),
+            requirement("1 % of the pressure, below the 1.5 % without losses at h = 0.1: "
+                        "the reference has what the ledger booked taken off"))});
+  add(modern_gates());
+  return all;
+}
+
+Case membrane_expansion() {
+  return {.name = "membrane-expansion",
+          .kind = Kind::coupled,
+          .keys = Expansion().keys(),
+          .sets = {{"cells", 16.0}},
+          .york1997 = {{"ppc", 64.0}, {"membrane.ppc", 9.1}},
+          .york_step = step_over_cells(3.5e-5 * 32),  // 3.5e-5 s at h = 0.05 [York A.4.7]
+          .problem = run_of<MembraneExpansionRun>,
+          .studies = studies(),
+          .gates = gates(),
+          .levels = {4, 6, 8, 12, 16}};
+}
+PLUMBLINE_CASE(membrane_expansion);
 
 }  // namespace
 }  // namespace plumbline

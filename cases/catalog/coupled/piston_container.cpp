@@ -1,12 +1,17 @@
 // A piston between a spring of membrane points and a closed column of gas. [York section 6.1]
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "cases/catalog/coupled/crossings.hpp"
 #include "cases/catalog/membrane/string.hpp"
 #include "cases/harness/description/archive.hpp"
+#include "cases/harness/description/parameters.hpp"
 #include "cases/harness/files/whole.hpp"
 #include "cases/harness/judge/gates.hpp"
 #include "cases/harness/run/extremes.hpp"
@@ -17,49 +22,46 @@ namespace plumbline {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+constexpr double york_density = 1e-3;  // of the spring in his input, kg/m^3
 
 // One struct for points and reference.
-struct Container {
+struct Container : Parameters {
   reference::PistonContainerProblem problem;
-  double h, end_time;
-  int cells, gas_points, spring_segments, mode;
-  bool york_points, piston_alone;
-  std::string strain;
+  bool piston_alone = false, york_points = false;
+  int mode = 1;
+  double end_time = 0;
+
+  explicit Container(Parameters given = {}) : Parameters(std::move(given)) {
+    problem.mass = positive("mass", problem.mass, "kg", "of the piston");
+    problem.spring_density = positive("spring_density", 1e-5, "kg/m^3", "density of the spring; York's input 1e-3");
+    problem.spring_modulus = positive("spring_modulus", problem.spring_modulus, "Pa", "E of the spring: K = E/20");
+    problem.bulk_modulus = positive("bulk_modulus", problem.bulk_modulus, "Pa", "beta of the gas");
+    problem.gas_density = positive("gas_density", problem.gas_density, "kg/m^3", "density of the gas");
+    problem.velocity = any_number("velocity", problem.velocity, "m/s", "of the piston at the start");
+    piston_alone = one_of("start", "mode", {"mode", "piston"},
+                          "everything starts in one mode, or the piston alone moves, as York's") == "piston";
+    mode = integer({.name = "mode",
+                    .value = 1.0,
+                    .low = 1,
+                    .high = 20,
+                    .description = "number of the mode that everything starts in"});
+    york_points = one_of("layout", "ends", {"ends", "york"},
+                         "spring points at both ends, or half a spacing from them, as York's") == "york";
+    end_time = positive("t_end", 0.015, "s", "end time");
+  }
+
   double length() const { return problem.gas_length + problem.spring_length; }
 };
 
-Container container_from(const Settings& s) {
-  Container at;
-  reference::PistonContainerProblem& p = at.problem;
-  p.mass = s.number("mass");
-  p.spring_density = s.number("spring_density");
-  p.spring_modulus = s.number("spring_modulus");
-  p.bulk_modulus = s.number("bulk_modulus");
-  p.gas_density = s.number("gas_density");
-  p.velocity = s.number("velocity");
-  at.cells = s.integer("cells");
-  at.h = at.length() / at.cells;
-  at.end_time = s.number("t_end");
-  at.mode = s.integer("mode");
-  at.york_points = s.text("layout") == "york";
-  at.piston_alone = s.text("start") == "piston";
-  at.strain = s.text("membrane.strain");
-  const auto count = [&](double length, double ppc) { return std::max(2, whole(std::round(length / at.h * ppc))); };
-  at.gas_points = count(p.gas_length, s.number("ppc"));
-  at.spring_segments = count(p.spring_length, s.number("membrane.ppc"));
-  return at;
-}
-
 // Without memory of a reference state a fluid cannot have p = -beta div U: its points carry their strain. [York 6.1]
-Body gas_body(const Container& at) {
-  const reference::PistonContainerProblem& p = at.problem;
+Body gas_body(const reference::PistonContainerProblem& p, int points) {
   auto gas = std::make_shared<LinearElastic>();
   gas->youngs_modulus = p.bulk_modulus;
   gas->poissons_ratio = 0;
   gas->density = p.gas_density;
-  Body body = make_body("gas", gas, at.gas_points, 1);
-  body.spacing = p.gas_length / at.gas_points;
-  for (int k = 0; k < at.gas_points; ++k) {
+  Body body = make_body("gas", gas, points, 1);
+  body.spacing = p.gas_length / points;
+  for (int k = 0; k < points; ++k) {
     body.points(column::position)[k] = (k + 0.5) * body.spacing;
     body.points(column::volume)[k] = p.area * body.spacing;
     body.points(column::mass)[k] = p.gas_density * p.area * body.spacing;
@@ -68,12 +70,12 @@ Body gas_body(const Container& at) {
 }
 
 // The first point is the piston. York's points stand half a spacing from either end, all of them. [York A.4.10]
-Body spring_body(const Container& at) {
+Body spring_body(const Container& at, int segments, const std::string& strain) {
   const reference::PistonContainerProblem& p = at.problem;
-  const double shift = at.york_points ? 0.5 * p.spring_length / at.spring_segments : 0.0;
-  const int points = at.york_points ? at.spring_segments : at.spring_segments + 1;
+  const double shift = at.york_points ? 0.5 * p.spring_length / segments : 0.0;
+  const int points = at.york_points ? segments : segments + 1;
   const StringState state = straight_string({p.gas_length + shift, 0.0}, {at.length() - shift, 0.0}, points);
-  Body body = string_body("spring", at.strain, {p.spring_modulus, p.area, p.spring_density, false}, state, 1,
+  Body body = string_body("spring", strain, {p.spring_modulus, p.area, p.spring_density, false}, state, 1,
                           at.york_points ? StringEnds::whole : StringEnds::half);
   double& piston = body.points(column::mass)[0];
   piston = at.york_points ? p.mass : piston + p.mass;
@@ -93,21 +95,18 @@ void start_mode(Body& body, const Container& at, const reference::PistonContaine
 
 class PistonContainerRun final : public Problem {
  public:
-  explicit PistonContainerRun(const Settings& settings)
-      : settings_(settings),
-        at_(container_from(settings)),
-        exact_(at_.problem) {}
+  explicit PistonContainerRun(const Settings& settings) : settings_(settings), at_(settings), exact_(at_.problem) {}
 
   double end_time() const override { return at_.end_time; }
 
   Scene scene() const override {
     Scene scene;
     scene.grid.dim = 1;
-    scene.grid.h = at_.h;
-    scene.grid.cells[0] = at_.cells;
+    scene.grid.h = h();
+    scene.grid.cells[0] = settings_.integer("cells");
     scene.grid.walls[0] = {Wall::symmetry, Wall::symmetry};
-    scene.bodies.push_back(gas_body(at_));
-    scene.bodies.push_back(spring_body(at_));
+    scene.bodies.push_back(gas_body(at_.problem, points_along(at_.problem.gas_length, "ppc")));
+    scene.bodies.push_back(spring());
     if (at_.piston_alone) {
       scene.bodies[1].points(column::velocity)[0] = at_.problem.velocity;
     } else {
@@ -119,14 +118,14 @@ class PistonContainerRun final : public Problem {
   }
 
   void observe(const Simulation& simulation) override {
-    const Columns& spring = simulation.scene().bodies[1].points;
+    const Columns& points = simulation.scene().bodies[1].points;
     if (times_.empty()) {
       times_.push_back(0);
       displacement_.push_back(0);
-      start_ = spring_body(at_).points(column::position)[0];
+      start_ = spring().points(column::position)[0];
     }
     times_.push_back(simulation.time());
-    displacement_.push_back(spring(column::position)[0] - start_);
+    displacement_.push_back(points(column::position)[0] - start_);
   }
   void history(Archive& archive) override {
     archive("start", start_);
@@ -163,6 +162,14 @@ class PistonContainerRun final : public Problem {
   }
 
  private:
+  double h() const { return at_.length() / settings_.integer("cells"); }
+  int points_along(double length, const char* per_cell) const {
+    return std::max(2, whole(std::round(length / h() * settings_.number(per_cell))));
+  }
+  Body spring() const {
+    return spring_body(at_, points_along(at_.problem.spring_length, "membrane.ppc"), settings_.text("membrane.strain"));
+  }
+
   reference::Bounded exact_at(double time) const {
     return at_.piston_alone ? exact_.displacement(time) : exact_.mode_displacement(time, at_.mode);
   }
@@ -213,205 +220,115 @@ class PistonContainerRun final : public Problem {
 // inertia m D s^2 beside its mass: D = h^2/3 of the cubic shapes. Sharpening makes the strain rates of its three nodes,
 // m/6, 2m/3, m/6, larger than their slope by 1 + theta K/M = 1 + 1.6/6 = 19/15: the gas's slope is reached by one
 // smaller by that. A leapfrog's frequency is too high by (omega tau)^2/24.
-double omega_error_in_theory(const RunResult& run) {
-  const Container at = container_from(run.settings);
-  const reference::PistonContainer exact(at.problem);
-  const double s = exact.slope(at.problem.gas_length).value * 15.0 / 19;
-  const double inertia = at.problem.mass * at.h * at.h / 3 * s * s / exact.modal_mass().value;
+Measured omega_error_over_theory(const RunResult& run, const Measure& omega) {
+  const reference::PistonContainerProblem problem = Container(run.settings).problem;
+  const reference::PistonContainer exact(problem);
+  const double s = exact.slope(problem.gas_length).value * 15.0 / 19;
+  const double inertia = problem.mass * run.h * run.h / 3 * s * s / exact.modal_mass().value;
   const double turn = exact.omega().value * run.dt;
-  return exact.omega().value * (turn * turn / 24 - inertia / 2);
+  const double theory = exact.omega().value * (turn * turn / 24 - inertia / 2);
+  Measured measured = Measured::of((*omega.value - *omega.reference) / theory);
+  measured.reference_bound = omega.reference_bound / std::abs(theory);
+  measured.scale = 1;
+  return measured;
 }
 
-class PistonContainerCase final : public Case {
- public:
-  std::string name() const override { return "piston-container"; }
+std::vector<StudyPlan> studies() {
+  const std::string order = "Order 2: the inertia that the piston's kernel adds.";
+  const std::vector<double> levels{20, 28, 40, 56, 80}, finer{20, 28, 40, 56, 80, 160};
+  const std::vector<Override> heavy_piston{{"mass", 1.0}, {"t_end", 0.035}};
+  const auto mode = [](const std::string& id, const char* title, double number) {
+    return study(id, title, "The coupled roots one by one: the step is the gas's, and the spring's waves are damped.",
+                 {40, 80, 160})
+        .with({{"spring_density", york_density}, {"mode", number}})
+        .in(Tier::full);
+  };
+  return {study("default", "default, m = 0.1", order, finer).in_full({20, 28, 40, 56, 80, 160, 320}),
+          study("heavy-piston", "default, m = 1", order, levels).with(heavy_piston).in_full(finer),
+          study("york1997", "York's input, m = 0.1", "One mesh.", {40}).of_york(),
+          study("york-heavy-piston", "York's input, m = 1", "One mesh.", {40}).of_york().with(heavy_piston),
+          study("york-step", "York's input, his printed step", "3.1 times the limit of stability.", {40})
+              .of_york()
+              .with({{"dt", 5e-5}}),
+          study("heavy-spring", "default, York's heavy spring, the piston starts alone", "Two modes at once.", {40, 80})
+              .with({{"spring_density", york_density}, {"start", "piston"}})
+              .in_full({40, 80, 160}),
+          mode("heavy-spring-4", "default, York's heavy spring in its fourth mode", 4),
+          mode("heavy-spring-5", "default, York's heavy spring in its fifth mode", 5)};
+}
 
-  Kind kind() const override { return Kind::coupled; }
+const Number omega_constant = number_at("error of omega over that of theory at 80 cells", "omega", 80,
+                                        omega_error_over_theory);
 
-  std::vector<Key> keys() const override {
-    const reference::PistonContainerProblem p;
-    return {positive_key("mass", p.mass, "kg", "of the piston"),
-            positive_key("spring_density", 1e-5, "kg/m^3", "density of the spring; York's input 1e-3"),
-            positive_key("spring_modulus", p.spring_modulus, "Pa", "E of the spring: K = E/20"),
-            positive_key("bulk_modulus", p.bulk_modulus, "Pa", "beta of the gas"),
-            positive_key("gas_density", p.gas_density, "kg/m^3", "density of the gas"),
-            {.name = "velocity", .value = p.velocity, .unit = "m/s", .description = "of the piston at the start"},
-            {.name = "start",
-             .value = "mode",
-             .choices = {"mode", "piston"},
-             .description = "everything starts in one mode, or the piston alone moves, as York's"},
-            {.name = "mode",
-             .value = 1.0,
-             .low = 1,
-             .high = 20,
-             .integer = true,
-             .description = "number of the mode that everything starts in"},
-            {.name = "layout",
-             .value = "ends",
-             .choices = {"ends", "york"},
-             .description = "spring points at both ends, or half a spacing from them, as York's"},
-            positive_key("t_end", 0.015, "s", "end time")};
-  }
+const Number stopped_runs = number_of("runs that stopped", [](const StudyResult& s) {
+  const RunResult& run = s.levels.front().run;
+  Measured measured = Measured::of(run.finished ? 0.0 : 1.0);
+  if (run.stop) measured.stopped = Measured::Stop{run.stop->step, run.stop->field};
+  return measured;
+});
 
-  std::vector<Override> points_and_end(const std::string& scheme) const override {
-    if (scheme == "york1997") {
-      return {{"cells", 40.0},    {"ppc", 1.0},        {"membrane.ppc", 1.0},
-              {"layout", "york"}, {"start", "piston"}, {"spring_density", 1e-3}};
-    }
-    return {{"cells", 40.0}};
-  }
+std::vector<CaseGate> gates() {
+  const Because massless = requirement(
+      "within 0.1 % of (6.2), a spring without mass; this one has at most 0.2 % of the piston's");
+  const Because order = theory("order 2; 0.2 for the coarse meshes and the interval");
+  const Because constant = theory(
+      "inertia of the piston's kernel (15/19)^2 m s^2 h^2/3 and the step's (omega tau)^2/24; "
+      "3 % for the next order, h/L = 1/40");
+  const Because reading = requirement(
+      "within 1 % of what the exact motion of piston, gas and heavy spring reads between its extremes: about what the "
+      "two digits that he prints can tell");
+  const Because apart = requirement(
+      "York's input within 1 % of the exact frequency; its two modes of the piston are 5 % apart");
+  const auto of_periods = [](double shortest, double longest) { return between(2 * pi / longest, 2 * pi / shortest); };
+  return {
+      gate("default/omega-160", error_at("omega_massless", 160), at_most(1e-3 * 886.43), massless),
+      gate("heavy-piston/omega-160", error_at("omega_massless", 160), at_most(1e-3 * 281.15), massless).in(Tier::full),
+      gate("default/omega-order", order_of("omega"), at_least(1.8), order),
+      gate("default/omega-constant", omega_constant, between(0.97, 1.03), constant),
+      gate("heavy-piston/omega-order", order_of("omega"), at_least(1.8), order),
+      gate("heavy-piston/omega-constant", omega_constant, between(0.97, 1.03), constant),
 
-  // Half the limit of one point a cell, C = 2; York's printed 5e-5 s is C = 6.3 at h = 1.
-  void derive(Settings& settings, const std::string& scheme) const override {
-    if (scheme == "york1997" && !settings.is_set("dt") && !settings.is_set("cfl")) {
-      const double speed = std::sqrt(settings.number("bulk_modulus") / settings.number("gas_density"));
-      settings.set("dt", 40 / settings.number("cells") / speed, "piston-container");
-    }
-  }
+      gate("york1997/omega", error_at("omega", 40), at_most(8.859), reading),
+      gate("york1997/printed", value_at("omega", 40), of_periods(0.00705, 0.00715),
+           literature("his Table 3: 0.0071 s, half of the last digit")),
+      gate("york-heavy-piston/omega", error_at("omega", 40), at_most(2.8096), reading),
+      gate("york-heavy-piston/printed", value_at("omega", 40), of_periods(0.0215, 0.0225),
+           literature("his Table 3: 0.022 s, half of the last digit")),
+      gate("york-step/finite", stopped_runs, exactly(0),
+           identity("every run arrives at its end with admissible values"))
+          .fails("his printed step, 5e-5 s, is 3.1 times the limit 2 h/c: the shortest wave grows by more than 30 a "
+                 "step, from 1 m/s to a cell a step within a few",
+                 {})
+          .or_stops({3, 12, "velocity"}),
 
-  std::unique_ptr<Problem> problem(const Settings& settings) const override {
-    return std::make_unique<PistonContainerRun>(settings);
-  }
+      gate("heavy-spring/omega-80", error_at("omega", 80), at_most(0.01 * 885.9), apart),
+      gate("heavy-spring-4/omega-160", error_at("omega", 160), at_most(0.01 * 865.43), apart).in(Tier::full),
+      gate("heavy-spring-5/omega-160", error_at("omega", 160), at_most(0.01 * 909.37), apart).in(Tier::full)};
+}
 
-  std::vector<double> default_levels() const override { return {20, 40, 80, 160}; }
+// Half the limit of one point a cell, C = 2; York's printed 5e-5 s is C = 6.3 at h = 1.
+Override half_the_limit(const Settings& settings) {
+  const reference::PistonContainerProblem gas = Container(settings).problem;
+  return {"dt", 40 / settings.number("cells") / std::sqrt(gas.bulk_modulus / gas.gas_density)};
+}
 
-  std::vector<StudyPlan> studies() const override {
-    const std::string order = "Order 2: the inertia that the piston's kernel adds.";
-    const std::vector<double> levels{20, 28, 40, 56, 80};
-    const auto mode = [](const char* id, const char* title, double number) {
-      return StudyPlan{.id = id,
-                       .title = title,
-                       .why = "The coupled roots one by one: the step is the gas's, and the spring's waves are damped.",
-                       .overrides = {{"spring_density", york_density}, {"mode", number}},
-                       .values = {40, 80, 160},
-                       .tier = Tier::full};
-    };
-    return {
-        {.id = "default",
-         .title = "default, m = 0.1",
-         .why = order,
-         .values = {20, 28, 40, 56, 80, 160},
-         .full_values = {20, 28, 40, 56, 80, 160, 320}},
-        {.id = "heavy-piston",
-         .title = "default, m = 1",
-         .why = order,
-         .overrides = {{"mass", 1.0}, {"t_end", 0.035}},
-         .values = levels,
-         .full_values = {20, 28, 40, 56, 80, 160}},
-        {.id = "york1997", .title = "York's input, m = 0.1", .why = "One mesh.", .scheme = "york1997", .values = {40}},
-        {.id = "york-heavy-piston",
-         .title = "York's input, m = 1",
-         .why = "One mesh.",
-         .scheme = "york1997",
-         .overrides = {{"mass", 1.0}, {"t_end", 0.035}},
-         .values = {40}},
-        {.id = "york-step",
-         .title = "York's input, his printed step",
-         .why = "3.1 times the limit of stability.",
-         .scheme = "york1997",
-         .overrides = {{"dt", 5e-5}},
-         .values = {40}},
-        {.id = "heavy-spring",
-         .title = "default, York's heavy spring, the piston starts alone",
-         .why = "Two modes at once.",
-         .overrides = {{"spring_density", york_density}, {"start", "piston"}},
-         .values = {40, 80},
-         .full_values = {40, 80, 160}},
-        mode("heavy-spring-4", "default, York's heavy spring in its fourth mode", 4),
-        mode("heavy-spring-5", "default, York's heavy spring in its fifth mode", 5)};
-  }
-
-  std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all = massless_gates();
-    for (CaseGate& gate : york_gates()) all.push_back(std::move(gate));
-    const auto near = [](const std::string& id, double exact) {
-      return declare(id, {{}, 0.01 * exact}, Origin::requirement,
-                     "York's input within 1 % of the exact frequency; its two modes of the piston are 5 % apart");
-    };
-    all.push_back(error_gate("heavy-spring", "omega", 80, near("heavy-spring/omega-80", 885.9)));
-    all.push_back(error_gate("heavy-spring-4", "omega", 160, near("heavy-spring-4/omega-160", 865.43), Tier::full));
-    all.push_back(error_gate("heavy-spring-5", "omega", 160, near("heavy-spring-5/omega-160", 909.37), Tier::full));
-    return all;
-  }
-
- private:
-  static constexpr double york_density = 1e-3;  // of his input, kg/m^3
-
-  static std::vector<CaseGate> massless_gates() {
-    const auto massless = [](const std::string& id, double exact) {
-      return declare(id, {{}, 1e-3 * exact}, Origin::requirement,
-                     "within 0.1 % of (6.2), a spring without mass; this one has at most 0.2 % of the piston's");
-    };
-    std::vector<CaseGate> all{
-        error_gate("default", "omega_massless", 160, massless("default/omega-160", 886.43)),
-        error_gate("heavy-piston", "omega_massless", 160, massless("heavy-piston/omega-160", 281.15), Tier::full)};
-    for (const char* study : {"default", "heavy-piston"}) {
-      const std::string id = study;
-      all.push_back(order_gate(study, "omega",
-                               declare(id + "/omega-order", {1.8, {}}, Origin::theory,
-                                       "order 2; 0.2 for the coarse meshes and the interval")));
-      all.push_back(constant_gate(study));
-    }
-    return all;
-  }
-
-  static CaseGate constant_gate(const std::string& study) {
-    CaseGate g = measure_gate(
-        study,
-        declare(
-            study + "/omega-constant", {0.97, 1.03}, Origin::theory,
-            "inertia of the piston's kernel (15/19)^2 m s^2 h^2/3 and the step's (omega tau)^2/24; 3 % for the next "
-            "order, h/L = 1/40"),
-        "omega", 80, [](const RunResult& run, const Measure& omega) {
-          const double right = omega_error_in_theory(run);
-          Measured measured;
-          measured.value = (*omega.value - *omega.reference) / right;
-          measured.reference_bound = omega.reference_bound / std::abs(right);
-          measured.scale = 1;
-          return measured;
-        });
-    g.gate.quantity = "error of omega over that of theory at 80 cells";
-    return g;
-  }
-
-  static std::vector<CaseGate> york_gates() {
-    const std::string reading =
-        "within 1 % of what the exact motion of piston, gas and heavy spring reads between its extremes: about what "
-        "the two digits that he prints can tell";
-    const auto printed = [](const std::string& id, double shortest, double longest, const std::string& reason) {
-      return declare(id, {2 * pi / longest, 2 * pi / shortest}, Origin::literature, reason);
-    };
-    return {error_gate("york1997", "omega", 40, declare("york1997/omega", {{}, 8.859}, Origin::requirement, reading)),
-            value_gate("york1997", "omega", 40,
-                       printed("york1997/printed", 0.00705, 0.00715, "his Table 3: 0.0071 s, half of the last digit")),
-            error_gate("york-heavy-piston", "omega", 40,
-                       declare("york-heavy-piston/omega", {{}, 2.8096}, Origin::requirement, reading)),
-            value_gate(
-                "york-heavy-piston", "omega", 40,
-                printed("york-heavy-piston/printed", 0.0215, 0.0225, "his Table 3: 0.022 s, half of the last digit")),
-            printed_step_gate()};
-  }
-
-  static CaseGate printed_step_gate() {
-    Gate g = declare("york-step/finite", {0.0, 0.0}, Origin::identity,
-                     "every run arrives at its end with admissible values");
-    g.quantity = "runs that stopped";
-    g.expected_failure = ExpectedFailure{
-        "his printed step, 5e-5 s, is 3.1 times the limit 2 h/c: the shortest wave grows by more than 30 a step, from "
-        "1 m/s to a cell a step within a few",
-        {},
-        StopBand{3, 12, "velocity"},
-        {}};
-    return study_gate("york-step", g, [](const StudyResult& s) {
-      Measured measured;
-      measured.value = s.levels.front().run.finished ? 0.0 : 1.0;
-      if (const auto& stop = s.levels.front().run.stop) measured.stopped = Measured::Stop{stop->step, stop->field};
-      return measured;
-    });
-  }
-};
-
-PLUMBLINE_CASE(PistonContainerCase);
+Case piston_container() {
+  return {.name = "piston-container",
+          .kind = Kind::coupled,
+          .keys = Container().keys(),
+          .sets = {{"cells", 40.0}},
+          .york1997 = {{"ppc", 1.0},
+                       {"membrane.ppc", 1.0},
+                       {"layout", "york"},
+                       {"start", "piston"},
+                       {"spring_density", york_density}},
+          .york_step = half_the_limit,
+          .problem = run_of<PistonContainerRun>,
+          .studies = studies(),
+          .gates = gates(),
+          .levels = {20, 40, 80, 160}};
+}
+PLUMBLINE_CASE(piston_container);
 
 }  // namespace
 }  // namespace plumbline

@@ -44,33 +44,28 @@ RingMode::At RingMode::at(double x, double y) const {
   return here;
 }
 
-void york_ring_step(Settings& settings, const std::string& scheme) {
-  if (scheme != "york1997" || settings.is_set("dt") || settings.is_set("cfl")) return;
-  const RestingRing ring = resting_ring(settings);
-  const double speed = std::sqrt(ring.material.youngs_modulus / ring.material.density);
-  settings.set("dt", 0.99 * settings.number("radius") / settings.number("cells") / speed, "ring");  // [York A.4.7]
+Override york_ring_step(const Settings& settings) {
+  const MembraneMaterial material = resting_ring(settings).material;
+  const double speed = std::sqrt(material.youngs_modulus / material.density);
+  return {"dt", 0.99 * ring_problem(settings).radius / settings.number("cells") / speed};  // [York A.4.7]
 }
 
-std::vector<Key> ring_keys() {
-  const reference::GasRingProblem p;
-  return {positive_key("youngs_modulus", p.youngs_modulus, "Pa", "Young's modulus of the ring, held out of the plane"),
-          positive_key("radius", p.radius, "m", "of the ring at rest under the pressure"),
-          positive_key("pressure", p.pressure, "Pa", "of the gas; none outside"),
-          {.name = "edge",
-           .value = "cut",
-           .choices = {"cut", "whole"},
-           .description = "gas points along the ring: cells of their lattice cut by it, or whole ones inside"}};
+void RingParameters::read() {
+  problem.youngs_modulus = positive("youngs_modulus", problem.youngs_modulus, "Pa",
+                                    "Young's modulus of the ring, held out of the plane");
+  problem.radius = positive("radius", problem.radius, "m", "of the ring at rest under the pressure");
+  problem.pressure = positive("pressure", problem.pressure, "Pa", "of the gas; none outside");
+  cut = one_of("edge", "cut", {"cut", "whole"},
+               "gas points along the ring: cells of their lattice cut by it, or whole ones inside") == "cut";
 }
 
-reference::GasRingProblem ring_problem(const Settings& settings) {
-  reference::GasRingProblem p;
-  p.youngs_modulus = settings.number("youngs_modulus");
-  p.radius = settings.number("radius");
-  p.pressure = settings.number("pressure");
-  p.law = settings.text("membrane.strain") == "segments" ? reference::RingLaw::segments
-                                                         : reference::RingLaw::accumulated;
-  return p;
+RingParameters::RingParameters(const Settings& settings) : Parameters(settings) {
+  read();
+  problem.law = settings.text("membrane.strain") == "segments" ? reference::RingLaw::segments
+                                                               : reference::RingLaw::accumulated;
 }
+
+reference::GasRingProblem ring_problem(const Settings& settings) { return RingParameters(settings).problem; }
 
 RestingRing resting_ring(const reference::GasRingProblem& problem, int chords, bool segments) {
   RestingRing ring;
@@ -160,7 +155,8 @@ Body fill_cut(const std::string& name, std::shared_ptr<const IdealGas> gas, cons
 }
 
 Scene ring_scene(const Settings& settings, const RestingRing& ring) {
-  const reference::GasRingProblem problem = ring_problem(settings);
+  const RingParameters at(settings);
+  const reference::GasRingProblem& problem = at.problem;
   Scene scene;
   scene.grid.dim = 2;
   scene.grid.h = problem.radius / settings.number("cells");
@@ -170,11 +166,8 @@ Scene ring_scene(const Settings& settings, const RestingRing& ring) {
   Curve polygon = ring.curve;
   polygon.push_back({0, 0});
   const int ppc = settings.integer("ppc");
-  if (settings.text("edge") == "whole") {
-    scene.bodies.push_back(fill_polygon("gas", gas, scene.grid, ppc, polygon, problem.gas_density, ring.gas_energy));
-  } else {
-    scene.bodies.push_back(fill_cut("gas", gas, scene.grid, ppc, polygon, problem.gas_density, ring.gas_energy));
-  }
+  const auto fill = at.cut ? fill_cut : fill_polygon;
+  scene.bodies.push_back(fill("gas", gas, scene.grid, ppc, polygon, problem.gas_density, ring.gas_energy));
   scene.bodies.push_back(membrane_body(settings, "ring", ring.material, ring.curve, ring.strain));
   if (problem.law == reference::RingLaw::segments && settings.text("density") == "grid")
     scene.bodies[0].enclosure = Enclosure{"ring", {{0, 0}}};

@@ -1,22 +1,36 @@
 // A gas-filled elastic ring at rest, as polygons have it: the quarter of it, and its breathing modes.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "cases/catalog/coupled/membrane.hpp"
+#include "cases/harness/description/parameters.hpp"
 #include "cases/harness/description/schemes.hpp"
 #include "kernel/scene.hpp"
 #include "reference/gas_ring.hpp"
 
 namespace plumbline {
 
-// The keys of every case of a ring, and the problem they pose. cells counts cells along the radius.
-std::vector<Key> ring_keys();
+// The parameters of every case of a ring. cells counts cells along the radius.
+struct RingParameters : Parameters {
+  reference::GasRingProblem problem;
+  bool cut = true;  // whether the gas's points along the ring are cut by it
+  RingParameters() { read(); }
+  explicit RingParameters(const Settings& settings);
+
+ private:
+  void read();
+};
 reference::GasRingProblem ring_problem(const Settings& settings);
-// Under york1997 the Courant number of his bag, for waves along a bar of the ring's material. [York A.4]
-void york_ring_step(Settings& settings, const std::string& scheme);
+
+// Case::york_step: the Courant number of his bag, for waves along a bar of the ring's material. [York A.4]
+Override york_ring_step(const Settings& settings);
+
+// Case::levels.
+inline const std::vector<double> ring_levels{8, 10, 13, 17, 22};
 
 // A quarter ring of n equal chords, in equilibrium with the gas it encloses; its vertices stand on the radius R.
 // The gas pushes each vertex with p l cos(theta/2), l the length of a chord and theta the angle between two; the chords

@@ -2,30 +2,35 @@
 #include <memory>
 
 #include "cases/catalog/gas/gas_case.hpp"
-#include "cases/catalog/gas/gas_problem.hpp"
+#include "cases/harness/description/parameters.hpp"
 #include "cases/harness/files/errors.hpp"
 #include "reference/simple_wave.hpp"
 
 namespace plumbline {
 namespace {
 
-reference::SimpleWaveProblem wave_of(const Settings& settings) {
-  reference::SimpleWaveProblem wave;
-  wave.amplitude = settings.number("amplitude");
-  wave.gamma = settings.number("gamma");
-  return wave;
-}
+struct Pulse : Parameters {
+  using Parameters::Parameters;
+  reference::SimpleWaveProblem wave{.amplitude = number({.name = "amplitude",
+                                                         .value = 0.001,
+                                                         .unit = "m/s",
+                                                         .low = -0.5,
+                                                         .high = 0.5,
+                                                         .description = "largest velocity of the pulse at t = 0"}),
+                                    .gamma = within("gamma", 1.4, "1", 1, 3, "ratio of specific heats")};
+  double end_time = within("t_end", 0.3, "s", 0, 0.5, "end time");
+};
 
 GasFlow pulse_flow(const Settings& settings) {
-  const auto wave = std::make_shared<const reference::SimpleWave>(wave_of(settings));
-  if (const double breaks = wave->breaking_time().value; settings.number("t_end") >= breaks) {
+  const Pulse pulse(settings);
+  const auto wave = std::make_shared<const reference::SimpleWave>(pulse.wave);
+  if (const double breaks = wave->breaking_time().value; pulse.end_time >= breaks) {
     const std::string allowed = "below " + to_text(breaks) + " s";
-    throw UsageError("t_end", to_text(settings.number("t_end")), allowed, {},
-                     "the pulse breaks: t_end must be " + allowed);
+    throw UsageError("t_end", to_text(pulse.end_time), allowed, {}, "the pulse breaks: t_end must be " + allowed);
   }
   GasFlow flow;
-  flow.gamma = wave->problem().gamma;
-  flow.end_time = settings.number("t_end");
+  flow.gamma = pulse.wave.gamma;
+  flow.end_time = pulse.end_time;
   flow.initial = [wave](double x) {
     const reference::Sample at = wave->sample(x, 0);
     return reference::GasState{at.density.value, at.velocity.value, at.pressure.value};
@@ -34,64 +39,27 @@ GasFlow pulse_flow(const Settings& settings) {
   return flow;
 }
 
-class AcousticPulse final : public Case {
- public:
-  std::string name() const override { return "acoustic-pulse"; }
+std::vector<CaseGate> gates() {
+  const std::string smooth = "smooth flow allows 2; 0.2 for the coarsest mesh";
+  return joined({required_order("default", "density.L1", 1.8, smooth),
+                 required_order("default", "velocity.L1", 1.8, smooth),
+                 {energy_gate("default"), coverage_gate("default", 100)}});
+}
 
-  Kind kind() const override { return Kind::gas; }
-
-  std::vector<Key> keys() const override {
-    return {{.name = "amplitude",
-             .value = 0.001,
-             .unit = "m/s",
-             .low = -0.5,
-             .high = 0.5,
-             .description = "largest velocity of the pulse at t = 0"},
-            {.name = "gamma",
-             .value = 1.4,
-             .low = 1,
-             .high = 3,
-             .low_open = true,
-             .description = "ratio of specific heats"},
-            {.name = "t_end",
-             .value = 0.3,
-             .unit = "s",
-             .low = 0,
-             .high = 0.5,
-             .low_open = true,
-             .description = "end time"}};
-  }
-
-  std::vector<Override> points_and_end(const std::string& scheme) const override { return york_points(scheme); }
-  void derive(Settings& settings, const std::string& scheme) const override { york_step(settings, scheme); }
-  std::unique_ptr<Problem> problem(const Settings& settings) const override {
-    return gas_problem(pulse_flow(settings), settings);
-  }
-  std::vector<double> default_levels() const override { return {50, 100, 200, 400, 800}; }
-
-  std::vector<StudyPlan> studies() const override {
-    return {{.id = "default",
-             .title = "default, smooth flow",
-             .why = "Nothing jumps: shapes, step and points are each of second order.",
-             .values = {50, 70, 100, 140, 200},
-             .full_values = {50, 100, 200, 400, 800}}};
-  }
-
-  std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all;
-    for (const char* measure : {"density.L1", "velocity.L1"}) {
-      for (CaseGate& gate :
-           required_order("default", measure, 1.8, "smooth flow allows 2; 0.2 for the coarsest mesh")) {
-        all.push_back(std::move(gate));
-      }
-    }
-    all.push_back(energy_gate("default"));
-    all.push_back(coverage_gate("default", 100));
-    return all;
-  }
-};
-
-PLUMBLINE_CASE(AcousticPulse);
+Case acoustic_pulse() {
+  return {.name = "acoustic-pulse",
+          .kind = Kind::gas,
+          .keys = Pulse().keys(),
+          .york1997 = york_points,
+          .york_step = york_step,
+          .problem = gas_run(pulse_flow),
+          .studies = {study("default", "default, smooth flow",
+                            "Nothing jumps: shapes, step and points are each of second order.", {50, 70, 100, 140, 200})
+                          .in_full({50, 100, 200, 400, 800})},
+          .gates = gates(),
+          .levels = {50, 100, 200, 400, 800}};
+}
+PLUMBLINE_CASE(acoustic_pulse);
 
 }  // namespace
 }  // namespace plumbline

@@ -1,17 +1,26 @@
-// What gas cases have in common beside the problem: York's choices for a case of his kind, and gates.
+// What gas cases have in common: York's choices for a case of his kind, and gates.
 #pragma once
 
+#include <functional>
+#include <initializer_list>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "cases/catalog/gas/gas_problem.hpp"
 #include "cases/harness/judge/gates.hpp"
 
 namespace plumbline {
 
 // York's own points and step for a gas that he did not run: three points a cell, and the Courant number of his Sod run,
 // dt = 1e-4 s at h = 0.01 m with c + |u| up to 2.1 m/s. [York 4.1]
-std::vector<Override> york_points(const std::string& scheme);
-void york_step(Settings& settings, const std::string& scheme);
+extern const std::vector<Override> york_points;
+Override york_step(const Settings& settings);
+
+// Case::problem of the flow that follows from the settings.
+std::function<std::unique_ptr<Problem>(const Settings&)> gas_run(std::function<GasFlow(const Settings&)> flow_of);
+
+std::vector<CaseGate> joined(std::initializer_list<std::vector<CaseGate>> lists);
 
 // The gates of a study in which a field's error falls: the estimate at least `order`, the low end of
 // its interval at least 0.1 below that.
@@ -24,5 +33,8 @@ CaseGate coverage_gate(const std::string& study, double level);
 // That two runs of one flow have the same numbers at a level: the largest relative difference of the norms of the
 // errors in density, velocity, pressure and energy.
 CaseGate same_numbers_gate(const std::string& study, const std::string& as, double level);
+
+// The error of density.L1 over that of another study of the case at the same level. `named`: that study in words.
+Number density_error_over(const std::string& other, const std::string& named, double level);
 
 }  // namespace plumbline

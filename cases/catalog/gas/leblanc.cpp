@@ -4,13 +4,16 @@
 namespace plumbline {
 namespace {
 
-const TubeCase leblanc{
-    {.name = "leblanc",
-     .tube = {{{1, 0, 0.2 / 3}, {1e-3, 0, 2e-10 / 3}, 5.0 / 3}, 0, 9, 3, 6},
-     .order = 0.5,
-     .cold = true,
-     .order_reason = "1 in the limit; the shock's place converges late, because the layer that drives it is a few "
-                     "hundredths of the tube"}};
+Case leblanc() {
+  return tube_case(
+      {.name = "leblanc",
+       .tube = {{{1, 0, 0.2 / 3}, {1e-3, 0, 2e-10 / 3}, 5.0 / 3}, 0, 9, 3, 6},
+       .order = 0.5,
+       .cold = true,
+       .order_reason = "1 in the limit; the shock's place converges late, because the layer that drives it is a few "
+                       "hundredths of the tube"});
+}
+PLUMBLINE_CASE(leblanc);
 
 }  // namespace
 }  // namespace plumbline

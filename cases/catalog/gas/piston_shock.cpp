@@ -7,10 +7,21 @@
 #include "cases/catalog/gas/gas_case.hpp"
 #include "cases/catalog/gas/shock_front.hpp"
 #include "cases/catalog/gas/shock_tube.hpp"
+#include "cases/harness/description/parameters.hpp"
 #include "cases/harness/verify/restart_gate.hpp"
 
 namespace plumbline {
 namespace {
+
+struct Piston : Parameters {
+  using Parameters::Parameters;
+  bool moves = one_of("frame", "laboratory", {"laboratory", "piston"},
+                      "who moves: the gas towards the piston, or the piston") == "laboratory";
+  reference::PistonShockProblem shock{
+      .piston_velocity = within("piston_velocity", 1, "m/s", 0, 2, "speed of the piston"),
+      .gamma = within("gamma", 1.4, "1", 1, 3, "ratio of specific heats")};
+  double end_time = within("t_end", 0.4, "s", 0, 0.45, "end time");
+};
 
 // The pressure that is furthest from the exact one, where shock_measures() looks for the density.
 double plateau_pressure(const std::vector<GasSample>& points, const ShockFront& front, double exact) {
@@ -24,23 +35,22 @@ double plateau_pressure(const std::vector<GasSample>& points, const ShockFront& 
 }
 
 GasFlow piston_flow(const Settings& settings) {
-  const reference::PistonShockProblem problem{settings.number("piston_velocity"), 1, 1, settings.number("gamma")};
+  const Piston piston(settings);
+  const reference::PistonShockProblem& problem = piston.shock;
   const auto exact = std::make_shared<const reference::PistonShock>(problem);
   const double u = problem.piston_velocity;
-  const bool moving = settings.text("frame") == "laboratory";
   GasFlow flow;
   flow.gamma = problem.gamma;
-  flow.end_time = settings.number("t_end");
-  if (moving) {
+  flow.end_time = piston.end_time;
+  const reference::GasState start{problem.density, piston.moves ? 0 : -u, problem.pressure};
+  flow.initial = [start](double) { return start; };
+  if (piston.moves) {
     flow.pistons[0] = u;
     flow.space[0] = 0.05;
-    flow.initial = [problem](double) { return reference::GasState{problem.density, 0, problem.pressure}; };
     flow.exact = [exact](double x, double t) { return exact->sample(x, t); };
   } else {
-    const reference::GasState stream{problem.density, -u, problem.pressure};
-    flow.margin[1] = disturbed_by_wall(stream, problem.gamma, flow.end_time) + 0.1;
+    flow.margin[1] = disturbed_by_wall(start, problem.gamma, flow.end_time) + 0.1;
     flow.judged = Interval{0, 1 - u * flow.end_time};
-    flow.initial = [stream](double) { return stream; };
     flow.exact = [exact, u](double x, double t) {
       reference::Sample at = exact->sample(x + u * t, t);
       at.velocity = at.velocity - u;
@@ -48,9 +58,9 @@ GasFlow piston_flow(const Settings& settings) {
     };
   }
   const double h = flow.cells_along / settings.number("cells");
-  flow.further = [exact, h, u, moving](const std::vector<GasSample>& points, double time) {
+  flow.further = [exact, h, u, moves = piston.moves](const std::vector<GasSample>& points, double time) {
     const reference::Bounded distance = (exact->shock_speed() - u) * time;
-    const ShockFront front{moving ? u * time : 0, distance, exact->ahead().density.value, exact->behind().density,
+    const ShockFront front{moves ? u * time : 0, distance, exact->ahead().density.value, exact->behind().density,
                            exact->behind().energy};
     std::vector<Measure> all = shock_measures(points, h, front);
     const reference::Bounded speed = exact->shock_speed(), pressure = exact->behind().pressure;
@@ -62,101 +72,63 @@ GasFlow piston_flow(const Settings& settings) {
   return flow;
 }
 
-class PistonShock final : public Case {
- public:
-  std::string name() const override { return "piston-shock"; }
+std::vector<StudyPlan> studies() {
+  const std::string why = "One shock, and the layer at the piston: order 1 in the mean.";
+  const std::vector<double> coarse{100, 140, 200, 280, 400}, fine{100, 200, 400, 800, 1600};
+  return {study("default", "default, the piston moves", why, coarse).in_full(fine),
+          study("piston", "default, seen from the piston", why, coarse).with({{"frame", "piston"}}).in_full(fine)};
+}
 
-  Kind kind() const override { return Kind::gas; }
+// One of the three numbers of the statement, from the points, within so much of it.
+CaseGate published(const std::string& id, const std::string& measure, double value, double room,
+                   const std::string& why_room) {
+  return gate(id + "-400", value_at(measure, 400), between(value - room, value + room),
+              literature("Rankine and Hugoniot for a piston of 1 m/s; " + why_room));
+}
 
-  std::vector<Key> keys() const override {
-    return {{.name = "frame",
-             .value = "laboratory",
-             .choices = {"laboratory", "piston"},
-             .description = "who moves: the gas towards the piston, or the piston"},
-            {.name = "piston_velocity",
-             .value = 1.0,
-             .unit = "m/s",
-             .low = 0,
-             .high = 2,
-             .low_open = true,
-             .description = "speed of the piston"},
-            {.name = "gamma",
-             .value = 1.4,
-             .low = 1,
-             .high = 3,
-             .low_open = true,
-             .description = "ratio of specific heats"},
-            {.name = "t_end",
-             .value = 0.4,
-             .unit = "s",
-             .low = 0,
-             .high = 0.45,
-             .low_open = true,
-             .description = "end time"}};
-  }
+// A piston is no node line. Nodes up to half a cell before it move with it, so that the gas may stand up to half a
+// cell behind it; and no kernel is mirrored in it: of the density next to it points read only the share S of their
+// kernel, cubic twice, that has gas under it, a volume too large by the integral of 1/S - 1, 0.488 cells.
+CaseGate cut_coverage_gate(double level) {
+  const double judged = 0.6, cells = 0.5 + 0.488;
+  return gate("default/coverage-" + to_text(level), value_at("coverage", level),
+              between(0.99, 1.01 + cells / (judged * level)),
+              theory("1 % as elsewhere, and at the piston: half a cell that the gas may stand behind it, and 0.488 "
+                     "cells by which volumes are overstated where kernels are cut"));
+}
 
-  std::vector<Override> points_and_end(const std::string& scheme) const override { return york_points(scheme); }
-  void derive(Settings& settings, const std::string& scheme) const override { york_step(settings, scheme); }
-  std::unique_ptr<Problem> problem(const Settings& settings) const override {
-    return gas_problem(piston_flow(settings), settings);
-  }
-  std::vector<double> default_levels() const override { return {100, 200, 400, 800, 1600}; }
+std::vector<CaseGate> gates() {
+  constexpr double density = 2.07916, pressure = 2.92665;
+  const auto of = [](const std::string& study) {
+    return joined(
+        {required_order(study, "density.L1", 0.8,
+                        "a shock and the layer at the piston allow 1; 0.8 as of the shock tubes"),
+         shock_gates(study, 400, 1.0 / 400, density),
+         {// The end is at 0.4 s: a cell there is h/0.4 in the speed.
+          published(study + "/speed", "shock_speed", 1.92665, 1.0 / 400 / 0.4, "one cell in the shock's place"),
+          published(study + "/pressure", "plateau_pressure", pressure, 0.02 * pressure, "2 %, as of the density"),
+          published(study + "/density", "plateau_density", density, 0.02 * density,
+                    "2 %, as of the density behind every shock here"),
+          energy_gate(study), coverage_gate(study, 400)}});
+  };
+  return joined(
+      {of("default"),
+       of("piston"),
+       {coverage_gate("piston", 100), cut_coverage_gate(100), restart_gate("default", "runs with pistons that move")}});
+}
 
-  std::vector<StudyPlan> studies() const override {
-    const std::string why = "One shock, and the layer at the piston: order 1 in the mean.";
-    const std::vector<double> coarse{100, 140, 200, 280, 400}, fine{100, 200, 400, 800, 1600};
-    return {{.id = "default", .title = "default, the piston moves", .why = why, .values = coarse, .full_values = fine},
-            {.id = "piston",
-             .title = "default, seen from the piston",
-             .why = why,
-             .overrides = {{"frame", "piston"}},
-             .values = coarse,
-             .full_values = fine}};
-  }
-
-  std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all;
-    const auto add = [&](std::vector<CaseGate> more) { all.insert(all.end(), more.begin(), more.end()); };
-    for (const char* study : {"default", "piston"}) {
-      add(required_order(study, "density.L1", 0.8,
-                         "a shock and the layer at the piston allow 1; 0.8 as of the shock tubes"));
-      add(shock_gates(study, 400, 1.0 / 400, 2.07916));
-      add(published_gates(study));
-      add({energy_gate(study), coverage_gate(study, 400)});
-    }
-    add({coverage_gate("piston", 100), cut_coverage_gate(100), restart_gate("default", "runs with pistons that move")});
-    return all;
-  }
-
- private:
-  // The three numbers of the statement, from the points. The end is at 0.4 s: a cell there is h/0.4 in the speed.
-  static std::vector<CaseGate> published_gates(const std::string& study) {
-    const auto gate = [&](const char* measure, const char* id, double value, double room, const std::string& why) {
-      return value_gate(study, measure, 400,
-                        declare(study + "/" + id + "-400", {value - room, value + room}, Origin::literature, why));
-    };
-    return {gate("shock_speed", "speed", 1.92665, 1.0 / 400 / 0.4,
-                 "Rankine and Hugoniot for a piston of 1 m/s; one cell in the shock's place"),
-            gate("plateau_pressure", "pressure", 2.92665, 0.02 * 2.92665,
-                 "Rankine and Hugoniot for a piston of 1 m/s; 2 %, as of the density"),
-            gate("plateau_density", "density", 2.07916, 0.02 * 2.07916,
-                 "Rankine and Hugoniot for a piston of 1 m/s; 2 %, as of the density behind every shock here")};
-  }
-
-  // A piston is no node line. Nodes up to half a cell before it move with it, so that the gas may stand up to half a
-  // cell behind it; and no kernel is mirrored in it: of the density next to it points read only the share S of their
-  // kernel, cubic twice, that has gas under it, a volume too large by the integral of 1/S - 1, 0.488 cells.
-  static CaseGate cut_coverage_gate(double level) {
-    const double judged = 0.6, cells = 0.5 + 0.488;
-    return value_gate(
-        "default", "coverage", level,
-        declare("default/coverage-" + to_text(level), {0.99, 1.01 + cells / (judged * level)}, Origin::theory,
-                "1 % as elsewhere, and at the piston: half a cell that the gas may stand behind it, and "
-                "0.488 cells by which volumes are overstated where kernels are cut"));
-  }
-};
-
-PLUMBLINE_CASE(PistonShock);
+Case piston_shock() {
+  return {.name = "piston-shock",
+          .kind = Kind::gas,
+          .keys = Piston().keys(),
+          .york1997 = york_points,
+          .york_step = york_step,
+          .problem = gas_run(piston_flow),
+          .studies = studies(),
+          .gates = gates(),
+          .levels = {100, 200, 400, 800, 1600}};
+}
+PLUMBLINE_CASE(piston_shock);
 
 }  // namespace
 }  // namespace plumbline

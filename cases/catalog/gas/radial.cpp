@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "cases/harness/files/errors.hpp"
 #include "cases/harness/judge/gates.hpp"
@@ -35,11 +36,10 @@ const RadialGeometry& radial_geometry(int dimension, const std::string& name) {
   throw unknown_name("geometry", name, names(all));
 }
 
-Key geometry_key(int dimension) {
-  const auto& all = radial_geometries(dimension);
+Key geometry_key(int dimension, std::string by_default) {
   return {.name = "geometry",
-          .value = all.front().name,
-          .choices = names(all),
+          .value = std::move(by_default),
+          .choices = names(radial_geometries(dimension)),
           .description = dimension == 2 ? "a slice of rings, or a quarter of the cylinder in the plane"
                                         : "a quarter of the section, by rings, or the octant"};
 }
@@ -101,13 +101,10 @@ Measure coverage_within(const RadialGeometry& geometry, const std::vector<GasSam
   return scalar_measure("coverage", volume / space_within(geometry, radius, h), 1.0, 0.0, "1");
 }
 
-CaseGate radial_coverage_gate(const std::string& study, double level, Tier tier) {
-  return value_gate(
-      study, "coverage", level,
-      declare(study + "/coverage-" + to_text(level), {0.98, 1.02}, Origin::theory,
-              "volumes of the points judged against their space: a circle through a lattice some tens of "
-              "points away cuts it to half a percent, and a kernel of three cells moves little across it"),
-      tier);
+CaseGate radial_coverage_gate(const std::string& study, double level) {
+  return gate(study + "/coverage-" + to_text(level), value_at("coverage", level), between(0.98, 1.02),
+              theory("volumes of the points judged against their space: a circle through a lattice some tens of points "
+                     "away cuts it to half a percent, and a kernel of three cells moves little across it"));
 }
 
 }  // namespace plumbline

@@ -24,7 +24,7 @@ struct RadialGeometry {
 const std::vector<RadialGeometry>& radial_geometries(int dimension);
 // Throws UsageError with the names that there are.
 const RadialGeometry& radial_geometry(int dimension, const std::string& name);
-Key geometry_key(int dimension);
+Key geometry_key(int dimension, std::string by_default = "axisymmetric");
 
 double radius_of(const RadialGeometry& geometry, const Position& x);
 Position radial_direction(const RadialGeometry& geometry, const Position& x);  // zero at the centre
@@ -50,6 +50,6 @@ Measure coverage_within(const RadialGeometry& geometry, const std::vector<GasSam
 
 // Two hundredths: half a percent for a lattice of squares cut by a circle some tens of points from the centre, and what
 // a kernel of three cells moves across the circle or blurs of a shock inside it.
-CaseGate radial_coverage_gate(const std::string& study, double level, Tier tier = Tier::quick);
+CaseGate radial_coverage_gate(const std::string& study, double level);
 
 }  // namespace plumbline

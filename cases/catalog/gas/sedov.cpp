@@ -9,16 +9,45 @@
 #include "cases/catalog/gas/gas_case.hpp"
 #include "cases/catalog/gas/radial.hpp"
 #include "cases/catalog/gas/shock_front.hpp"
+#include "cases/harness/description/parameters.hpp"
 
 namespace plumbline {
 namespace {
 
 constexpr double domain = 1.2;  // m
 constexpr double deposit = 2;   // cells: the energy is set free within this radius
-struct SedovText {
-  std::string name, energy_of;
-  int dimension;
-  double energy;
+
+struct Blast : Parameters {
+  RadialGeometry geometry;
+  reference::SedovProblem sedov;
+  double pressure;
+  bool graded;
+  double shock_radius;
+
+  explicit Blast(int dimension, Parameters given = {}) : Parameters(std::move(given)) {
+    const bool line = dimension == 2;
+    geometry = radial_geometry(dimension, text(geometry_key(dimension)));
+    sedov.dimension = dimension;
+    sedov.gamma = number(
+        {.name = "gamma", .value = 1.4, .low = 1.1, .high = 3, .description = "ratio of specific heats"});
+    // Of Kamm and Timmes's size: alpha rho, so that the shock is at 1 m after 1 s.
+    sedov.energy = line ? positive("energy", 0.9840740, "J/m", "set free per length of the whole axis")
+                        : positive("energy", 0.8510719, "J", "set free, in the whole sphere");
+    pressure = number({.name = "pressure",
+                       .value = 0.0,
+                       .unit = "Pa",
+                       .low = 0,
+                       .high = 1e-3,
+                       .description = "of the cold gas; the reference has none"});
+    graded = one_of("layout", "graded", {"graded", "lattice"},
+                    "points close together near the centre, or of one mass everywhere") == "graded";
+    shock_radius = number({.name = "shock_radius",
+                           .value = 1.0,
+                           .unit = "m",
+                           .low = 0.1,
+                           .high = 1.1,
+                           .description = "where the exact shock is at the end"});
+  }
 };
 
 // All energy in the points within `radius` of the centre, the same for each unit of their mass. Their momentum is zero.
@@ -50,34 +79,30 @@ std::vector<Measure> blast_measures(const reference::Sedov& exact, const std::ve
 }
 
 GasFlow blast_flow(int dimension, const Settings& settings) {
-  const RadialGeometry geometry = radial_geometry(dimension, settings.text("geometry"));
-  reference::SedovProblem problem;
-  problem.dimension = dimension;
-  problem.gamma = settings.number("gamma");
-  problem.energy = settings.number("energy");
+  const Blast blast(dimension, settings);
+  const RadialGeometry& geometry = blast.geometry;
+  const reference::SedovProblem& problem = blast.sedov;
   const auto exact = std::make_shared<const reference::Sedov>(problem);
   GasFlow flow;
   flow.cells_along = domain;
   set_geometry(flow, geometry, domain, settings);
   flow.gamma = problem.gamma;
-  flow.end_time = exact->time_of_radius(settings.number("shock_radius"));
+  flow.end_time = exact->time_of_radius(blast.shock_radius);
   flow.judged = Interval{0, domain};
-  flow.initial = [problem, p = settings.number("pressure")](double) {
-    return reference::GasState{problem.density, 0, p};
-  };
+  flow.initial = [start = reference::GasState{problem.density, 0, blast.pressure}](double) { return start; };
   flow.exact = [exact](double r, double t) { return exact->sample(r, t); };
-  const double h = cell_size(flow, settings), energy = problem.energy * share_of_whole(geometry, h);
-  const bool graded = settings.text("layout") == "graded";
-  flow.fill = [=, end = settings.number("shock_radius"), state = flow.initial(0)](
-                  std::shared_ptr<const IdealGas> gas, const PointRule& rule, const GridSpec& grid) {
-    GasBall ball{geometry, domain, [state](double) { return state; }, true, {}};
+  const double h = cell_size(flow, settings);
+  flow.fill = [geometry, graded = blast.graded, end = blast.shock_radius, initial = flow.initial, gamma = problem.gamma,
+               energy = problem.energy * share_of_whole(geometry, h)](std::shared_ptr<const IdealGas> gas,
+                                                                      const PointRule& rule, const GridSpec& grid) {
+    GasBall ball{geometry, domain, initial, true, {}};
     if (graded) {
-      ball.spacing = [=, gamma = problem.gamma, least = 1e-6 * domain](double r) {
+      ball.spacing = [=, least = 1e-6 * domain](double r) {
         return grid.h / rule.ppc * std::min(1.0, gamma / (gamma - 1) * std::pow(std::max(r, least) / end, 1 / gamma));
       };
     }
     Body body = fill_ball(std::move(gas), ball, rule, grid);
-    set_free(body, geometry, deposit * grid.h, energy, problem.gamma);
+    set_free(body, geometry, deposit * grid.h, energy, gamma);
     return body;
   };
   flow.further = [exact, geometry, h](const std::vector<GasSample>& points, double time) {
@@ -88,88 +113,33 @@ GasFlow blast_flow(int dimension, const Settings& settings) {
   return flow;
 }
 
-class SedovCase final : public Case {
- public:
-  explicit SedovCase(SedovText text) : text_(std::move(text)), registered_(this) {}
+// The first study is by rings; `whole` is of another geometry, all of whose directions are the grid's.
+Case sedov_case(std::string name, int dimension, StudyPlan rings, StudyPlan whole) {
+  const double finest = rings.values.back();
+  const std::string geometry = whole.id;
+  return {.name = std::move(name),
+          .kind = Kind::gas,
+          .keys = Blast(dimension).keys(),
+          .sets = {{"ppc", 2.0}},
+          .york1997 = york_points,
+          .york_step = york_step,
+          .problem = gas_run([dimension](const Settings& settings) { return blast_flow(dimension, settings); }),
+          .studies = {std::move(rings), std::move(whole).with({{"geometry", geometry}}).in(Tier::full)},
+          .gates = {energy_gate("default"), shock_position_gate("default", finest, domain / finest),
+                    energy_gate(geometry).in(Tier::full)},
+          .levels = {30, 42, 60, 84, 120},
+          .needs = {Trait::returned_loss}};  // a cold gas has no energy to lose
+}
 
-  std::string name() const override { return text_.name; }
-
-  Kind kind() const override { return Kind::gas; }
-
-  Traits needs() const override { return {Trait::returned_loss}; }  // a cold gas has no energy to lose
-  std::vector<Key> keys() const override {
-    return {geometry_key(text_.dimension),
-            {.name = "gamma", .value = 1.4, .low = 1.1, .high = 3, .description = "ratio of specific heats"},
-            {.name = "energy",
-             .value = text_.energy,
-             .unit = text_.dimension == 2 ? "J/m" : "J",
-             .low = 0,
-             .low_open = true,
-             .description = text_.energy_of},
-            {.name = "pressure",
-             .value = 0.0,
-             .unit = "Pa",
-             .low = 0,
-             .high = 1e-3,
-             .description = "of the cold gas; the reference has none"},
-            {.name = "layout",
-             .value = "graded",
-             .choices = {"graded", "lattice"},
-             .description = "points close together near the centre, or of one mass everywhere"},
-            {.name = "shock_radius",
-             .value = 1.0,
-             .unit = "m",
-             .low = 0.1,
-             .high = 1.1,
-             .description = "where the exact shock is at the end"}};
-  }
-
-  std::vector<Override> points_and_end(const std::string& scheme) const override {
-    return scheme == "york1997" ? york_points(scheme) : std::vector<Override>{{"ppc", 2.0}};
-  }
-  void derive(Settings& settings, const std::string& scheme) const override { york_step(settings, scheme); }
-  std::unique_ptr<Problem> problem(const Settings& settings) const override {
-    return gas_problem(blast_flow(text_.dimension, settings), settings);
-  }
-  std::vector<double> default_levels() const override { return {30, 42, 60, 84, 120}; }
-  std::vector<StudyPlan> studies() const override {
-    StudyPlan plan{.id = "default",
-                   .title = "default, by rings",
-                   .why = "The shock, and a kernel's mean of a profile as steep as a cell is wide: order 1 at most.",
-                   .values = {30, 42, 60, 84, 120},
-                   .full_values = {60, 84, 120, 168, 240}};
-    StudyPlan other = plan;
-    other.id = text_.dimension == 2 ? "plane" : "3d";
-    other.title = text_.dimension == 2 ? "default, a quarter in the plane" : "default, an octant";
-    other.overrides = {{"geometry", other.id}};
-    other.values = {30};
-    other.full_values = {};
-    other.tier = Tier::full;
-    if (text_.dimension == 3) {
-      plan.values = {16, 20, 24, 28, 36};
-      plan.full_values = {20, 28, 36, 48, 60};
-      other.values = {20};
-    }
-    return {plan, other};
-  }
-  std::vector<CaseGate> gates() const override {
-    const double level = text_.dimension == 2 ? 120 : 36;
-    std::vector<CaseGate> all{energy_gate("default"), shock_gates("default", level, domain / level, 6).front()};
-    CaseGate other = energy_gate(text_.dimension == 2 ? "plane" : "3d");
-    other.tier = Tier::full;
-    all.push_back(other);
-    return all;
-  }
-  // The plane has one angular momentum, space has three, rings none.
-
- private:
-  SedovText text_;
-  RegisterCase registered_;
-};
-
-// Energies of Kamm and Timmes's size: alpha rho, so that the shock is at 1 m after 1 s.
-const SedovCase cylindrical{{"sedov-cylindrical", "set free per length of the whole axis", 2, 0.9840740}};
-const SedovCase spherical{{"sedov-spherical", "set free, in the whole sphere", 3, 0.8510719}};
+std::vector<Case> sedov() {
+  const std::string why = "The shock, and a kernel's mean of a profile as steep as a cell is wide: order 1 at most.";
+  const auto by_rings = [&](std::vector<double> levels) { return study("default", "default, by rings", why, levels); };
+  return {sedov_case("sedov-cylindrical", 2, by_rings({30, 42, 60, 84, 120}).in_full({60, 84, 120, 168, 240}),
+                     study("plane", "default, a quarter in the plane", why, {30})),
+          sedov_case("sedov-spherical", 3, by_rings({16, 20, 24, 28, 36}).in_full({20, 28, 36, 48, 60}),
+                     study("3d", "default, an octant", why, {20}))};
+}
+PLUMBLINE_CASE(sedov);
 
 }  // namespace
 }  // namespace plumbline

@@ -1,7 +1,5 @@
 #include "cases/catalog/gas/shock_front.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
 #include <map>
@@ -58,16 +56,20 @@ std::vector<Measure> shock_measures(const std::vector<GasSample>& points, double
           scalar_measure("wall_heating", hottest, 0.0, exact.energy_behind.bound / exact.energy_behind.value, "1")};
 }
 
+CaseGate shock_position_gate(const std::string& study, double level, double cell) {
+  return gate(
+      study + "/shock-position-" + to_text(level), error_at("shock_position", level), at_most(cell),
+      requirement("the shock stands within one cell of its exact place, closer than the several cells it is wide"));
+}
+
+CaseGate plateau_gate(const std::string& study, double level, double plateau) {
+  return gate(study + "/plateau-" + to_text(level), error_at("plateau_density", level), at_most(0.02 * plateau),
+              requirement("away from the wall the density behind it is exact to 2 %: what the first cells at the wall "
+                          "are off by must not be felt there"));
+}
+
 std::vector<CaseGate> shock_gates(const std::string& study, double level, double cell, double plateau) {
-  const std::string at = fmt::format("-{}", level);
-  return {error_gate(
-              study, "shock_position", level,
-              declare(study + "/shock-position" + at, {{}, cell}, Origin::requirement,
-                      "the shock stands within one cell of its exact place, closer than the several cells it is wide")),
-          error_gate(study, "plateau_density", level,
-                     declare(study + "/plateau" + at, {{}, 0.02 * plateau}, Origin::requirement,
-                             "away from the wall the density behind it is exact to 2 %: what the first cells at the "
-                             "wall are off by must not be felt there"))};
+  return {shock_position_gate(study, level, cell), plateau_gate(study, level, plateau)};
 }
 
 }  // namespace plumbline

@@ -2,6 +2,7 @@
 // axis that made it did to the first gas.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "cases/catalog/gas/gas_problem.hpp"
@@ -28,7 +29,9 @@ double shock_place(const std::vector<GasSample>& points, double h, double halfwa
 // wall_heating: largest share by which the internal energy between origin and half the shock's distance is too high.
 std::vector<Measure> shock_measures(const std::vector<GasSample>& points, double h, const ShockFront& exact);
 
-// Its gates at one level: within one cell, within 2 %.
+// Its gates at one level: within one cell, within 2 %; both.
+CaseGate shock_position_gate(const std::string& study, double level, double cell);
+CaseGate plateau_gate(const std::string& study, double level, double plateau);
 std::vector<CaseGate> shock_gates(const std::string& study, double level, double cell, double plateau);
 
 }  // namespace plumbline

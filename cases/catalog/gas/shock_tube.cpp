@@ -7,64 +7,31 @@
 #include "reference/gas_problem.hpp"
 
 namespace plumbline {
-namespace {
-
-Key positive(std::string name, double value, std::string unit, std::string description) {
-  return {.name = std::move(name),
-          .value = value,
-          .unit = std::move(unit),
-          .low = 0,
-          .low_open = true,
-          .description = std::move(description)};
-}
-
-}  // namespace
-
-std::vector<Key> shock_tube_keys(const ShockTube& tube) {
-  const auto velocity = [](std::string name, double value, std::string description) {
-    return Key{.name = std::move(name), .value = value, .unit = "m/s", .description = std::move(description)};
-  };
-  const auto& [left, right, gamma] = tube.states;
-  return {positive("left.density", left.density, "kg/m^3", "density left of the diaphragm"),
-          velocity("left.velocity", left.velocity, "velocity left of the diaphragm"),
-          positive("left.pressure", left.pressure, "Pa", "pressure left of the diaphragm"),
-          positive("right.density", right.density, "kg/m^3", "density right of the diaphragm"),
-          velocity("right.velocity", right.velocity, "velocity right of the diaphragm"),
-          positive("right.pressure", right.pressure, "Pa", "pressure right of the diaphragm"),
-          {.name = "gamma",
-           .value = gamma,
-           .low = 1,
-           .high = 10,
-           .low_open = true,
-           .description = "ratio of specific heats"},
-          {.name = "diaphragm",
-           .value = tube.diaphragm,
-           .unit = "m",
-           .low = tube.low,
-           .high = tube.high,
-           .low_open = true,
-           .high_open = true,
-           .description = "position of the diaphragm"},
-          positive("t_end", tube.end_time, "s", "end time"),
-          {.name = "dimension",
-           .value = static_cast<double>(tube.dimension),
-           .low = 1,
-           .high = 3,
-           .integer = true,
-           .description = "of the space: on a line, or a few cells across between mirrors"}};
-}
-
-ShockTube shock_tube_from(const Settings& settings, const ShockTube& defaults) {
-  ShockTube tube = defaults;
-  tube.states.left = {settings.number("left.density"), settings.number("left.velocity"),
-                      settings.number("left.pressure")};
-  tube.states.right = {settings.number("right.density"), settings.number("right.velocity"),
-                       settings.number("right.pressure")};
-  tube.states.gamma = settings.number("gamma");
-  tube.diaphragm = settings.number("diaphragm");
-  tube.end_time = settings.number("t_end");
-  tube.dimension = static_cast<int>(settings.number("dimension"));
-  return tube;
+TubeParameters::TubeParameters(const ShockTube& defaults, Parameters given)
+    : Parameters(std::move(given)),
+      tube(defaults) {
+  auto& [left, right, gamma] = tube.states;
+  left.density = positive("left.density", left.density, "kg/m^3", "density left of the diaphragm");
+  left.velocity = any_number("left.velocity", left.velocity, "m/s", "velocity left of the diaphragm");
+  left.pressure = positive("left.pressure", left.pressure, "Pa", "pressure left of the diaphragm");
+  right.density = positive("right.density", right.density, "kg/m^3", "density right of the diaphragm");
+  right.velocity = any_number("right.velocity", right.velocity, "m/s", "velocity right of the diaphragm");
+  right.pressure = positive("right.pressure", right.pressure, "Pa", "pressure right of the diaphragm");
+  gamma = within("gamma", gamma, "1", 1, 10, "ratio of specific heats");
+  tube.diaphragm = number({.name = "diaphragm",
+                           .value = tube.diaphragm,
+                           .unit = "m",
+                           .low = tube.low,
+                           .high = tube.high,
+                           .low_open = true,
+                           .high_open = true,
+                           .description = "position of the diaphragm"});
+  tube.end_time = positive("t_end", tube.end_time, "s", "end time");
+  tube.dimension = integer({.name = "dimension",
+                            .value = static_cast<double>(tube.dimension),
+                            .low = 1,
+                            .high = 3,
+                            .description = "of the space: on a line, or a few cells across between mirrors"});
 }
 
 double disturbed_by_wall(const reference::GasState& gas, double gamma, double time) {
@@ -91,19 +58,26 @@ GasFlow tube_flow(const ShockTube& tube) {
   return flow;
 }
 
-Comparator tube_stick(const ShockTube& tube, const std::vector<double>& cells) {
-  const reference::RiemannSolution exact(tube.states);
-  return finite_volume_stick(
-      reference::riemann_tube(tube.states, tube.diaphragm, tube.end_time, tube.low, tube.high),
-      [&](double x) { return exact.sample((x - tube.diaphragm) / tube.end_time); }, cells);
+std::function<std::unique_ptr<Problem>(const Settings&)> tube_run(const ShockTube& defaults) {
+  return [defaults](const Settings& settings) {
+    const ShockTube tube = TubeParameters(defaults, settings).tube;
+    GasFlow flow = tube_flow(tube);
+    flow.dim = tube.dimension;
+    const double h = flow.cells_along / settings.number("cells");
+    for (std::size_t d = 1; d < static_cast<std::size_t>(tube.dimension); ++d) flow.high[d] = cells_across_tube * h;
+    return gas_problem(flow, settings);
+  };
 }
 
-std::unique_ptr<Problem> shock_tube_problem(const ShockTube& tube, const Settings& settings) {
-  GasFlow flow = tube_flow(tube);
-  flow.dim = tube.dimension;
-  const double h = flow.cells_along / settings.number("cells");
-  for (std::size_t d = 1; d < static_cast<std::size_t>(tube.dimension); ++d) flow.high[d] = cells_across_tube * h;
-  return gas_problem(flow, settings);
+std::function<std::vector<Comparator>(const Settings&, const std::vector<double>&)> beside_finite_volumes(
+    const ShockTube& defaults) {
+  return [defaults](const Settings& settings, const std::vector<double>& cells) -> std::vector<Comparator> {
+    const ShockTube tube = TubeParameters(defaults, settings).tube;
+    const reference::RiemannSolution exact(tube.states);
+    return {finite_volume_stick(
+        reference::riemann_tube(tube.states, tube.diaphragm, tube.end_time, tube.low, tube.high),
+        [&](double x) { return exact.sample((x - tube.diaphragm) / tube.end_time); }, cells)};
+  };
 }
 
 }  // namespace plumbline

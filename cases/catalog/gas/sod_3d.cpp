@@ -6,61 +6,43 @@
 namespace plumbline {
 namespace {
 
-const ShockTube tube = [] {
-  ShockTube solid = sod_tube;
-  solid.dimension = 3;
-  return solid;
-}();
+std::vector<StudyPlan> studies() {
+  const std::string why = "Shock and contact are jumps: order 1, in any number of dimensions.";
+  const std::vector<double> few{50, 100}, levels{50, 70, 100, 140, 200};
+  return {study("default", "default, in space", why, few).in_full(levels),
+          study("line", "default, on a line", why, few).with({{"dimension", 1.0}}).in_full(levels),
+          study("equal-volume", "default with points of equal volume, in space", why, {50})
+              .with({{"points", "equal-volume"}, {"ppc", 3.0}}),
+          study("equal-volume-line", "default with points of equal volume, on a line", why, {50})
+              .with({{"dimension", 1.0}, {"points", "equal-volume"}, {"ppc", 3.0}})};
+}
 
-class Sod3d final : public Case {
- public:
-  std::string name() const override { return "sod-3d"; }
+std::vector<CaseGate> gates() {
+  return {same_numbers_gate("default", "line", 50),
+          same_numbers_gate("default", "line", 100),
+          same_numbers_gate("equal-volume", "equal-volume-line", 50),
+          energy_gate("default"),
+          coverage_gate("default", 100),
+          gate("default/density-order", fitted_order_of("density.L1"), at_least(0.8),
+               theory("shock and contact allow 1; 0.8 as of the other shock tubes"))
+              .in(Tier::full),
+          restart_gate("default", "runs in space")};
+}
 
-  Kind kind() const override { return Kind::gas; }
-  std::vector<Key> keys() const override { return shock_tube_keys(tube); }
-  std::vector<Override> points_and_end(const std::string& scheme) const override { return york_points(scheme); }
-  void derive(Settings& settings, const std::string& scheme) const override { york_step(settings, scheme); }
-  std::unique_ptr<Problem> problem(const Settings& settings) const override {
-    return shock_tube_problem(shock_tube_from(settings, tube), settings);
-  }
-  std::vector<double> default_levels() const override { return {50, 70, 100, 140, 200}; }
-
-  std::vector<StudyPlan> studies() const override {
-    const std::string why = "Shock and contact are jumps: order 1, in any number of dimensions.";
-    const std::vector<double> few{50, 100}, levels{50, 70, 100, 140, 200};
-    return {{.id = "default", .title = "default, in space", .why = why, .values = few, .full_values = levels},
-            {.id = "line",
-             .title = "default, on a line",
-             .why = why,
-             .overrides = {{"dimension", 1.0}},
-             .values = few,
-             .full_values = levels},
-            {.id = "equal-volume",
-             .title = "default with points of equal volume, in space",
-             .why = why,
-             .overrides = {{"points", "equal-volume"}, {"ppc", 3.0}},
-             .values = {50}},
-            {.id = "equal-volume-line",
-             .title = "default with points of equal volume, on a line",
-             .why = why,
-             .overrides = {{"dimension", 1.0}, {"points", "equal-volume"}, {"ppc", 3.0}},
-             .values = {50}}};
-  }
-
-  std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all{same_numbers_gate("default", "line", 50), same_numbers_gate("default", "line", 100),
-                              same_numbers_gate("equal-volume", "equal-volume-line", 50), energy_gate("default"),
-                              coverage_gate("default", 100)};
-    all.push_back(fitted_order_gate("default", "density.L1",
-                                    declare("default/density-order", {0.8, {}}, Origin::theory,
-                                            "shock and contact allow 1; 0.8 as of the other shock tubes"),
-                                    Tier::full));
-    all.push_back(restart_gate("default", "runs in space"));
-    return all;
-  }
-};
-
-PLUMBLINE_CASE(Sod3d);
+Case sod_3d() {
+  ShockTube tube = sod_tube;
+  tube.dimension = 3;
+  return {.name = "sod-3d",
+          .kind = Kind::gas,
+          .keys = TubeParameters(tube).keys(),
+          .york1997 = york_points,
+          .york_step = york_step,
+          .problem = tube_run(tube),
+          .studies = studies(),
+          .gates = gates(),
+          .levels = {50, 70, 100, 140, 200}};
+}
+PLUMBLINE_CASE(sod_3d);
 
 }  // namespace
 }  // namespace plumbline

@@ -3,45 +3,26 @@
 #include "cases/catalog/gas/gas_case.hpp"
 
 namespace plumbline {
-namespace {
 
-constexpr const char* first_order =
-    "Shock and contact are jumps: a scheme of any order spreads them over a number of cells, so L1 errors fall at most "
-    "with h.";
-
-}  // namespace
-
-TubeCase::TubeCase(TubeDescription description, const char* file)
-    : about_(std::move(description)),
-      registered_(this, file) {}
-
-std::vector<Override> TubeCase::points_and_end(const std::string& scheme) const { return york_points(scheme); }
-
-void TubeCase::derive(Settings& settings, const std::string& scheme) const { york_step(settings, scheme); }
-
-std::unique_ptr<Problem> TubeCase::problem(const Settings& settings) const {
-  return shock_tube_problem(shock_tube_from(settings, about_.tube), settings);
-}
-
-std::vector<double> TubeCase::default_levels() const { return {100, 200, 400, 800, 1600}; }
-
-std::vector<StudyPlan> TubeCase::studies() const {
-  return {{.id = "default",
-           .title = "default: points of equal mass",
-           .why = first_order,
-           .values = {100, 140, 200, 280, 400},
-           .full_values = {100, 200, 400, 800, 1600}}};
-}
-
-std::vector<CaseGate> TubeCase::gates() const {
-  std::vector<CaseGate> all = required_order("default", "density.L1", about_.order, about_.order_reason);
-  all.push_back(energy_gate("default"));
-  all.push_back(coverage_gate("default", 100));
-  return all;
-}
-
-std::vector<Comparator> TubeCase::comparators(const Settings& settings, const std::vector<double>& cells) const {
-  return {tube_stick(shock_tube_from(settings, about_.tube), cells)};
+Case tube_case(const Tube& about) {
+  Case made{.name = about.name,
+            .kind = Kind::gas,
+            .keys = TubeParameters(about.tube).keys(),
+            .york1997 = york_points,
+            .york_step = york_step,
+            .problem = tube_run(about.tube),
+            .levels = {100, 200, 400, 800, 1600},
+            .comparators = beside_finite_volumes(about.tube)};
+  made.studies = {study("default", "default: points of equal mass",
+                        "Shock and contact are jumps: a scheme of any order spreads them over a number of cells, so L1 "
+                        "errors fall at most with h.",
+                        {100, 140, 200, 280, 400})
+                      .in_full({100, 200, 400, 800, 1600})};
+  made.gates = required_order("default", "density.L1", about.order, about.order_reason);
+  made.gates.push_back(energy_gate("default"));
+  made.gates.push_back(coverage_gate("default", 100));
+  if (about.cold) made.needs = {Trait::returned_loss};
+  return made;
 }
 
 }  // namespace plumbline

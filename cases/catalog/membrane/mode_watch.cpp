@@ -1,8 +1,11 @@
 #include "cases/catalog/membrane/mode_watch.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "cases/catalog/membrane/string.hpp"
 #include "cases/harness/description/archive.hpp"
+#include "cases/harness/files/whole.hpp"
 #include "cases/harness/run/extremes.hpp"
 
 namespace plumbline {
@@ -50,10 +53,23 @@ std::optional<double> ModeWatch::amplitude_loss() const {
   return 1 - turns[1].value / start;
 }
 
-std::vector<std::size_t> thinned_rows(std::size_t count, std::size_t most) {
-  std::vector<std::size_t> rows;
-  for (std::size_t k = 0; k < count; k += count / most + 1) rows.push_back(k);
-  return rows;
+std::vector<Measure> ModeWatch::measures(const Simulation& simulation, reference::Bounded exact_period) const {
+  const double none = std::nan("");
+  return {scalar_measure("period", period().value_or(none), exact_period.value, exact_period.bound, "s"),
+          share_measure("amplitude_loss", amplitude_loss().value_or(none)), share_measure("impurity", impurity()),
+          drift_measure(simulation)};
 }
+
+Profile ModeWatch::profile(std::string label, std::string exact_label,
+                           const std::function<double(double)>& exact) const {
+  return thinned_history({{"time", "s", "time", {}},
+                          {"coordinate", "m", std::move(label), {}},
+                          {"coordinate_reference", "m", std::move(exact_label), {}}},
+                         times_.size(), 800, [&](std::size_t k) {
+                           return std::vector{times_[k], coordinate_[k], exact(times_[k])};
+                         });
+}
+
+int cells_beside(double h) { return std::max(2, whole(std::round(0.4 / h))); }
 
 }  // namespace plumbline

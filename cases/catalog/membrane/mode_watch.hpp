@@ -1,10 +1,15 @@
 // One mode of a string, watched while it swings.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "cases/harness/description/measures.hpp"
 #include "kernel/simulation.hpp"
+#include "reference/bounded.hpp"
 
 namespace plumbline {
 
@@ -37,6 +42,11 @@ class ModeWatch {
   // What is not the mode at the last look: sqrt(sum m (u - q phi)^2 / sum m phi^2) over |q(0)|.
   double impurity() const { return impurity_; }
 
+  // Of a run: the period against the exact one, what the amplitude loses, the impurity and the drift of energy.
+  std::vector<Measure> measures(const Simulation& simulation, reference::Bounded exact_period) const;
+  // q over time beside the exact one. The labels say what is drawn.
+  Profile profile(std::string label, std::string exact_label, const std::function<double(double)>& exact) const;
+
  private:
   std::vector<double> shape_;
   double rest_;
@@ -45,7 +55,7 @@ class ModeWatch {
   double impurity_ = 0;
 };
 
-// Rows for a profile, at most `most` and a few, evenly over `count` samples.
-std::vector<std::size_t> thinned_rows(std::size_t count, std::size_t most);
+// Cells between a string that swings and a wall beside it: 0.4 m, two at least.
+int cells_beside(double h);
 
 }  // namespace plumbline

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
+#include "cases/harness/files/whole.hpp"
 #include "kernel/materials/segment_membrane.hpp"
 #include "kernel/materials/uniaxial_membrane.hpp"
 
@@ -114,13 +116,50 @@ double misalignment(const Columns& points) {
 
 double chord_length(const Columns& points) { return chord(points).length; }
 
+int segment_count(const Settings& settings, double lengths) {
+  return std::max(4, whole(std::round(settings.number("cells") * settings.number("ppc") * lengths)));
+}
+
+StudyPlan accumulated_study(std::string why, std::vector<double> values) {
+  return study("accumulated", "strain summed from rates", std::move(why), std::move(values)).with({york_strain()});
+}
+
+Override york_string_step(const Settings& settings, double speed) {
+  return {"dt", 0.63 / speed / settings.number("cells")};
+}
+
 double energy_drift(const Account& energy) {
   return (energy.flow(Flow::integration) + energy.flow(Flow::transfer)) / energy.scale();
 }
 
-void york_string_step(Settings& settings, const std::string& scheme, double speed) {
-  if (scheme != "york1997" || settings.is_set("dt") || settings.is_set("cfl")) return;
-  settings.set("dt", 0.63 / speed / settings.number("cells"), "string");  // [York A.4.5]
+Measure share_measure(std::string name, double value) {
+  Measure measure = scalar_measure(std::move(name), value, 0, 0, "1");
+  measure.scale = 1;
+  return measure;
+}
+
+Measure drift_measure(const Simulation& simulation) {
+  return share_measure("energy_drift", energy_drift(simulation.ledger().energy));
+}
+
+void add_row(Profile& profile, const std::vector<double>& row) {
+  for (std::size_t c = 0; c < row.size(); ++c) profile.columns[c].values.push_back(row[c]);
+}
+
+std::vector<std::size_t> thinned_rows(std::size_t count, std::size_t most) {
+  std::vector<std::size_t> rows;
+  for (std::size_t k = 0; k < count; k += count / most + 1) rows.push_back(k);
+  return rows;
+}
+
+Profile thinned_history(std::vector<ProfileColumn> columns, std::size_t count, std::size_t most,
+                        const std::function<std::vector<double>(std::size_t)>& row) {
+  Profile profile;
+  profile.kind = "history";
+  profile.abscissa = columns.front().name;
+  profile.columns = std::move(columns);
+  for (const std::size_t k : thinned_rows(count, most)) add_row(profile, row(k));
+  return profile;
 }
 
 }  // namespace plumbline

@@ -1,13 +1,18 @@
-// Strings of membrane points, on a line or in the plane.
+// Strings of membrane points, on a line or in the plane, and what their cases have in common.
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "cases/harness/description/case.hpp"
+#include "cases/harness/description/measures.hpp"
 #include "cases/harness/description/settings.hpp"
 #include "kernel/ledger.hpp"
 #include "kernel/points/body.hpp"
+#include "kernel/simulation.hpp"
 
 namespace plumbline {
 
@@ -40,8 +45,9 @@ StringState straight_string(std::array<double, 2> from, std::array<double, 2> to
 enum class StringEnds { half, whole };
 
 // The body, with the measure of strain that `strain` names. dim: 1 or 2.
-// A point's volume is A times its share of the adjoining segments, its mass rho times that; stress E eps on these volumes
-// is the tension E A eps on a string of that length. Rest lengths of segments follow from places and segment strains.
+// A point's volume is A times its share of the adjoining segments, its mass rho times that; stress E eps on these
+// volumes is the tension E A eps on a string of that length. Rest lengths of segments follow from places and segment
+// strains.
 Body string_body(const std::string& name, const std::string& strain, const StringMaterial& material,
                  const StringState& state, int dim, StringEnds ends = StringEnds::half);
 
@@ -51,11 +57,31 @@ double misalignment(const Columns& points);
 // Distance between the first and the last point, m. In the plane.
 double chord_length(const Columns& points);
 
+// Segments of a string along `lengths` of the case's reference lengths, as cells and ppc say; four at least.
+int segment_count(const Settings& settings, double lengths = 1);
+
+// The levels of most strings, and their study with strain summed from rates.
+inline const std::vector<double> string_levels{10, 14, 20, 28, 40};
+StudyPlan accumulated_study(std::string why, std::vector<double> values);
+
+// Case::york_step of a string that York did not run: the Courant number of his pendulum, for waves of `speed` (m/s) and
+// cells of h = 1/cells m. [York A.4.5]
+Override york_string_step(const Settings& settings, double speed);
+
 // What a scheme that claims no conservation of energy gains or loses, as a share of the energies at play.
 double energy_drift(const Account& energy);
 
-// Of a string that York did not run, under his scheme: the Courant number of his pendulum, for waves of `speed` (m/s) and
-// cells of h = 1/cells m. [York A.4.5]
-void york_string_step(Settings& settings, const std::string& scheme, double speed);
+// A share of something that the exact solution does not have; the energy drift of a run as one.
+Measure share_measure(std::string name, double value);
+Measure drift_measure(const Simulation& simulation);
+
+// A value for each column.
+void add_row(Profile& profile, const std::vector<double>& row);
+
+// Rows for a profile, at most `most` and a few, evenly over `count` samples.
+std::vector<std::size_t> thinned_rows(std::size_t count, std::size_t most);
+// A history of these samples: row(k) at the k-th, the first of `columns` is the abscissa.
+Profile thinned_history(std::vector<ProfileColumn> columns, std::size_t count, std::size_t most,
+                        const std::function<std::vector<double>(std::size_t)>& row);
 
 }  // namespace plumbline

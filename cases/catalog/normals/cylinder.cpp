@@ -2,13 +2,14 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "cases/catalog/coupled/membrane.hpp"
 #include "cases/catalog/gas/ideal_gas.hpp"
 #include "cases/catalog/normals/marked_points.hpp"
 #include "cases/harness/description/archive.hpp"
+#include "cases/harness/description/parameters.hpp"
 #include "cases/harness/files/whole.hpp"
-#include "cases/harness/judge/gates.hpp"
 #include "cases/harness/run/extremes.hpp"
 #include "cases/harness/verify/restart_gate.hpp"
 #include "kernel/materials/segment_membrane.hpp"
@@ -20,22 +21,22 @@ namespace {
 constexpr int york_cells = 10;
 constexpr double domain = 1.5;  // m, a side of York's grid; the radius is 1
 
-struct Cylinder {
+struct Cylinder : Parameters {
   reference::ReleasedRingProblem ring;
-  MembraneMaterial material;
-  int points;  // chords of the quarter
-  double end_time;
-};
+  int points = 179;  // chords of the quarter
+  double end_time = 0.05;
 
-Cylinder cylinder_from(const Settings& s) {
-  Cylinder at;
-  at.ring.pressure = s.number("gas_pressure");
-  at.ring.gas_density = s.number("gas_density");
-  at.material = {at.ring.youngs_modulus, at.ring.poisson_ratio, at.ring.membrane_density, at.ring.thickness, true};
-  at.points = s.integer("membrane_points");
-  at.end_time = s.number("t_end");
-  return at;
-}
+  explicit Cylinder(Parameters given = {}) : Parameters(std::move(given)) {
+    ring.pressure = positive("gas_pressure", ring.pressure, "Pa", "of the gas at the start");
+    ring.gas_density = positive("gas_density", ring.gas_density, "kg/m^3", "of the gas at the start");
+    points = integer({.name = "membrane_points",
+                      .value = static_cast<double>(points),
+                      .low = 4,
+                      .high = 1e5,
+                      .description = "chords of the quarter circle: York's points stand at their middles"});
+    end_time = positive("t_end", end_time, "s", "end time");
+  }
+};
 
 Curve quarter_circle(double radius, int chords) {
   Curve curve;
@@ -72,11 +73,11 @@ std::vector<double> angles_of(const Body& membrane) {
   return angles;
 }
 
-class CylinderProblem final : public Problem {
+class CylinderRun final : public Problem {
  public:
-  explicit CylinderProblem(const Settings& settings)
+  explicit CylinderRun(const Settings& settings)
       : settings_(settings),
-        at_(cylinder_from(settings)),
+        at_(settings),
         exact_(at_.ring),
         start_(mean_radius(membrane().points)) {}
 
@@ -113,17 +114,11 @@ class CylinderProblem final : public Problem {
     const auto against = [&](const char* name, double value, double reference) {
       return scalar_measure(name, value, reference, bound, "m");
     };
-    const std::vector<double> angles = angles_of(simulation.scene().bodies[1]);
-    double largest = 0, sum = 0;
-    for (const double angle : angles) {
-      largest = larger(largest, angle);
-      sum += angle;
-    }
-    return {against("radius_change_max", ours.most, exact.most),
-            against("radius_change_first", ours.first, exact.first),
-            against("radius_change_mean", ours.mean, exact.mean),
-            scalar_measure("max_angle_error_deg", largest, 0, 0, "deg"),
-            scalar_measure("mean_angle_error_deg", sum / static_cast<double>(angles.size()), 0, 0, "deg")};
+    std::vector<Measure> all{against("radius_change_max", ours.most, exact.most),
+                             against("radius_change_first", ours.first, exact.first),
+                             against("radius_change_mean", ours.mean, exact.mean)};
+    add_angles(all, "", angles_of(simulation.scene().bodies[1]), 0);
+    return all;
   }
 
   Profile profile(const Simulation&) const override {
@@ -154,7 +149,10 @@ class CylinderProblem final : public Problem {
   }
 
   Body membrane() const {
-    return membrane_body(settings_, "membrane", at_.material, quarter_circle(at_.ring.radius, at_.points));
+    const reference::ReleasedRingProblem& ring = at_.ring;
+    return membrane_body(settings_, "membrane",
+                         {ring.youngs_modulus, ring.poisson_ratio, ring.membrane_density, ring.thickness, true},
+                         quarter_circle(ring.radius, at_.points));
   }
 
   Settings settings_;
@@ -164,197 +162,136 @@ class CylinderProblem final : public Problem {
   std::vector<std::array<double, 3>> rows_;
 };
 
-class NormalsCylinder final : public Case {
- public:
-  std::string name() const override { return "normals-cylinder"; }
+std::string study_of(const std::string& scheme, const std::string& method) {
+  return (scheme == "default" ? "" : scheme + "-") + method;
+}
 
-  Kind kind() const override { return Kind::coupled; }
+StudyPlan carried(const std::string& scheme, const std::string& method, const std::string& title) {
+  StudyPlan plan = study(study_of(scheme, method), scheme + ", carried strain, " + title, "York's one mesh.",
+                         {york_cells});
+  plan.scheme = scheme;
+  return std::move(plan).with({{"membrane.strain", "accumulated"}, {"normals", method}}).pictured(25);
+}
 
-  std::vector<Key> keys() const override {
-    const reference::ReleasedRingProblem p;
-    return {positive_key("gas_pressure", p.pressure, "Pa", "of the gas at the start"),
-            positive_key("gas_density", p.gas_density, "kg/m^3", "of the gas at the start"),
-            {.name = "membrane_points",
-             .value = 179.0,
-             .low = 4,
-             .high = 1e5,
-             .integer = true,
-             .description = "chords of the quarter circle: York's points stand at their middles"},
-            positive_key("t_end", 0.05, "s", "end time")};
+std::vector<StudyPlan> studies() {
+  const char *mass = "York's mass matrix", *nine = "York's quadratic mass matrix",
+             *quadratic = "York's quadratic method", *cubic = "York's cubic method", *circles = "fitted circles";
+  return {study("default", "default: segments", "Sound and the ring's smeared mass.", {york_cells})
+              .in_full({10, 20, 40})
+              .pictured(25, york_cells),
+          carried("default", "connectivity", "connectivity"),
+          carried("default", "modern", circles),
+          carried("default", "york-mass-matrix", mass),
+          carried("default", "york-mass-matrix-quadratic", nine).in(Tier::full),
+          carried("default", "york-quadratic", quadratic),
+          carried("default", "york-cubic", cubic),
+          carried("york1997", "connectivity", "connectivity"),
+          carried("york1997", "york-mass-matrix", mass),
+          carried("york1997", "york-quadratic", quadratic),
+          carried("york1997", "york-cubic", cubic),
+          carried("york1997", "york-mass-matrix-quadratic", nine).in(Tier::full),
+          carried("york1997", "modern", circles).in(Tier::full)};
+}
+
+double way_to_rest() {  // m
+  static const double way = reference::ReleasedRing({}).strain();
+  return way;
+}
+
+CaseGate held(const std::string& study) {
+  return gate(
+      study + "/held", value_at("radius_change_max", york_cells), at_most(2.2 * way_to_rest()),
+      theory("a ring let go swings to twice its way to rest, 2 x 0.0089 m; a tenth more for what the grid adds"));
+}
+CaseGate bursts(const std::string& study, Range band) {
+  return held(study).fails(
+      "the gradient of a smoothed colour is not normal to the membrane: its stress does not act along it, and it flies "
+      "on to the held sides (York's Figs. 73 to 75: 0.2 m and more)",
+      band, "2026-11-23 5825b24");
+}
+
+CaseGate first(const std::string& study) {
+  return gate(
+      study + "/first", error_at("radius_change_first", york_cells), at_most(0.05 * 2 * way_to_rest()),
+      theory("5 % of twice the way to rest: (kh)^2/12 = 3 % for sound of the ring's frequency on this mesh, and "
+             "the strain, 0.9 %, and as much again for the ring's smeared mass"));
+}
+CaseGate mean(const std::string& study) {
+  return gate(study + "/mean", error_at("radius_change_mean", york_cells), at_most(0.02 * way_to_rest()),
+              theory("2 % of the way to rest: twice the strain, which small motions do not know"));
+}
+// York's mass matrix stays with connectivity as far as Fig. 73 shows: its axis spans 0.2 m, and lines are a hundredth
+// of it.
+CaseGate mean_as_drawn(const std::string& study) {
+  return gate(study + "/mean", error_at("radius_change_mean", york_cells), at_most(0.002),
+              literature("as connectivity, in Fig. 73: a hundredth of its axis of 0.2 m"));
+}
+
+// Of the mean growths of the radius in two studies on York's mesh.
+Number growths(std::string quantity, const std::string& other, double (*number)(double here, double there)) {
+  const auto growth = [](const StudyResult& s) {
+    const StudyLevel* at = s.level(york_cells);
+    if (!at || !at->run.finished) throw std::runtime_error("a run did not arrive");
+    return *at->run.find("radius_change_mean")->value;
+  };
+  return number_of(std::move(quantity),
+                   [=](const StudyResult& s) { return Measured::of(number(growth(s), growth(*s.sibling(other)))); },
+                   {york_cells});
+}
+
+std::vector<CaseGate> gates() {
+  std::vector<CaseGate> all;
+  for (const char* study : {"default", "connectivity", "modern"}) {
+    for (const auto made : {held, first, mean}) all.push_back(made(study));
   }
-
-  std::vector<Override> points_and_end(const std::string&) const override {
-    return {{"cells", static_cast<double>(york_cells)}, {"ppc", 16.0}};
-  }
-  // The Courant number of his bag: 3.5e-5 s at h = 0.05. [York section 6.2]
-  void derive(Settings& settings, const std::string& scheme) const override {
-    if (scheme == "york1997" && !settings.is_set("dt") && !settings.is_set("cfl")) {
-      settings.set("dt", 7e-4 / settings.number("cells"), "normals-cylinder");
+  for (const char* scheme : {"default", "york1997"}) {
+    for (const Tier tier : {Tier::quick, Tier::full}) {
+      const std::string method = tier == Tier::quick ? "york-mass-matrix" : "york-mass-matrix-quadratic";
+      for (const auto made : {held, mean_as_drawn}) all.push_back(made(study_of(scheme, method)).in(tier));
     }
   }
+  const std::vector<CaseGate> rows{
+      held("york1997-connectivity"),
+      mean_as_drawn("york1997-connectivity"),
+      bursts("york-quadratic", {0.52, 0.64}),
+      bursts("york-cubic", {0.50, 0.61}),
+      bursts("york1997-york-quadratic", {0.61, 0.74}),
+      bursts("york1997-york-cubic", {0.385, 0.475}),
+      gate("modern/angle", error_at("max_angle_error_deg", york_cells), at_most(0.5),
+           theory("as close to the radii as the angle between two points, 90/179 degrees")),
+      gate("modern/as-connectivity",
+           growths("difference of the mean radius from that with connectivity, over the way to rest", "connectivity",
+                   [](double here, double there) { return std::abs(here - there) / way_to_rest(); }),
+           at_most(0.005),
+           requirement("within 0.5 % of the way to rest of connectivity's radius, a quarter of what either may be off "
+                       "from the exact mean"))
+          .beside({"connectivity"}),
+      gate("york-quadratic/worse-than-cubic",
+           growths("mean growth of the radius over that with the cubic method", "york-cubic",
+                   [](double here, double there) { return here / there; }),
+           at_least(1), literature("York: the quadratic method is worse than the cubic (Fig. 73)"))
+          .beside({"york-cubic"}),
+      gate("default/first-10-40", ratio_of("radius_change_first", 10, 40), at_least(2.5),
+           theory("order 1 in h: 4 from h = 0.1 to 0.025, less what the strain leaves"))
+          .in(Tier::full),
+      restart_gate("modern", "runs with fitted normals", {{"t_end", 2e-3}})};
+  all.insert(all.end(), rows.begin(), rows.end());
+  return all;
+}
 
-  std::unique_ptr<Problem> problem(const Settings& settings) const override {
-    return std::make_unique<CylinderProblem>(settings);
-  }
-
-  std::vector<double> default_levels() const override { return {10}; }
-
-  std::vector<StudyPlan> studies() const override {
-    std::vector<StudyPlan> all{{.id = "default",
-                                .title = "default: segments",
-                                .why = "Sound and the ring's smeared mass.",
-                                .values = {york_cells},
-                                .full_values = {10, 20, 40},
-                                .frames = 25,
-                                .frames_at = york_cells}};
-    const auto add = [&](const std::string& scheme, const std::string& method, const std::string& title, Tier tier) {
-      all.push_back({.id = study_of(scheme, method),
-                     .title = scheme + ", carried strain, " + title,
-                     .why = "York's one mesh.",
-                     .scheme = scheme,
-                     .overrides = {{"membrane.strain", "accumulated"}, {"normals", method}},
-                     .values = {york_cells},
-                     .tier = tier,
-                     .frames = 25});
-    };
-    add("default", "connectivity", "connectivity", Tier::quick);
-    add("default", "modern", "fitted circles", Tier::quick);
-    add("default", "york-mass-matrix", "York's mass matrix", Tier::quick);
-    add("default", "york-mass-matrix-quadratic", "York's quadratic mass matrix", Tier::full);
-    add("default", "york-quadratic", "York's quadratic method", Tier::quick);
-    add("default", "york-cubic", "York's cubic method", Tier::quick);
-    add("york1997", "connectivity", "connectivity", Tier::quick);
-    add("york1997", "york-mass-matrix", "York's mass matrix", Tier::quick);
-    add("york1997", "york-quadratic", "York's quadratic method", Tier::quick);
-    add("york1997", "york-cubic", "York's cubic method", Tier::quick);
-    add("york1997", "york-mass-matrix-quadratic", "York's quadratic mass matrix", Tier::full);
-    add("york1997", "modern", "fitted circles", Tier::full);
-    return all;
-  }
-
-  std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all;
-    for (const char* study : {"default", "connectivity", "modern"}) accuracy(study, all);
-    for (const char* scheme : {"default", "york1997"}) {
-      as_drawn(study_of(scheme, "york-mass-matrix"), Tier::quick, all);
-      as_drawn(study_of(scheme, "york-mass-matrix-quadratic"), Tier::full, all);
-    }
-    as_drawn(study_of("york1997", "connectivity"), Tier::quick, all);
-    for (const char* scheme : {"default", "york1997"}) {
-      const bool his = scheme == std::string("york1997");
-      all.push_back(bursts(study_of(scheme, "york-quadratic"), his ? Range{0.61, 0.74} : Range{0.52, 0.64}));
-      all.push_back(bursts(study_of(scheme, "york-cubic"), his ? Range{0.385, 0.475} : Range{0.50, 0.61}));
-    }
-    for (CaseGate& gate : modern_gates()) all.push_back(std::move(gate));
-    all.push_back(restart_gate("modern", "runs with fitted normals", {{"t_end", 2e-3}}));
-    return all;
-  }
-
- private:
-  static std::string study_of(const std::string& scheme, const std::string& method) {
-    return (scheme == "default" ? "" : scheme + "-") + method;
-  }
-
-  static double way_to_rest() {  // m
-    static const double way = reference::ReleasedRing({}).strain();
-    return way;
-  }
-
-  static Gate held_gate(const std::string& study) {
-    const double most = 2.2 * way_to_rest();
-    return declare(study + "/held", {{}, most}, Origin::theory,
-                   "a ring let go swings to twice its way to rest, 2 x 0.0089 m; a tenth more for what the grid adds");
-  }
-  static CaseGate held(const std::string& study, Tier tier) {
-    return value_gate(study, "radius_change_max", york_cells, held_gate(study), tier);
-  }
-  static CaseGate bursts(const std::string& study, Range band) {
-    return value_gate(
-        study, "radius_change_max", york_cells,
-        expected_failure(held_gate(study),
-                         "the gradient of a smoothed colour is not normal to the membrane: its stress does not act "
-                         "along it, and it flies on to the held sides (York's Figs. 73 to 75: 0.2 m and more)",
-                         band, "2026-11-23 5825b24"));
-  }
-
-  static void accuracy(const std::string& study, std::vector<CaseGate>& all) {
-    const double way = way_to_rest();
-    all.push_back(held(study, Tier::quick));
-    all.push_back(error_gate(
-        study, "radius_change_first", york_cells,
-        declare(study + "/first", {{}, 0.05 * 2 * way}, Origin::theory,
-                "5 % of twice the way to rest: (kh)^2/12 = 3 % for sound of the ring's frequency on this mesh, and the "
-                "strain, 0.9 %, and as much again for the ring's smeared mass")));
-    all.push_back(error_gate(study, "radius_change_mean", york_cells,
-                             declare(study + "/mean", {{}, 0.02 * way}, Origin::theory,
-                                     "2 % of the way to rest: twice the strain, which small motions do not know")));
-  }
-
-  // York's mass matrix stays with connectivity as far as Fig. 73 shows: its axis spans 0.2 m, and lines are a hundredth
-  // of it.
-  static void as_drawn(const std::string& study, Tier tier, std::vector<CaseGate>& all) {
-    all.push_back(held(study, tier));
-    all.push_back(error_gate(study, "radius_change_mean", york_cells,
-                             declare(study + "/mean", {{}, 0.002}, Origin::literature,
-                                     "as connectivity, in Fig. 73: a hundredth of its axis of 0.2 m"),
-                             tier));
-  }
-
-  static std::vector<CaseGate> modern_gates() {
-    std::vector<CaseGate> all;
-    all.push_back(error_gate("modern", "max_angle_error_deg", york_cells,
-                             declare("modern/angle", {{}, 0.5}, Origin::theory,
-                                     "as close to the radii as the angle between two points, 90/179 degrees")));
-    all.push_back(compared("modern", "connectivity",
-                           declare("modern/as-connectivity", {{}, 0.005}, Origin::requirement,
-                                   "within 0.5 % of the way to rest of connectivity's radius, a quarter of what either "
-                                   "may be off from the exact mean"),
-                           "difference of the mean radius from that with connectivity, over the way to rest",
-                           [](const RunResult& here, const RunResult& there) {
-                             const double apart = *here.find("radius_change_mean")->value -
-                                                  *there.find("radius_change_mean")->value;
-                             return std::abs(apart) / way_to_rest();
-                           }));
-    all.push_back(compared("york-quadratic", "york-cubic",
-                           declare("york-quadratic/worse-than-cubic", {1, {}}, Origin::literature,
-                                   "York: the quadratic method is worse than the cubic (Fig. 73)"),
-                           "mean growth of the radius over that with the cubic method",
-                           [](const RunResult& here, const RunResult& there) {
-                             return *here.find("radius_change_mean")->value / *there.find("radius_change_mean")->value;
-                           }));
-    all.push_back(ratio_gate("default", "radius_change_first", 10, 40,
-                             declare("default/first-10-40", {2.5, {}}, Origin::theory,
-                                     "order 1 in h: 4 from h = 0.1 to 0.025, less what the strain leaves"),
-                             Tier::full));
-    return all;
-  }
-
-  // A number of two studies on York's mesh.
-  static CaseGate compared(const std::string& study, const std::string& with, Gate gate, const std::string& quantity,
-                           double (*number)(const RunResult& here, const RunResult& there)) {
-    gate.quantity = quantity;
-    CaseGate g = study_gate(study, std::move(gate),
-                            [with, number](const StudyResult& s) {
-                              const StudyResult* other = s.sibling(with);
-                              const StudyLevel *here = s.level(york_cells),
-                                               *there = other ? other->level(york_cells) : nullptr;
-                              Measured measured;
-                              if (!here || !there || !here->run.finished || !there->run.finished) {
-                                measured.invalid = true;
-                                measured.note = "a run did not arrive";
-                                return measured;
-                              }
-                              measured.value = number(here->run, there->run);
-                              measured.scale = 1;
-                              return measured;
-                            },
-                            {york_cells});
-    g.also = {with};
-    return g;
-  }
-};
-
-PLUMBLINE_CASE(NormalsCylinder);
+Case normals_cylinder() {
+  return {.name = "normals-cylinder",
+          .kind = Kind::coupled,
+          .keys = Cylinder().keys(),
+          .sets = {{"cells", static_cast<double>(york_cells)}, {"ppc", 16.0}},
+          // The Courant number of his bag: 3.5e-5 s at h = 0.05. [York section 6.2]
+          .york_step = step_over_cells(7e-4),
+          .problem = run_of<CylinderRun>,
+          .studies = studies(),
+          .gates = gates(),
+          .levels = {10}};
+}
+PLUMBLINE_CASE(normals_cylinder);
 
 }  // namespace
 }  // namespace plumbline

@@ -1,17 +1,17 @@
 // Normals of York's circular membrane before anything has moved. [York section 7.5.1]
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <stdexcept>
 
 #include "cases/catalog/normals/marked_points.hpp"
 #include "cases/harness/files/whole.hpp"
-#include "cases/harness/judge/gates.hpp"
 
 namespace plumbline {
 namespace {
 
 constexpr int york_points = 179, york_cells = 10;
 constexpr double domain = 1.5;  // m, a side of York's grid; the radius is 1
-constexpr const char* measured_on = "2026-11-23 5825b24";
 
 // A quarter of x^2 + (y/b)^2 = 1, points evenly in its parameter, half a step from both ends; and York's gas points, n
 // x n to a cell, inside it.
@@ -31,155 +31,140 @@ MarkedPoints quarter(int points, double b, int cells, int inside) {
   return all;
 }
 
-class NormalsFirstStep final : public Case {
- public:
-  std::string name() const override { return "normals-first-step"; }
+const std::vector<Key> keys{{.name = "interior",
+                             .value = "empty",
+                             .choices = {"empty", "4", "16"},
+                             .description = "gas points per cell inside the membrane"},
+                            {.name = "membrane_points",
+                             .value = static_cast<double>(york_points),
+                             .low = 4,
+                             .high = 1e5,
+                             .integer = true,
+                             .optional = true,
+                             .description = "on the quarter; none: ppc per cell"},
+                            {.name = "aspect",
+                             .value = 1.0,
+                             .low = 0.2,
+                             .high = 1,
+                             .description = "height over width of the ellipse; 1: York's circle"}};
 
-  Kind kind() const override { return Kind::membrane; }
+std::unique_ptr<Problem> first_step(const Settings& settings) {
+  const int cells = settings.integer("cells");
+  const double b = settings.number("aspect");
+  const int points = settings.is_set("membrane_points")
+                         ? settings.integer("membrane_points")
+                         : whole(std::round(cells * settings.number("ppc") * std::numbers::pi / 2));
+  const std::string& interior = settings.text("interior");
+  const int inside = interior == "16" ? 4 : interior == "4" ? 2 : 0;
+  GridSpec grid;
+  grid.dim = 2;
+  grid.h = 1.0 / cells;
+  grid.cells[0] = grid.cells[1] = whole(std::round(domain * cells));
+  grid.walls[0][0] = grid.walls[1][0] = Wall::symmetry;
+  return normals_problem(settings, grid, quarter(points, b, cells, inside));
+}
 
-  std::vector<Key> keys() const override {
-    return {{.name = "interior",
-             .value = "empty",
-             .choices = {"empty", "4", "16"},
-             .description = "gas points per cell inside the membrane"},
-            {.name = "membrane_points",
-             .value = static_cast<double>(york_points),
-             .low = 4,
-             .high = 1e5,
-             .integer = true,
-             .optional = true,
-             .description = "on the quarter; none: ppc per cell"},
-            {.name = "aspect",
-             .value = 1.0,
-             .low = 0.2,
-             .high = 1,
-             .description = "height over width of the ellipse; 1: York's circle"}};
-  }
+const std::vector<double> finer{10, 14, 20, 28, 40};
 
-  std::vector<Override> points_and_end(const std::string&) const override {
-    return {{"cells", static_cast<double>(york_cells)}};
-  }
-  void derive(Settings& settings, const std::string& scheme) const override {
-    if (scheme == "york1997" && !settings.is_set("dt") && !settings.is_set("cfl")) {
-      settings.set("cfl", 0.5, "normals-first-step");
-    }
-  }
+StudyPlan filled(std::string id, std::string title, const char* interior) {
+  return study(std::move(id), std::move(title), "York's one mesh.", {york_cells}).with({{"interior", interior}});
+}
 
-  std::unique_ptr<Problem> problem(const Settings& settings) const override {
-    const int cells = settings.integer("cells");
-    const double b = settings.number("aspect");
-    const int points = settings.is_set("membrane_points")
-                           ? settings.integer("membrane_points")
-                           : whole(std::round(cells * settings.number("ppc") * std::numbers::pi / 2));
-    const std::string& interior = settings.text("interior");
-    const int inside = interior == "16" ? 4 : interior == "4" ? 2 : 0;
-    GridSpec grid;
-    grid.dim = 2;
-    grid.h = 1.0 / cells;
-    grid.cells[0] = grid.cells[1] = whole(std::round(domain * cells));
-    grid.walls[0][0] = grid.walls[1][0] = Wall::symmetry;
-    return normals_problem(settings, grid, quarter(points, b, cells, inside));
-  }
+std::vector<StudyPlan> studies() {
+  return {filled("empty", "nothing inside", "empty"), filled("four", "4 gas points per cell inside", "4"),
+          filled("sixteen", "16 gas points per cell inside", "16"),
+          study("ellipse", "an ellipse half as high as wide, points in proportion to cells",
+                "Order 2 in the distance of points.", finer)
+              .with({{"aspect", 0.5}, {"membrane_points", std::monostate{}}, {"ppc", 12.0}})};
+}
 
-  std::vector<double> default_levels() const override { return {10, 14, 20, 28, 40}; }
+const Measure& found(const StudyResult& study, const std::string& measure) {
+  const StudyLevel* at = study.level(york_cells);
+  const Measure* m = at ? at->run.find(measure) : nullptr;
+  if (!m) throw std::runtime_error("a run has no " + measure);
+  return *m;
+}
 
-  std::vector<StudyPlan> studies() const override {
-    const auto plan = [](const char* id, const char* title, const char* interior) {
-      return StudyPlan{.id = id,
-                       .title = title,
-                       .why = "York's one mesh.",
-                       .overrides = {{"interior", interior}},
-                       .values = {york_cells}};
-    };
-    return {plan("empty", "nothing inside", "empty"),
-            plan("four", "4 gas points per cell inside", "4"),
-            plan("sixteen", "16 gas points per cell inside", "16"),
-            {.id = "ellipse",
-             .title = "an ellipse half as high as wide, points in proportion to cells",
-             .why = "Order 2 in the distance of points.",
-             .overrides = {{"aspect", 0.5}, {"membrane_points", std::monostate{}}, {"ppc", 12.0}},
-             .values = {10, 14, 20, 28, 40}}};
-  }
+// An error over another one, which may be of another study.
+CaseGate over(const std::string& id, const std::string& measure, const std::string& over_study,
+              const std::string& over_measure, double most, std::string york) {
+  const bool apart = !id.starts_with(over_study + "/");
+  const Number ratio = number_of(
+      measure + " over " + over_measure + (apart ? " of " + over_study : ""),
+      [=](const StudyResult& s) {
+        const Measure& above = found(s, measure);
+        const Measure& below = found(apart ? *s.sibling(over_study) : s, over_measure);
+        Measured measured = Measured::of(above.error / below.error);
+        measured.scale = 1;
+        measured.reference_bound = (above.reference_bound + *measured.value * below.reference_bound) / below.error;
+        return measured;
+      },
+      {york_cells});
+  CaseGate made = gate(id, ratio, at_most(most), literature(std::move(york)));
+  return apart ? std::move(made).beside({over_study}) : made;
+}
 
-  std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all = modern_gates();
-    for (CaseGate& gate : york_gates()) all.push_back(std::move(gate));
-    for (CaseGate& gate : colour_gates()) all.push_back(std::move(gate));
-    return all;
-  }
+std::vector<CaseGate> gates() {
+  const double end = 45.0 / york_points;
+  const std::string measured_on = "2026-11-23 5825b24";
+  const std::string one_layer =
+      "one layer of points has the same colour on both sides: its gradient is what the grid makes of it (York's Figs. ";
+  const std::string further = "York: further with more points inside";
+  const std::string better = "York: with points inside the cubic method is the better one";
+  const std::string quadratic = "york-quadratic.mean_angle_error_deg", cubic = "york-cubic.mean_angle_error_deg";
+  const auto angle = [](const char* study, const char* method, double bound, Because because) {
+    return angle_gate(study, method, york_cells, bound, std::move(because));
+  };
+  return {
+      angle("empty", "modern", 0.1, requirement(undrawn)),
+      angle("four", "modern", 0.1, requirement(undrawn)),
+      angle("sixteen", "modern", 0.1, requirement(undrawn)),
+      gate("empty/modern-exact", error_at("modern.max_angle_error_deg", york_cells), at_most(1e-9),
+           identity("points of a circle leave the fitted circle nothing to miss: rounding of points over their "
+                    "distance, 1e-12 degrees, times the condition of the fit")),
+      gate("ellipse/modern-order", fitted_order_of("modern.max_angle_error_deg"), at_least(1.8),
+           theory("order 2 in the distance of points; 0.2 for the coarsest ones")),
+      angle("ellipse", "modern", 0.1, requirement(undrawn)),
 
- private:
-  static constexpr double drawn = 3;  // degrees: half a millimetre at the end of an arrow of ten
+      gate("empty/connectivity-ends", error_at("connectivity.max_angle_error_deg", york_cells),
+           between(end - 1e-9, end + 1e-9),
+           identity("chords of equal arcs are exact but at the two ends, which have one neighbour: off by half the "
+                    "angle between two points")),
+      angle("empty", "york-mass-matrix", drawn,
+            literature("York: only a small difference from connectivity (Fig. 72), less than a drawn arrow shows")),
+      angle("empty", "york-mass-matrix-quadratic", drawn,
+            literature("York: accurate (Fig. 86), as far as a drawn arrow shows")),
 
-  static std::vector<CaseGate> modern_gates() {
-    std::vector<CaseGate> all;
-    for (const char* study : {"empty", "four", "sixteen"}) {
-      all.push_back(angle_gate(study, "modern", "max", york_cells, 0.1, Origin::requirement,
-                               "at most 0.1 degrees, a thirtieth of what a drawn arrow shows"));
-    }
-    Gate exact = declare("empty/modern-exact", {{}, 1e-9}, Origin::identity,
-                         "points of a circle leave the fitted circle nothing to miss: rounding of points over their "
-                         "distance, 1e-12 degrees, times the condition of the fit");
-    all.push_back(error_gate("empty", "modern.max_angle_error_deg", york_cells, exact));
-    all.push_back(fitted_order_gate("ellipse", "modern.max_angle_error_deg",
-                                    declare("ellipse/modern-order", {1.8, {}}, Origin::theory,
-                                            "order 2 in the distance of points; 0.2 for the coarsest ones")));
-    all.push_back(angle_gate("ellipse", "modern", "max", 10, 0.1, Origin::requirement,
-                             "at most 0.1 degrees, a thirtieth of what a drawn arrow shows"));
-    return all;
-  }
+      angle("empty", "york-simple", drawn, literature(as_drawn)).fails(one_layer + "67 (a))", {74, 90}, measured_on),
+      angle("four", "york-simple", drawn, literature(as_drawn))
+          .fails("too few points inside: normals turn at cell sides (York's Fig. 67 (b))", {58, 72}, measured_on),
+      angle("empty", "york-quadratic", drawn, literature(as_drawn)).fails(one_layer + "68 (a))", {78, 90}, measured_on),
+      angle("empty", "york-cubic", drawn, literature(as_drawn)).fails(one_layer + "70 (a))", {80, 90}, measured_on),
 
-  static std::vector<CaseGate> york_gates() {
-    const double end = 45.0 / york_points;
-    return {
-        error_gate("empty", "connectivity.max_angle_error_deg", york_cells,
-                   declare("empty/connectivity-ends", {end - 1e-9, end + 1e-9}, Origin::identity,
-                           "chords of equal arcs are exact but at the two ends, which have one neighbour: off by half"
-                           " the angle between two points")),
-        angle_gate("empty", "york-mass-matrix", "max", york_cells, drawn, Origin::literature,
-                   "York: only a small difference from connectivity (Fig. 72), less than a drawn arrow shows"),
-        angle_gate("empty", "york-mass-matrix-quadratic", "max", york_cells, drawn, Origin::literature,
-                   "York: accurate (Fig. 86), as far as a drawn arrow shows")};
-  }
+      over("four/quadratic-improves", quadratic, "empty", quadratic, 0.5,
+           "York: with points inside the results improve drastically"),
+      over("four/cubic-improves", cubic, "empty", cubic, 0.5, "York: as of the quadratic method"),
+      over("sixteen/quadratic-improves", quadratic, "four", quadratic, 1, further),
+      over("sixteen/cubic-improves", cubic, "four", cubic, 1, further),
+      over("empty/quadratic-below-cubic", quadratic, "empty", cubic, 1,
+           "York: without points inside the cubic method is not as good as the quadratic one"),
+      over("sixteen/cubic-below-quadratic", cubic, "sixteen", quadratic, 1, better),
+      over("four/cubic-below-quadratic", "york-cubic.max_angle_error_deg", "four", "york-quadratic.max_angle_error_deg",
+           1, better + "; of 4 to a cell that holds at the worst points")};
+}
 
-  static std::vector<CaseGate> colour_gates() {
-    const std::string reason = "normals as a drawn arrow would show them, within three degrees";
-    const std::string one_layer =
-        "one layer of points has the same colour on both sides: its gradient is what the grid makes of it (York's "
-        "Figs. ";
-    std::vector<CaseGate> all{
-        failing_angle_gate("empty", "york-simple", "max", york_cells, drawn, reason, one_layer + "67 (a))", {74, 90},
-                           measured_on),
-        failing_angle_gate("four", "york-simple", "max", york_cells, drawn, reason,
-                           "too few points inside: normals turn at cell sides (York's Fig. 67 (b))", {58, 72},
-                           measured_on),
-        failing_angle_gate("empty", "york-quadratic", "max", york_cells, drawn, reason, one_layer + "68 (a))", {78, 90},
-                           measured_on),
-        failing_angle_gate("empty", "york-cubic", "max", york_cells, drawn, reason, one_layer + "70 (a))", {80, 90},
-                           measured_on)};
-    const auto ratio = [&](const char* id, const char* study, const char* measure, const char* over_study,
-                           const char* over, double most, const char* why) {
-      all.push_back(angle_ratio_gate(study, measure, over_study, over, york_cells,
-                                     declare(std::string(study) + "/" + id, {{}, most}, Origin::literature, why)));
-    };
-    const char *quadratic = "york-quadratic.mean_angle_error_deg", *cubic = "york-cubic.mean_angle_error_deg";
-    ratio("quadratic-improves", "four", quadratic, "empty", quadratic, 0.5,
-          "York: with points inside the results improve drastically");
-    ratio("cubic-improves", "four", cubic, "empty", cubic, 0.5, "York: as of the quadratic method");
-    ratio("quadratic-improves", "sixteen", quadratic, "four", quadratic, 1, "York: further with more points inside");
-    ratio("cubic-improves", "sixteen", cubic, "four", cubic, 1, "York: further with more points inside");
-    ratio("quadratic-below-cubic", "empty", quadratic, "empty", cubic, 1,
-          "York: without points inside the cubic method is not as good as the quadratic one");
-    ratio("cubic-below-quadratic", "sixteen", cubic, "sixteen", quadratic, 1,
-          "York: with points inside the cubic method is the better one");
-    ratio("cubic-below-quadratic", "four", "york-cubic.max_angle_error_deg", "four",
-          "york-quadratic.max_angle_error_deg", 1,
-          "York: with points inside the cubic method is the better one; of 4 to a cell that holds at the worst points");
-    return all;
-  }
-};
-
-PLUMBLINE_CASE(NormalsFirstStep);
+Case normals_first_step() {
+  return {.name = "normals-first-step",
+          .kind = Kind::membrane,
+          .keys = keys,
+          .sets = {{"cells", static_cast<double>(york_cells)}},
+          .york_step = courant_number(0.5),
+          .problem = first_step,
+          .studies = studies(),
+          .gates = gates(),
+          .levels = finer};
+}
+PLUMBLINE_CASE(normals_first_step);
 
 }  // namespace
 }  // namespace plumbline

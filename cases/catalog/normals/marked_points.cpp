@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "cases/catalog/membrane/string.hpp"
-#include "cases/harness/judge/gates.hpp"
 #include "kernel/normals/normals.hpp"
 
 namespace plumbline {
@@ -45,15 +44,8 @@ class NormalsProblem final : public Problem {
     std::vector<Measure> all;
     for (const Choice& method : normals_methods()) {
       const std::vector<double> angles = angles_of(normals_of(simulation, method.name));
-      double largest = 0, sum = 0;
-      for (std::size_t k = 0; k < judged(); ++k) {
-        const double angle = angles[static_cast<std::size_t>(points_.first) + k];
-        largest = larger(largest, angle);
-        sum += angle;
-      }
-      all.push_back(scalar_measure(method.name + ".max_angle_error_deg", largest, 0, bound, "deg"));
-      all.push_back(
-          scalar_measure(method.name + ".mean_angle_error_deg", sum / static_cast<double>(judged()), 0, bound, "deg"));
+      const auto first = angles.begin() + points_.first;
+      add_angles(all, method.name + ".", {first, first + judged()}, bound);
     }
     return all;
   }
@@ -65,7 +57,7 @@ class NormalsProblem final : public Problem {
       profile.columns.push_back({name, unit, label, std::move(values)});
     };
     std::vector<double> is_judged(points_.x.size(), 0);
-    for (std::size_t k = 0; k < judged(); ++k) is_judged[static_cast<std::size_t>(points_.first) + k] = 1;
+    std::fill_n(is_judged.begin() + points_.first, judged(), 1);
     column("x", "m", "x", points_.x);
     column("y", "m", "y", points_.y);
     column("judged", "1", "1: judged", is_judged);
@@ -91,9 +83,7 @@ class NormalsProblem final : public Problem {
     std::vector<double> x, y;
   };
 
-  std::size_t judged() const {
-    return points_.judged < 0 ? points_.x.size() : static_cast<std::size_t>(points_.judged);
-  }
+  int judged() const { return points_.judged < 0 ? static_cast<int>(points_.x.size()) : points_.judged; }
 
   // Of the points as the run left them: nothing has moved.
   Normals normals_of(const Simulation& simulation, const std::string& method) const {
@@ -117,10 +107,6 @@ class NormalsProblem final : public Problem {
   GridSpec grid_;
   MarkedPoints points_;
 };
-
-std::string measure_of(const std::string& method, const std::string& what) {
-  return method + "." + what + "_angle_error_deg";
-}
 
 }  // namespace
 
@@ -152,42 +138,21 @@ std::unique_ptr<Problem> normals_problem(const Settings& settings, const GridSpe
   return std::make_unique<NormalsProblem>(settings, grid, std::move(points));
 }
 
-CaseGate angle_gate(const std::string& study, const std::string& method, const std::string& what, double level,
-                    double bound, Origin origin, const std::string& reason) {
-  return error_gate(study, measure_of(method, what), level,
-                    declare(study + "/" + method + "-" + what, {{}, bound}, origin, reason));
+void add_angles(std::vector<Measure>& all, const std::string& prefix, const std::vector<double>& angles, double bound) {
+  double largest = 0, sum = 0;
+  for (const double angle : angles) {
+    largest = larger(largest, angle);
+    sum += angle;
+  }
+  all.push_back(scalar_measure(prefix + "max_angle_error_deg", largest, 0, bound, "deg"));
+  all.push_back(
+      scalar_measure(prefix + "mean_angle_error_deg", sum / static_cast<double>(angles.size()), 0, bound, "deg"));
 }
 
-CaseGate failing_angle_gate(const std::string& study, const std::string& method, const std::string& what, double level,
-                            double bound, const std::string& reason, const std::string& cause, Range band,
-                            const std::string& stamp) {
-  return error_gate(
-      study, measure_of(method, what), level,
-      expected_failure(declare(study + "/" + method + "-" + what, {{}, bound}, Origin::literature, reason), cause, band,
-                       stamp));
-}
-
-CaseGate angle_ratio_gate(const std::string& study, const std::string& measure, const std::string& over_study,
-                          const std::string& over_measure, double level, Gate gate) {
-  gate.quantity = measure + " over " + over_measure + (over_study == study ? "" : " of " + over_study);
-  CaseGate g = study_gate(
-      study, std::move(gate),
-      [=](const StudyResult& result) {
-        const StudyResult* other = over_study == study ? &result : result.sibling(over_study);
-        const StudyLevel *here = result.level(level), *there = other ? other->level(level) : nullptr;
-        const Measure *above = here ? here->run.find(measure) : nullptr,
-                      *below = there ? there->run.find(over_measure) : nullptr;
-        Measured measured;
-        measured.value = above && below ? above->error / below->error : std::nan("");
-        measured.scale = 1;
-        if (above && below) {
-          measured.reference_bound = (above->reference_bound + *measured.value * below->reference_bound) / below->error;
-        }
-        return measured;
-      },
-      {level});
-  if (over_study != study) g.also = {over_study};
-  return g;
+CaseGate angle_gate(const std::string& study, const std::string& method, double level, double bound, Because because,
+                    const std::string& what) {
+  return gate(study + "/" + method + "-" + what, error_at(method + "." + what + "_angle_error_deg", level),
+              at_most(bound), std::move(because));
 }
 
 }  // namespace plumbline

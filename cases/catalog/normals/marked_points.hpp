@@ -1,10 +1,11 @@
 // Membrane points on a curve that knows its normals, and how far off each method's normals are.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "cases/harness/description/case.hpp"
+#include "cases/harness/judge/gates.hpp"
 
 namespace plumbline {
 
@@ -32,16 +33,16 @@ double rounding_of_normals(const MarkedPoints& points);
 // angle between both.
 std::unique_ptr<Problem> normals_problem(const Settings& settings, const GridSpec& grid, MarkedPoints points);
 
-// At most `bound` degrees off; `what`: max or mean.
-CaseGate angle_gate(const std::string& study, const std::string& method, const std::string& what, double level,
-                    double bound, Origin origin, const std::string& reason);
-// The same where York's method is known to fail: why, and the band of its angle; stamp: date and commit of the
-// measurement behind the band, empty if it is York's own.
-CaseGate failing_angle_gate(const std::string& study, const std::string& method, const std::string& what, double level,
-                            double bound, const std::string& reason, const std::string& cause, Range band,
-                            const std::string& stamp = {});
-// The ratio of two errors at one level; the second may be of another study.
-CaseGate angle_ratio_gate(const std::string& study, const std::string& measure, const std::string& over_study,
-                          const std::string& over_measure, double level, Gate gate);
+// `prefix`max_angle_error_deg and `prefix`mean_angle_error_deg of angles in degrees.
+void add_angles(std::vector<Measure>& all, const std::string& prefix, const std::vector<double>& angles, double bound);
+
+// Of normals as a drawn arrow would show them, degrees: half a millimetre at the end of an arrow of ten.
+inline constexpr double drawn = 3;
+inline const std::string as_drawn = "normals as a drawn arrow would show them, within three degrees";
+inline const std::string undrawn = "at most 0.1 degrees, a thirtieth of what a drawn arrow shows";
+
+// STUDY/METHOD-max, or another of its angles than the largest: at most `bound` degrees.
+CaseGate angle_gate(const std::string& study, const std::string& method, double level, double bound, Because because,
+                    const std::string& what = "max");
 
 }  // namespace plumbline

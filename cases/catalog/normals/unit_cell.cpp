@@ -1,18 +1,18 @@
 // Normals of points in a single cell. [York sections 7.6, 7.7]
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <stdexcept>
 
 #include "cases/catalog/normals/marked_points.hpp"
-#include "cases/harness/judge/gates.hpp"
 
 namespace plumbline {
 namespace {
 
-constexpr double block =
-    3;  // cells along a side of the grid, of 1 m; York's cell is the middle one, from (0, 0) to (1, 1)
-constexpr const char* measured_on = "2026-11-21 6c78473";
-constexpr const char* narrower = "2026-11-23 5825b24";
+// Cells along a side of the grid, of 1 m; York's cell is the middle one, from (0, 0) to (1, 1).
+constexpr double block = 3;
 
 constexpr double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
@@ -59,164 +59,121 @@ MarkedPoints single() {
   return points;
 }
 
-MarkedPoints points_on(const std::string& curve) {
-  if (curve == "line-45") return line(0.5, 0.5, 45, even);
-  if (curve == "line-80") return line(0.5, 0.5, 80, uneven);
-  if (curve == "hyperbola") return hyperbola();
-  if (curve == "vertical") return line(0.5, 0.5, 90, even);
-  if (curve == "single") return single();
-  if (curve == "perturbed") {
-    MarkedPoints points = line(0.5, 0.5, 90, even);
-    points.x[4] += 0.02;
-    return points;
-  }
-  return arc(std::stod(curve.substr(curve.find('-') + 1)));
+MarkedPoints perturbed() {
+  MarkedPoints points = line(0.5, 0.5, 90, even);
+  points.x[4] += 0.02;
+  return points;
 }
 
-const std::vector<std::string>& curves() {
-  static const std::vector<std::string> all{"line-45", "line-80", "hyperbola", "arc-45",    "arc-60",
-                                            "arc-75",  "arc-90",  "vertical",  "perturbed", "single"};
+// What the points stand on.
+struct Curve {
+  std::string name, title;
+  MarkedPoints points;
+};
+const std::vector<Curve>& curves() {
+  static const std::vector<Curve> all{
+      {"line-45", "line at 45 degrees (Fig. 76)", line(0.5, 0.5, 45, even)},
+      {"line-80", "line at 80 degrees, uneven points (Fig. 77)", line(0.5, 0.5, 80, uneven)},
+      {"hyperbola", "xy + 0.1x + C = 0 (Fig. 78)", hyperbola()},
+      {"arc-45", "arc of radius 0.4 about the diagonal (Figs. 79, 83)", arc(45)},
+      {"arc-60", "the arc turned by 15 degrees (Fig. 83)", arc(60)},
+      {"arc-75", "the arc turned by 30 degrees (Fig. 84)", arc(75)},
+      {"arc-90", "the arc upright, points in pairs of equal y (Figs. 84, 85)", arc(90)},
+      {"vertical", "vertical line (Fig. 80 a)", line(0.5, 0.5, 90, even)},
+      {"perturbed", "vertical line, one point beside it (Fig. 80 b)", perturbed()},
+      {"single", "one point alone in its cell (Fig. 88)", single()}};
   return all;
 }
 
-const char* title_of(const std::string& curve) {
-  if (curve == "line-45") return "line at 45 degrees (Fig. 76)";
-  if (curve == "line-80") return "line at 80 degrees, uneven points (Fig. 77)";
-  if (curve == "hyperbola") return "xy + 0.1x + C = 0 (Fig. 78)";
-  if (curve == "vertical") return "vertical line (Fig. 80 a)";
-  if (curve == "perturbed") return "vertical line, one point beside it (Fig. 80 b)";
-  if (curve == "single") return "one point alone in its cell (Fig. 88)";
-  if (curve == "arc-45") return "arc of radius 0.4 about the diagonal (Figs. 79, 83)";
-  if (curve == "arc-60") return "the arc turned by 15 degrees (Fig. 83)";
-  if (curve == "arc-75") return "the arc turned by 30 degrees (Fig. 84)";
-  return "the arc upright, points in pairs of equal y (Figs. 84, 85)";
+std::unique_ptr<Problem> unit_cell(const Settings& settings) {
+  GridSpec grid;
+  grid.dim = 2;
+  grid.h = 1;
+  grid.cells[0] = grid.cells[1] = std::max(3, settings.integer("cells"));
+  grid.origin[0] = grid.origin[1] = -std::floor(grid.cells[0] / 2.0);
+  const auto on = std::find_if(curves().begin(), curves().end(),
+                               [&](const Curve& curve) { return curve.name == settings.text("curve"); });
+  return normals_problem(settings, grid, on->points);
 }
 
-class NormalsCell final : public Case {
- public:
-  std::string name() const override { return "normals-cell"; }
+std::vector<CaseGate> gates() {
+  const double rounding = 1e-10;  // degrees: 1e-13 of the points, times the condition of the fit
+  const std::string measured_on = "2026-11-21 6c78473", narrower = "2026-11-23 5825b24";
+  const std::string bilinear = "bilinear colours are constant along lines and hyperbolas, not along an arc";
+  const std::string mass = "york-mass-matrix", nine = "york-mass-matrix-quadratic";
+  const Because on_lines = identity("exact on lines, but for rounding");
+  const Because on_exact = literature(
+      "York: computed normals lie on the exact ones (Fig. 85); 0.1 degrees, a thirtieth of what a drawn arrow shows");
+  const auto angle = [](const char* study, const std::string& method, double bound, Because because) {
+    return angle_gate(study, method, block, bound, std::move(because));
+  };
+  const Number others = number_at("sum of all angles but the largest", mass + ".mean_angle_error_deg", block,
+                                  [largest = mass + ".max_angle_error_deg"](const RunResult& run, const Measure& mean) {
+                                    const Measure* most = run.find(largest);
+                                    if (!most) throw std::runtime_error("the run has no " + largest);
+                                    Measured measured = Measured::of(std::abs(even.size() * mean.error - most->error));
+                                    measured.reference_bound = even.size() * mean.reference_bound;
+                                    return measured;
+                                  });
+  return {
+      angle("line-45", "modern", rounding, on_lines),
+      angle("line-80", "modern", rounding, on_lines),
+      angle("vertical", "modern", rounding, on_lines),
+      angle("single", "modern", rounding, on_lines),
+      angle("arc-45", "modern", 0.1, requirement(undrawn)),
+      angle("arc-60", "modern", 0.1, requirement(undrawn)),
+      angle("arc-75", "modern", 0.1, requirement(undrawn)),
+      angle("arc-90", "modern", 0.1, requirement(undrawn)),
 
-  Kind kind() const override { return Kind::membrane; }
+      angle("line-45", mass, rounding, literature("York: 90 degrees to machine precision")),
+      angle_gate("line-80", mass, block, 0.01, literature("York: on average within 0.01 degrees"), "mean"),
+      angle("hyperbola", mass, 1e-5 / radians(1),
+            literature("York: ends of the unit normals aligned to within the fifth decimal place")),
+      angle("vertical", mass, rounding,
+            theory("the least colours above the membrane's that vanish on the line x = c and not at the lower corner "
+                   "are (x - c)(1 - y): exact normals, where York's singular system failed")),
+      angle("single", mass, rounding,
+            theory("points of a line in the ghost cell determine bilinear colours up to their size")),
 
-  std::vector<Key> keys() const override {
-    return {{.name = "curve", .value = "arc-45", .choices = curves(), .description = "what the points stand on"}};
+      angle("arc-45", mass, drawn, literature(as_drawn))
+          .fails(bilinear + ": several degrees off (York's Fig. 79)", {4.9, 6.1}, narrower),
+      angle("arc-60", mass, drawn, literature(as_drawn)).fails(bilinear, {12, 15}, measured_on),
+      angle("arc-75", mass, drawn, literature(as_drawn)).fails(bilinear, {43, 53}, measured_on),
+      angle("arc-90", mass, drawn, literature(as_drawn))
+          .fails("points of equal y have one x component where the exact ones are opposite [York 7.15-7.17]", {75, 90},
+                 measured_on),
+      angle("arc-45", nine, 0.1, on_exact),
+      angle("arc-60", nine, 0.1, on_exact),
+      angle("arc-75", nine, 0.1, on_exact),
+      angle("arc-90", nine, 0.1, on_exact),
+
+      angle("perturbed", mass, drawn, literature(as_drawn))
+          .fails("the colours (x - 1/2)(y - y_p) hold all points and have no gradient along x at the one beside the "
+                 "line (York's Fig. 80 b)",
+                 {85, 90}),
+      gate("perturbed/york-mass-matrix-others", others, at_most(1e-8),
+           theory("(x - 1/2)(y - y_p) has exact normals at all points of the line (York: the points away from the "
+                  "centre have accurate normals); 1e-8 for the difference of sums of up to 90 degrees, over the "
+                  "smallest gradient"))};
+}
+
+Case normals_cell() {
+  Case made{.name = "normals-cell",
+            .kind = Kind::membrane,
+            .sets = {{"cells", block}},
+            .york_step = courant_number(0.5),
+            .problem = unit_cell,
+            .gates = gates(),
+            .levels = {block}};
+  Key key{.name = "curve", .value = "arc-45", .description = "what the points stand on"};
+  for (const Curve& curve : curves()) {
+    key.choices.push_back(curve.name);
+    made.studies.push_back(study(curve.name, curve.title, "One cell.", {block}).with({{"curve", curve.name}}));
   }
-
-  std::vector<Override> points_and_end(const std::string&) const override { return {{"cells", block}}; }
-  void derive(Settings& settings, const std::string& scheme) const override {
-    if (scheme == "york1997" && !settings.is_set("dt") && !settings.is_set("cfl")) {
-      settings.set("cfl", 0.5, "normals-cell");
-    }
-  }
-
-  std::unique_ptr<Problem> problem(const Settings& settings) const override {
-    GridSpec grid;
-    grid.dim = 2;
-    grid.h = 1;
-    grid.cells[0] = grid.cells[1] = std::max(3, settings.integer("cells"));
-    grid.origin[0] = grid.origin[1] = -std::floor(grid.cells[0] / 2.0);
-    return normals_problem(settings, grid, points_on(settings.text("curve")));
-  }
-
-  std::vector<double> default_levels() const override { return {block}; }
-
-  std::vector<StudyPlan> studies() const override {
-    std::vector<StudyPlan> all;
-    for (const std::string& curve : curves()) {
-      all.push_back({.id = curve,
-                     .title = title_of(curve),
-                     .why = "One cell.",
-                     .overrides = {{"curve", curve}},
-                     .values = {block}});
-    }
-    return all;
-  }
-
-  std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all = modern_gates();
-    for (CaseGate& gate : exact_gates()) all.push_back(std::move(gate));
-    for (CaseGate& gate : arc_gates()) all.push_back(std::move(gate));
-    for (CaseGate& gate : perturbed_gates()) all.push_back(std::move(gate));
-    return all;
-  }
-
- private:
-  static constexpr double rounding = 1e-10;  // degrees: 1e-13 of the points, times the condition of the fit
-  static constexpr double drawn = 3;         // degrees that a drawn arrow shows
-
-  static std::vector<CaseGate> modern_gates() {
-    std::vector<CaseGate> all;
-    for (const char* study : {"line-45", "line-80", "vertical", "single"}) {
-      all.push_back(
-          angle_gate(study, "modern", "max", block, rounding, Origin::identity, "exact on lines, but for rounding"));
-    }
-    for (const char* study : {"arc-45", "arc-60", "arc-75", "arc-90"}) {
-      all.push_back(angle_gate(study, "modern", "max", block, 0.1, Origin::requirement,
-                               "at most 0.1 degrees, a thirtieth of what a drawn arrow shows"));
-    }
-    return all;
-  }
-
-  static std::vector<CaseGate> exact_gates() {
-    const char* mass = "york-mass-matrix";
-    return {
-        angle_gate("line-45", mass, "max", block, rounding, Origin::literature,
-                   "York: 90 degrees to machine precision"),
-        angle_gate("line-80", mass, "mean", block, 0.01, Origin::literature, "York: on average within 0.01 degrees"),
-        angle_gate("hyperbola", mass, "max", block, 1e-5 / radians(1), Origin::literature,
-                   "York: ends of the unit normals aligned to within the fifth decimal place"),
-        angle_gate("vertical", mass, "max", block, rounding, Origin::theory,
-                   "the least colours above the membrane's that vanish on the line x = c and not at the lower corner "
-                   "are (x - c)(1 - y): exact normals, where York's singular system failed"),
-        angle_gate("single", mass, "max", block, rounding, Origin::theory,
-                   "points of a line in the ghost cell determine bilinear colours up to their size")};
-  }
-
-  static std::vector<CaseGate> arc_gates() {
-    const std::string reason = "normals as a drawn arrow would show them, within three degrees";
-    const std::string bilinear = "bilinear colours are constant along lines and hyperbolas, not along an arc";
-    const char *mass = "york-mass-matrix", *nine = "york-mass-matrix-quadratic";
-    std::vector<CaseGate> all{
-        failing_angle_gate("arc-45", mass, "max", block, drawn, reason,
-                           bilinear + ": several degrees off (York's Fig. 79)", {4.9, 6.1}, narrower),
-        failing_angle_gate("arc-60", mass, "max", block, drawn, reason, bilinear, {12, 15}, measured_on),
-        failing_angle_gate("arc-75", mass, "max", block, drawn, reason, bilinear, {43, 53}, measured_on),
-        failing_angle_gate("arc-90", mass, "max", block, drawn, reason,
-                           "points of equal y have one x component where the exact ones are opposite [York 7.15-7.17]",
-                           {75, 90}, measured_on)};
-    for (const char* study : {"arc-45", "arc-60", "arc-75", "arc-90"}) {
-      all.push_back(angle_gate(study, nine, "max", block, 0.1, Origin::literature,
-                               "York: computed normals lie on the exact ones (Fig. 85); 0.1 degrees, a thirtieth of "
-                               "what a drawn arrow shows"));
-    }
-    return all;
-  }
-
-  static std::vector<CaseGate> perturbed_gates() {
-    const char* mass = "york-mass-matrix";
-    Gate others = declare(
-        "perturbed/york-mass-matrix-others", {{}, 1e-8}, Origin::theory,
-        "(x - 1/2)(y - y_p) has exact normals at all points of the line (York: the points away from the centre have "
-        "accurate normals); 1e-8 for the difference of sums of up to 90 degrees, over the smallest gradient");
-    others.quantity = "sum of all angles but the largest";
-    return {failing_angle_gate("perturbed", mass, "max", block, drawn,
-                               "normals as a drawn arrow would show them, within three degrees",
-                               "the colours (x - 1/2)(y - y_p) hold all points and have no gradient along x at the "
-                               "one beside the line (York's Fig. 80 b)",
-                               {85, 90}),
-            measure_gate("perturbed", others, "york-mass-matrix.mean_angle_error_deg", block,
-                         [](const RunResult& run, const Measure& mean) {
-                           const Measure* largest = run.find("york-mass-matrix.max_angle_error_deg");
-                           Measured measured;
-                           measured.value = largest ? std::abs(even.size() * mean.error - largest->error)
-                                                    : std::nan("");
-                           measured.reference_bound = even.size() * mean.reference_bound;
-                           return measured;
-                         })};
-  }
-};
-
-PLUMBLINE_CASE(NormalsCell);
+  made.keys = {key};
+  return made;
+}
+PLUMBLINE_CASE(normals_cell);
 
 }  // namespace
 }  // namespace plumbline

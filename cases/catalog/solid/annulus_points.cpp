@@ -174,4 +174,11 @@ AnnulusLayout annulus_layout(const std::string& name) {
   return name == "cut" ? cut_annulus : name == "circles" ? ring_annulus : fill_annulus;
 }
 
+Key layout_key(std::string value) {
+  return {.name = "layout",
+          .value = std::move(value),
+          .choices = {"cut", "circles", "lattice"},
+          .description = "the lattice with cut squares, points on circles, or whole squares"};
+}
+
 }  // namespace plumbline

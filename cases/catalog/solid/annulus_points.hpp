@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "cases/harness/description/settings.hpp"
 #include "kernel/grid_spec.hpp"
 #include "kernel/points/body.hpp"
 
@@ -37,5 +38,8 @@ Body ring_annulus(std::string name, std::shared_ptr<const Material> material, co
 using AnnulusLayout = Body (*)(std::string, std::shared_ptr<const Material>, const Annulus&, double, int,
                                const GridSpec&);
 AnnulusLayout annulus_layout(const std::string& name);
+
+// The key `layout`, by which a case lets its users choose.
+Key layout_key(std::string value);
 
 }  // namespace plumbline

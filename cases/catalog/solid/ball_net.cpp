@@ -5,11 +5,15 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "cases/catalog/solid/collision.hpp"
 #include "cases/catalog/solid/fill_solid.hpp"
 #include "cases/catalog/solid/net_throw.hpp"
 #include "cases/harness/description/archive.hpp"
+#include "cases/harness/description/parameters.hpp"
 #include "cases/harness/judge/gates.hpp"
 #include "kernel/materials/linear_elastic.hpp"
 #include "kernel/materials/segment_membrane.hpp"
@@ -19,20 +23,41 @@ namespace plumbline {
 namespace {
 
 // York, section 5.9, Table 2; A.1.6, Table 11; his input files
-constexpr double box = 10, radius = 1.5, centre_x = 5.625, centre_y = 5, speed = 1;
+constexpr double box = 10, radius = 1.5, centre_x = 5.625, centre_y = 5;
 constexpr double ball_modulus = 1e4, ball_poisson = 0.3, ball_density = 1, net_modulus = 1e4, net_density = 0.5;
 
-class BallAndNet final : public Problem {
- public:
-  explicit BallAndNet(const Settings& settings)
-      : settings_(settings),
-        thrown_(throw_of_net({.radius = radius,
-                              .mass = ball_density * std::numbers::pi * radius * radius,
-                              .speed = speed,
-                              .length = box,
-                              .stiffness = net_modulus * settings.number("thickness")})) {}
+// One struct for points and reference.
+struct Flight : Parameters {
+  bool plane_strain = one_of("ball", "plane-strain", {"plane-strain", "plane-stress"},
+                             "with a net in plane stress (York, section 5.9) or a uniaxial one (A.1.6)") ==
+                      "plane-strain";
+  double gap = number({.name = "gap",
+                       .value = 0.1,
+                       .unit = "m",
+                       .low = 0,
+                       .high = 1,
+                       .description = "from the ball's right edge to the net"});
+  double thickness = within("thickness", 0.1, "m", 0, 0.2, "of the net");
+  bool by_segments = one_of("strain", "segments", {"accumulated", "segments"},
+                            "of the net: strain rates added up, as York does, or the stretch between its points") ==
+                     "segments";
+  int net_ppc = integer(
+      {.name = "net_ppc", .value = 4.0, .low = 2, .high = 100, .description = "points of the net per cell"});
+  double end_time = positive("t_end", 5, "s", "end time");
+  NetBall ball{.radius = radius,
+               .mass = ball_density * std::numbers::pi * radius * radius,
+               .speed = 1,
+               .length = box,
+               .stiffness = net_modulus * thickness};
 
-  double end_time() const override { return settings_.number("t_end"); }
+  explicit Flight(Parameters given = {}) : Parameters(std::move(given)) {}
+};
+
+class BallNetRun final : public Problem {
+ public:
+  explicit BallNetRun(const Settings& settings) : settings_(settings), at_(settings), thrown_(throw_of_net(at_.ball)) {}
+
+  double end_time() const override { return at_.end_time; }
 
   Scene scene() const override {
     Scene scene;
@@ -40,8 +65,7 @@ class BallAndNet final : public Problem {
     scene.grid.h = box / settings_.number("cells");
     for (std::size_t d = 0; d < 2; ++d) scene.grid.cells[d] = settings_.integer("cells");
     scene.grid.walls[1] = {Wall::no_slip, Wall::no_slip};  // hold the net's ends
-    scene.bodies.push_back(ball(scene.grid));
-    scene.bodies.push_back(net(scene.grid));
+    scene.bodies = {ball(scene.grid), net(scene.grid)};
     apply_choices(settings_, scene);
     return scene;
   }
@@ -49,10 +73,10 @@ class BallAndNet final : public Problem {
   void observe(const Simulation& simulation) override {
     const auto& bodies = simulation.scene().bodies;
     const BodyMotion ball = motion_of(bodies[0], 2), net = motion_of(bodies[1], 2);
-    if (history_.empty()) push_.emplace(0, ball.mass * speed);
+    if (history_.empty()) push_.emplace(0, ball.mass * at_.ball.speed);
     energy_.observe(simulation);
     push_->observe(bodies[0], 2, simulation.time());
-    deepest_ = std::max(deepest_, ball.position[0] - centre_x - settings_.number("gap"));
+    deepest_ = std::max(deepest_, ball.position[0] - centre_x - at_.gap);
     fastest_back_ = std::min(fastest_back_, ball.velocity[0]);
     const EnergyStores& stores = simulation.ledger().stores;
     history_.push_back({simulation.time(), ball.velocity[0], net.velocity[0], ball.position[0], net.position[0],
@@ -70,7 +94,7 @@ class BallAndNet final : public Problem {
 
   std::vector<Measure> measures(const Simulation& simulation) const override {
     const auto& bodies = simulation.scene().bodies;
-    const double met = settings_.number("gap") / speed;
+    const double speed = at_.ball.speed, met = at_.gap / speed;
     const double v = motion_of(bodies[0], 2).velocity[0];
     const auto share = [](std::string name, double value, double reference) {
       Measure measure = scalar_measure(std::move(name), value, reference, 0, "1");
@@ -100,60 +124,50 @@ class BallAndNet final : public Problem {
   }
 
  private:
-  bool plane_strain() const { return settings_.text("ball") == "plane-strain"; }
-
   Body ball(const GridSpec& grid) const {
     auto elastic = std::make_shared<LinearElastic>();
     elastic->youngs_modulus = ball_modulus;
     elastic->poissons_ratio = ball_poisson;
     elastic->density = ball_density;
-    elastic->plane_stress = !plane_strain();
+    elastic->plane_stress = !at_.plane_strain;
     const SolidShape shape{
         {centre_x - radius, centre_y - radius, 0},
         {centre_x + radius, centre_y + radius, 0},
         [](const std::array<double, 3>& x) { return std::hypot(x[0] - centre_x, x[1] - centre_y) < radius; }};
     Body body = fill_solid("ball", elastic, shape, ball_density, settings_.integer("ppc"), grid);
-    std::fill_n(body.points(column::velocity), body.points.points(), speed);
+    std::fill_n(body.points(column::velocity), body.points.points(), at_.ball.speed);
     return body;
   }
 
   // From wall to wall, its end points on the walls with half a segment's share.
   Body net(const GridSpec& grid) const {
-    const int segments = grid.cells[1] * settings_.integer("net_ppc");
+    const int segments = grid.cells[1] * at_.net_ppc;
     const double spacing = box / segments;
     Body body = make_body("net", net_law(), segments + 1, 2);
     body.spacing = spacing;
     for (int p = 0; p <= segments; ++p) {
       const double length = spacing * (p == 0 || p == segments ? 0.5 : 1.0);
-      body.points(column::position, 0)[p] = centre_x + radius + settings_.number("gap");
+      body.points(column::position, 0)[p] = centre_x + radius + at_.gap;
       body.points(column::position, 1)[p] = p == segments ? box : p * spacing;
-      body.points(column::volume)[p] = length * settings_.number("thickness");
+      body.points(column::volume)[p] = length * at_.thickness;
       body.points(column::mass)[p] = net_density * body.points(column::volume)[p];
-      if (by_segments()) body.points(column::rest_length)[p] = spacing;
+      if (at_.by_segments) body.points(column::rest_length)[p] = spacing;
     }
     return body;
   }
 
-  bool by_segments() const { return settings_.text("strain") == "segments"; }
-
   std::shared_ptr<Material> net_law() const {
-    if (by_segments()) {
-      auto law = std::make_shared<SegmentMembrane>();
+    const auto net_of = [](auto law) {
       law->youngs_modulus = net_modulus;
       law->density = net_density;
-      law->section = settings_.number("thickness");
       return law;
+    };
+    if (!at_.by_segments) {
+      if (at_.plane_strain) return net_of(std::make_shared<PlaneStressMembrane>());  // of Poisson's ratio 0
+      return net_of(std::make_shared<UniaxialMembrane>());
     }
-    std::shared_ptr<UniaxialMembrane> law;
-    if (plane_strain()) {
-      auto membrane = std::make_shared<PlaneStressMembrane>();
-      membrane->poissons_ratio = 0;
-      law = membrane;
-    } else {
-      law = std::make_shared<UniaxialMembrane>();
-    }
-    law->youngs_modulus = net_modulus;
-    law->density = net_density;
+    const auto law = net_of(std::make_shared<SegmentMembrane>());
+    law->section = at_.thickness;
     return law;
   }
 
@@ -170,6 +184,7 @@ class BallAndNet final : public Problem {
   }
 
   Settings settings_;
+  Flight at_;
   NetThrow thrown_;
   EnergyWatch energy_;
   std::optional<PushWatch> push_;
@@ -177,157 +192,80 @@ class BallAndNet final : public Problem {
   std::vector<std::array<double, 7>> history_;
 };
 
-class BallNetCase final : public Case {
- public:
-  std::string name() const override { return "ball-net"; }
+// At h = 0.25. [York section 5.9, A.1.6]
+Override york_step(const Settings& settings) {
+  const double dt = Flight(settings).plane_strain ? 1e-4 : 1e-3;
+  return {"dt", dt * 40 / settings.number("cells")};
+}
 
-  Kind kind() const override { return Kind::solid; }
-  std::map<std::string, std::string> may_be_undefined() const override {
-    return {{"turn_time", "a ball that the net does not turn round has none"}};
-  }
+std::vector<StudyPlan> studies() {
+  const auto one_mesh = [](std::string id, std::string title, std::vector<Override> choices) {
+    return study(std::move(id), std::move(title), "One mesh, York's.", {40}).with(std::move(choices));
+  };
+  const Override none{"contact", "none"}, released{"contact", "york-9.9"}, uniaxial{"ball", "plane-stress"};
+  return {study("default", "default",
+                "First order: a body touches half a spacing of its points before its surface does.", {20, 40})
+              .in_full({20, 40, 80})
+              .pictured(25),
+          one_mesh("none", "one velocity for both", {none}),
+          one_mesh("york-none", "York's run without release", {none, uniaxial}).of_york(),
+          one_mesh("york-9.9", "York's run with his criterion 9.9", {released, uniaxial}).of_york(),
+          one_mesh("york-thin", "York's run with the thickness that he prints for A.1.6",
+                   {released, uniaxial, {"thickness", 0.0125}, {"t_end", 3.0}})
+              .of_york(),
+          one_mesh("york-5.9", "York's run of section 5.9, a tenth of the step", {released}).of_york().in(Tier::full)};
+}
 
-  std::vector<Key> keys() const override {
-    return {{.name = "ball",
-             .value = "plane-strain",
-             .choices = {"plane-strain", "plane-stress"},
-             .description = "with a net in plane stress (York, section 5.9) or a uniaxial one (A.1.6)"},
-            {.name = "gap",
-             .value = 0.1,
-             .unit = "m",
-             .low = 0,
-             .high = 1,
-             .description = "from the ball's right edge to the net"},
-            {.name = "thickness",
-             .value = 0.1,
-             .unit = "m",
-             .low = 0,
-             .high = 0.2,
-             .low_open = true,
-             .description = "of the net"},
-            {.name = "strain",
-             .value = "segments",
-             .choices = {"accumulated", "segments"},
-             .description = "of the net: strain rates added up, as York does, or the stretch between its points"},
-            {.name = "net_ppc",
-             .value = 4.0,
-             .low = 2,
-             .high = 100,
-             .integer = true,
-             .description = "points of the net per cell"},
-            {.name = "t_end", .value = 5.0, .unit = "s", .low = 0, .low_open = true, .description = "end time"}};
-  }
+std::vector<CaseGate> gates() {
+  const double cell = 0.25;
+  const std::string narrower = "2026-11-23 5825b24";
+  const Number speed = value_at("ball_velocity", 40), apart = value_at("apart", 40);
+  const Number energy = value_at("highest_energy", 40);
+  const Because leaves = literature("York: with release it leaves");
+  const Because as_read = literature("York: about -0.7, as his figure is read");
+  const Because halves = theory("first order: half, and half as much again");
+  return {
+      gate("default/speed", speed, between(-1, -0.7), literature("York: about -0.7; no faster than it came")),
+      gate("default/leaves", apart, at_least(cell), literature("York: with release it leaves; more than a cell")),
+      gate("default/turn-time", error_at("turn_time", 40), at_most(0.04 * 1.604),
+           theory("within 4 %: the net is touched half a spacing early, 0.031 m or 2 % of the time, and its arc round "
+                  "the ball is wider by as much")),
+      gate("default/turn-time-falls", ratio_of("turn_time", 40, 20), at_most(0.75), halves),
+      gate("default/deepest-falls", ratio_of("deepest", 40, 20), at_most(0.75), halves),
+      gate("default/energy", energy, at_most(1 + 1e-12), identity("nothing creates energy; sums round at 1e-15")),
+      gate("none/sticks", apart, at_most(cell),
+           literature("York: without release it sticks; nodes within a cell hold both")),
+      gate("york-none/sticks", apart, at_most(cell), literature("York: without release the ball sticks to the net")),
+      gate("york-none/speed", speed, between(-0.2, 0),
+           literature("York: about 0.1 to the left, as his figure is read")),
+      gate("york-9.9/leaves", apart, at_least(cell), leaves),
+      gate("york-9.9/speed", speed, between(-0.8, -0.6), as_read),
+      gate("york-9.9/energy", energy, at_most(1.001), theory("no energy is created"))
+          .fails("the net's points cross cells, and with linear shapes each crossing throws them; most of what is "
+                 "created stays in the net",
+                 {1.105, 1.125}, narrower),
+      gate("york-thin/turned", speed, between(-1, 0),
+           literature("York: the ball is thrown back, after 2.65 s if the net has no mass"))
+          .fails("eight times thinner, the net stretches by 7 %: its points bunch between cells and it gives way",
+                 {0.42, 0.52}, narrower),
+      gate("york-5.9/leaves", apart, at_least(cell), leaves).in(Tier::full),
+      gate("york-5.9/speed", speed, between(-0.8, -0.6), as_read).in(Tier::full)};
+}
 
-  std::vector<Override> points_and_end(const std::string& scheme) const override {
-    if (scheme == "york1997") return {{"cells", 40.0}, {"strain", "accumulated"}, {"net_ppc", 8.0}};
-    return {{"cells", 40.0}};
-  }
-
-  void derive(Settings& settings, const std::string& scheme) const override {
-    if (scheme == "york1997" && !settings.is_set("dt") && !settings.is_set("cfl")) {
-      const double dt = settings.text("ball") == "plane-strain" ? 1e-4 : 1e-3;  // at h = 0.25 York, section 5.9, A.1.6
-      settings.set("dt", dt * 40 / settings.number("cells"), "ball-net");
-    }
-  }
-
-  std::unique_ptr<Problem> problem(const Settings& settings) const override {
-    return std::make_unique<BallAndNet>(settings);
-  }
-
-  std::vector<double> default_levels() const override { return {20, 40, 80}; }
-  std::vector<StudyPlan> studies() const override {
-    const std::string one = "One mesh, York's.";
-    return {{.id = "default",
-             .title = "default",
-             .why = "First order: a body touches half a spacing of its points before its surface does.",
-             .values = {20, 40},
-             .full_values = {20, 40, 80},
-             .frames = 25},
-            {.id = "none",
-             .title = "one velocity for both",
-             .why = one,
-             .overrides = {{"contact", "none"}},
-             .values = {40}},
-            {.id = "york-none",
-             .title = "York's run without release",
-             .why = one,
-             .scheme = "york1997",
-             .overrides = {{"contact", "none"}, {"ball", "plane-stress"}},
-             .values = {40}},
-            {.id = "york-9.9",
-             .title = "York's run with his criterion 9.9",
-             .why = one,
-             .scheme = "york1997",
-             .overrides = {{"contact", "york-9.9"}, {"ball", "plane-stress"}},
-             .values = {40}},
-            {.id = "york-thin",
-             .title = "York's run with the thickness that he prints for A.1.6",
-             .why = one,
-             .scheme = "york1997",
-             .overrides = {{"contact", "york-9.9"}, {"ball", "plane-stress"}, {"thickness", 0.0125}, {"t_end", 3.0}},
-             .values = {40}},
-            {.id = "york-5.9",
-             .title = "York's run of section 5.9, a tenth of the step",
-             .why = one,
-             .scheme = "york1997",
-             .overrides = {{"contact", "york-9.9"}},
-             .values = {40},
-             .tier = Tier::full}};
-  }
-
-  std::vector<CaseGate> gates() const override {
-    const double cell = 0.25;
-    const std::string narrower = "2026-11-23 5825b24";
-    const auto theory = [](const std::string& id, Range range, const std::string& why) {
-      return declare(id, range, Origin::theory, why);
-    };
-    const auto literature = [](const std::string& id, Range range, const std::string& why) {
-      return declare(id, range, Origin::literature, why);
-    };
-    return {
-        value_gate("default", "ball_velocity", 40,
-                   literature("default/speed", {-1, -0.7}, "York: about -0.7; no faster than it came")),
-        value_gate("default", "apart", 40,
-                   literature("default/leaves", {cell, {}}, "York: with release it leaves; more than a cell")),
-        error_gate("default", "turn_time", 40,
-                   theory("default/turn-time", {{}, 0.04 * 1.604},
-                          "within 4 %: the net is touched half a spacing early, 0.031 m or 2 % of the time, and "
-                          "its arc round the ball is wider by as much")),
-        ratio_gate("default", "turn_time", 40, 20,
-                   theory("default/turn-time-falls", {{}, 0.75}, "first order: half, and half as much again")),
-        ratio_gate("default", "deepest", 40, 20,
-                   theory("default/deepest-falls", {{}, 0.75}, "first order: half, and half as much again")),
-        value_gate("default", "highest_energy", 40,
-                   declare("default/energy", {{}, 1 + 1e-12}, Origin::identity,
-                           "nothing creates energy; sums round at 1e-15")),
-        value_gate(
-            "none", "apart", 40,
-            literature("none/sticks", {{}, cell}, "York: without release it sticks; nodes within a cell hold both")),
-        value_gate("york-none", "apart", 40,
-                   literature("york-none/sticks", {{}, cell}, "York: without release the ball sticks to the net")),
-        value_gate("york-none", "ball_velocity", 40,
-                   literature("york-none/speed", {-0.2, 0}, "York: about 0.1 to the left, as his figure is read")),
-        value_gate("york-9.9", "apart", 40, literature("york-9.9/leaves", {cell, {}}, "York: with release it leaves")),
-        value_gate("york-9.9", "ball_velocity", 40,
-                   literature("york-9.9/speed", {-0.8, -0.6}, "York: about -0.7, as his figure is read")),
-        value_gate("york-9.9", "highest_energy", 40,
-                   expected_failure(theory("york-9.9/energy", {{}, 1.001}, "no energy is created"),
-                                    "the net's points cross cells, and with linear shapes each crossing throws them; "
-                                    "most of what is created stays in the net",
-                                    {1.105, 1.125}, narrower)),
-        value_gate("york-thin", "ball_velocity", 40,
-                   expected_failure(literature("york-thin/turned", {-1, 0},
-                                               "York: the ball is thrown back, after 2.65 s if the net has no mass"),
-                                    "eight times thinner, the net stretches by 7 %: its points bunch between cells "
-                                    "and it gives way",
-                                    {0.42, 0.52}, narrower)),
-        value_gate("york-5.9", "apart", 40, literature("york-5.9/leaves", {cell, {}}, "York: with release it leaves"),
-                   Tier::full),
-        value_gate("york-5.9", "ball_velocity", 40,
-                   literature("york-5.9/speed", {-0.8, -0.6}, "York: about -0.7, as his figure is read"), Tier::full)};
-  }
-};
-
-PLUMBLINE_CASE(BallNetCase);
+Case ball_net() {
+  return {.name = "ball-net",
+          .kind = Kind::solid,
+          .keys = Flight().keys(),
+          .sets = {{"cells", 40.0}},
+          .york1997 = {{"strain", "accumulated"}, {"net_ppc", 8.0}},
+          .york_step = york_step,
+          .problem = run_of<BallNetRun>,
+          .studies = studies(),
+          .gates = gates(),
+          .levels = {20, 40, 80},
+          .may_be_undefined = {{"turn_time", "a ball that the net does not turn round has none"}}};
+}
+PLUMBLINE_CASE(ball_net);
 
 }  // namespace
 }  // namespace plumbline

@@ -1,16 +1,32 @@
 // What a point does to the forces when it crosses a cell side. [York section A.2]
 #include <array>
 #include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "cases/catalog/solid/collision.hpp"
 #include "cases/catalog/solid/manufactured_case.hpp"
 #include "cases/harness/description/archive.hpp"
+#include "cases/harness/description/parameters.hpp"
 #include "cases/harness/files/whole.hpp"
 #include "cases/harness/judge/gates.hpp"
 #include "kernel/materials/linear_elastic.hpp"
 
 namespace plumbline {
 namespace {
+
+struct Choices : Parameters {
+  std::string problem = one_of("problem", "drift", {"forces", "spring", "drift"},
+                               "York's forces, his spring, or a stressed body that drifts");
+  double stretch = number(
+      {.name = "stretch", .value = 1.1, .low = 0.7, .high = 1.4, .description = "of the body that drifts"});
+  double periods = positive("periods", 50, "1", "of the spring");
+
+  explicit Choices(Parameters given = {}) : Parameters(std::move(given)) {}
+};
 
 // --- York's ten points --------------------------------------------------------------------------------------------------
 
@@ -134,8 +150,8 @@ class ForcesProblem final : public Problem {
 // The spring set swinging with the strain that his printed stresses show, and its energy.
 class SpringProblem final : public Problem {
  public:
-  explicit SpringProblem(const Settings& settings) : settings_(settings) {}
-  double end_time() const override { return settings_.number("periods") * period(); }
+  explicit SpringProblem(const Settings& settings) : settings_(settings), periods_(Choices(settings).periods) {}
+  double end_time() const override { return periods_ * period(); }
   Scene scene() const override {
     Scene scene;
     const double h = 1 / settings_.number("cells");
@@ -163,36 +179,25 @@ class SpringProblem final : public Problem {
       if (cell_ >= 0 && std::floor(cell) != cell_) ++crossings_;
       cell_ = std::floor(cell);
     }
-    times_.push_back(simulation.time());
-    energies_.push_back(simulation.ledger().stores.total());
+    rows_.push_back({simulation.time(), simulation.ledger().stores.total()});
   }
   void history(Archive& archive) override {
     archive("energy", energy_);
     archive("cell", cell_);
     archive("crossings", crossings_);
-    archive("times", times_);
-    archive("energies", energies_);
+    archive("rows", rows_);
   }
   std::vector<Measure> measures(const Simulation& simulation) const override {
     const double start = simulation.ledger().initial_stores.total();
-    double highest = energies_.empty() ? std::nan("") : energies_.front();
-    for (const double e : energies_) highest = larger(highest, e);
+    double highest = rows_.front()[1];
+    for (const auto& row : rows_) highest = larger(highest, row[1]);
     return {scalar_measure("energy_gain", highest / start - 1, 0, 0, "1"),
-            scalar_measure("energy_end", energies_.back() / start - 1, 0, 0, "1"),
+            scalar_measure("energy_end", rows_.back()[1] / start - 1, 0, 0, "1"),
             scalar_measure("energy_rise", energy_.largest_rise(), 0, 0, "1"),
             scalar_measure("crossings", static_cast<double>(crossings_), 0, 0, "1")};
   }
   Profile profile(const Simulation&) const override {
-    Profile profile;
-    profile.kind = "history";
-    profile.abscissa = "time";
-    profile.columns = {{"time", "s", "time", {}}, {"energy", "J", "energy of all points", {}}};
-    const std::size_t every = times_.size() / 1500 + 1;
-    for (std::size_t k = 0; k < times_.size(); k += every) {
-      profile.columns[0].values.push_back(times_[k]);
-      profile.columns[1].values.push_back(energies_[k]);
-    }
-    return profile;
+    return history_profile({{"time", "s", "time", {}}, {"energy", "J", "energy of all points", {}}}, rows_);
   }
 
  private:
@@ -205,10 +210,11 @@ class SpringProblem final : public Problem {
   static double period() { return 2 * std::acos(-1.0) / omega(); }
 
   Settings settings_;
+  double periods_;
   EnergyWatch energy_;
   double cell_ = -1;
   long crossings_ = 0;
-  std::vector<double> times_, energies_;
+  std::vector<std::array<double, 2>> rows_;  // time, energy
 };
 
 // --- a stressed body that drifts ----------------------------------------------------------------------------------------
@@ -218,7 +224,10 @@ class SpringProblem final : public Problem {
 // know of them and must drift on unaccelerated.
 class DriftProblem final : public Problem {
  public:
-  explicit DriftProblem(const Settings& settings) : settings_(settings), h_(1 / settings.number("cells")) {
+  explicit DriftProblem(const Settings& settings)
+      : settings_(settings),
+        h_(1 / settings.number("cells")),
+        stretch_(Choices(settings).stretch) {
     material_ = std::make_shared<NeoHookean>();
     material_->youngs_modulus = modulus;
     material_->density = light;
@@ -226,18 +235,18 @@ class DriftProblem final : public Problem {
   double end_time() const override { return drift * h_ / speed(); }
   Scene scene() const override {
     Scene scene;
-    const double stretch = settings_.number("stretch"), apart_now = h_ / settings_.number("ppc") * stretch;
+    const double apart_now = h_ / settings_.number("ppc") * stretch_;
     const int points = whole(std::round(length() / apart_now));
     scene.grid.h = h_;
     scene.grid.cells[0] = whole(std::ceil((length() + drift * h_) / h_)) + 40;
     scene.grid.origin[0] = -20 * h_;
     Body body = make_body("bar", material_, points, 1);
-    body.spacing = apart_now / stretch;
+    body.spacing = apart_now / stretch_;
     for (int p = 0; p < points; ++p) {
       body.points(column::position)[p] = (p + 0.5) * apart_now;
       body.points(column::velocity)[p] = speed();
-      body.points(column::deformation)[p] = stretch;
-      body.points(column::mass)[p] = light * apart_now / stretch;
+      body.points(column::deformation)[p] = stretch_;
+      body.points(column::mass)[p] = light * apart_now / stretch_;
       body.points(column::volume)[p] = apart_now;
     }
     scene.bodies.push_back(std::move(body));
@@ -288,145 +297,94 @@ class DriftProblem final : public Problem {
   static double speed() { return std::sqrt(modulus / light); }
   // Waves in the stretched body run no faster than `fastest` of the speed of sound at rest.
   double length() const {
-    const double stretch = settings_.number("stretch");
-    const double fastest = std::sqrt((stretch * stretch + 1) / 2) + 0.1;
+    const double fastest = std::sqrt((stretch_ * stretch_ + 1) / 2) + 0.1;
     return (2 * drift * fastest + judged + 2 * guard) * h_;
   }
   double stress() const {
     const LameConstants c = material_->constants();
-    const double stretch = settings_.number("stretch");
-    return std::abs(c.mu * (stretch - 1 / stretch) + c.lambda * std::log(stretch) / stretch);
+    return std::abs(c.mu * (stretch_ - 1 / stretch_) + c.lambda * std::log(stretch_) / stretch_);
   }
 
   Settings settings_;
-  double h_;
+  double h_, stretch_;
   std::shared_ptr<NeoHookean> material_;
   std::vector<double> before_;
   double square_ = 0, peak_ = 0;
   long samples_ = 0;
 };
 
-class CellCrossing final : public Case {
- public:
-  std::string name() const override { return "cell-crossing"; }
+std::unique_ptr<Problem> run(const Settings& settings) {
+  const std::string problem = Choices(settings).problem;
+  if (problem == "forces") return std::make_unique<ForcesProblem>(settings);
+  if (problem == "spring") return std::make_unique<SpringProblem>(settings);
+  return std::make_unique<DriftProblem>(settings);
+}
 
-  Kind kind() const override { return Kind::solid; }
-
-  std::vector<Key> keys() const override {
-    return {{.name = "problem",
-             .value = "drift",
-             .choices = {"forces", "spring", "drift"},
-             .description = "York's forces, his spring, or a stressed body that drifts"},
-            {.name = "stretch", .value = 1.1, .low = 0.7, .high = 1.4, .description = "of the body that drifts"},
-            positive_key("periods", 50, "1", "of the spring")};
+std::vector<StudyPlan> studies() {
+  const std::string one = "One mesh.", noise = "One mesh: the noise does not depend on h.";
+  const Override spring{"problem", "spring"};
+  std::vector<StudyPlan> all{
+      study("york1997", "York's forces", "One instant.", {10}).of_york().with({{"problem", "forces"}}),
+      study("spring-york1997", "York's spring, york1997", one, {10}).of_york().with({spring}),
+      study("spring", "York's spring, default", one, {10}).with({spring}),
+      study("spring-quadratic", "York's spring, quadratic B-splines", one, {10}).with({spring, {"shape", "quadratic"}}),
+      study("default", "drift, contiguous-gimp", noise, {10})};
+  for (const std::string shape : {"gimp", "linear", "quadratic", "cubic"}) {
+    all.push_back(study(shape, "drift, " + shape, noise, {10}).with({{"shape", shape}}));
   }
+  return all;
+}
 
-  std::vector<Override> points_and_end(const std::string&) const override { return {{"cells", 10.0}}; }
-  void derive(Settings& settings, const std::string& scheme) const override {
-    // The Courant number of York's spring, section 5.5: 1.8e-6 s at h = 0.1 with c = 3162.
-    if (scheme == "york1997" && !settings.is_set("dt") && !settings.is_set("cfl")) {
-      settings.set("cfl", 0.057, "cell-crossing");
-    }
-  }
+// Of all points and steps.
+double noise_of(const StudyResult& study) {
+  const Measure* noise = study.levels.front().run.find("noise_rms");
+  if (!noise) throw std::runtime_error("the run has no noise_rms");
+  return *noise->value;
+}
+const Number noise_over_linear = number_of(
+    "rms of accelerations over that of linear shapes",
+    [](const StudyResult& s) { return Measured::of(noise_of(s) / noise_of(*s.sibling("linear"))); }, {10});
 
-  std::unique_ptr<Problem> problem(const Settings& settings) const override {
-    const std::string& problem = settings.text("problem");
-    if (problem == "forces") return std::make_unique<ForcesProblem>(settings);
-    if (problem == "spring") return std::make_unique<SpringProblem>(settings);
-    return std::make_unique<DriftProblem>(settings);
-  }
+CaseGate as_printed(const std::string& force, double printed) {
+  return gate("york1997/" + force, value_at(force, 10), between(printed - 3, printed + 3),
+              literature("as printed; 3 N for the weight of the points, about 1 N, and stresses printed to a unit, six "
+                         "of which count a sixtieth each"));
+}
 
-  std::vector<double> default_levels() const override { return {10}; }
+std::vector<CaseGate> gates() {
+  return {as_printed("force_middle_before", 111),
+          as_printed("force_middle_after", -3940),
+          as_printed("force_lower_after", 5123),
+          gate("default/noise-ratio", noise_over_linear, at_most(0.01),
+               requirement("at least 100 times below that of linear shapes: boxes are used to be rid of that noise"))
+              .beside({"linear"}),
+          gate("default/rounding", value_at("noise_peak", 10), at_most(1e-10),
+               identity("boxes that tile a uniformly stressed body: inner nodes get the same stress times N(+) - N(-), "
+                        "which is zero but for rounding")),
+          energy_monotone_gate("spring-quadratic"),
+          gate("spring/energy-monotone", value_at("energy_rise", 10), at_most(1e-13),
+               theory("of linear elasticity the midpoint step raises the energy in no step where the inertia of "
+                      "kernels is constant"))
+              .fails("the affine inertia of boxes depends on where in the cell they stand: a point that moves carries "
+                     "its affine velocity to another inertia",
+                     {1.0e-3, 1.22e-3}, "2026-11-23 5825b24"),
+          recorded("spring-york1997/energy-gain", value_at("energy_gain", 10), 0.0091914, 0.1, "2026-11-21 a96ec71",
+                   "how high the energy of York's spring stands above its start, the history of his claim; chaotic in "
+                   "its details, hence 10 %")};
+}
 
-  std::vector<StudyPlan> studies() const override {
-    std::vector<StudyPlan> all{{.id = "york1997",
-                                .title = "York's forces",
-                                .why = "One instant.",
-                                .scheme = "york1997",
-                                .overrides = {{"problem", "forces"}},
-                                .values = {10}},
-                               {.id = "spring-york1997",
-                                .title = "York's spring, york1997",
-                                .why = "One mesh.",
-                                .scheme = "york1997",
-                                .overrides = {{"problem", "spring"}},
-                                .values = {10}},
-                               {.id = "spring",
-                                .title = "York's spring, default",
-                                .why = "One mesh.",
-                                .overrides = {{"problem", "spring"}},
-                                .values = {10}},
-                               {.id = "spring-quadratic",
-                                .title = "York's spring, quadratic B-splines",
-                                .why = "One mesh.",
-                                .overrides = {{"problem", "spring"}, {"shape", "quadratic"}},
-                                .values = {10}}};
-    for (const char* shape : {"contiguous-gimp", "gimp", "linear", "quadratic", "cubic"}) {
-      const bool usual = std::string(shape) == "contiguous-gimp";
-      all.push_back({.id = usual ? "default" : shape,
-                     .title = std::string("drift, ") + shape,
-                     .why = "One mesh: the noise does not depend on h.",
-                     .overrides = usual ? std::vector<Override>{} : std::vector<Override>{{"shape", shape}},
-                     .values = {10}});
-    }
-    return all;
-  }
-
-  std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all;
-    const auto force = [&](const char* measure, double printed) {
-      all.push_back(
-          value_gate("york1997", measure, 10,
-                     declare(std::string("york1997/") + measure, {printed - 3, printed + 3}, Origin::literature,
-                             "as printed; 3 N for the weight of the points, about 1 N, and stresses printed to "
-                             "a unit, six of which count a sixtieth each")));
-    };
-    force("force_middle_before", 111);
-    force("force_middle_after", -3940);
-    force("force_lower_after", 5123);
-    all.push_back(noise_gate());
-    all.push_back(value_gate("default", "noise_peak", 10,
-                             declare("default/rounding", {{}, 1e-10}, Origin::identity,
-                                     "boxes that tile a uniformly stressed body: inner nodes get the same stress times "
-                                     "N(+) - N(-), which is zero but for rounding")));
-    all.push_back(energy_monotone_gate("spring-quadratic"));
-    all.push_back(value_gate("spring", "energy_rise", 10,
-                             expected_failure(declare("spring/energy-monotone", {{}, 1e-13}, Origin::theory,
-                                                      "of linear elasticity the midpoint step raises the energy in no "
-                                                      "step where the inertia of kernels is constant"),
-                                              "the affine inertia of boxes depends on where in the cell they stand: a "
-                                              "point that moves carries its affine velocity to another inertia",
-                                              {1.0e-3, 1.22e-3}, "2026-11-23 5825b24")));
-    all.push_back(
-        value_gate("spring-york1997", "energy_gain", 10,
-                   regression("spring-york1997/energy-gain", 0.0091914, 0.1, "2026-11-21 a96ec71",
-                              "how high the energy of York's spring stands above its start, the history of his "
-                              "claim; chaotic in its details, hence 10 %")));
-    return all;
-  }
-
-  // Of all points and steps, default against linear shapes.
-  static CaseGate noise_gate() {
-    CaseGate g = study_gate(
-        "default",
-        declare("default/noise-ratio", {{}, 0.01}, Origin::requirement,
-                "at least 100 times below that of linear shapes: boxes are used to be rid of that noise"),
-        [](const StudyResult& result) {
-          const StudyResult* linear = result.sibling("linear");
-          const Measure *here = result.levels.front().run.find("noise_rms"),
-                        *there = linear ? linear->levels.front().run.find("noise_rms") : nullptr;
-          Measured measured;
-          measured.value = here && there ? *here->value / *there->value : std::nan("");
-          return measured;
-        },
-        {10});
-    g.gate.quantity = "rms of accelerations over that of linear shapes";
-    g.also = {"linear"};
-    return g;
-  }
-};
-
-PLUMBLINE_CASE(CellCrossing);
+Case cell_crossing() {
+  return {.name = "cell-crossing",
+          .kind = Kind::solid,
+          .keys = Choices().keys(),
+          .sets = {{"cells", 10.0}},
+          .york_step = courant_number(0.057),  // of York's spring, section 5.5: 1.8e-6 s at h = 0.1 with c = 3162
+          .problem = run,
+          .studies = studies(),
+          .gates = gates(),
+          .levels = {10}};
+}
+PLUMBLINE_CASE(cell_crossing);
 
 }  // namespace
 }  // namespace plumbline

@@ -1,6 +1,8 @@
 #include "cases/catalog/solid/collision.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+#include <utility>
 
 #include "cases/harness/description/archive.hpp"
 #include "cases/harness/description/measures.hpp"
@@ -82,6 +84,44 @@ double PushWatch::time_of(double share) const {
     return times_[k - 1] + (times_[k] - times_[k - 1]) * (share - before) / (now - before);
   }
   return std::nan("");
+}
+
+Measure share_measure(std::string name, double value, double reference) {
+  Measure measure = scalar_measure(std::move(name), value, reference, 0, "1");
+  measure.scale = 1;
+  return measure;
+}
+
+std::vector<double> values_of(const StudyResult& study, const std::string& measure) {
+  if (study.levels.empty()) throw std::runtime_error("the study has no runs");
+  std::vector<double> values;
+  for (const StudyLevel& level : study.levels) {
+    const Measure* found = level.run.find(measure);
+    if (!found || !found->value) throw std::runtime_error("a run has no value of " + measure);
+    values.push_back(*found->value);
+  }
+  return values;
+}
+
+double least_rise(const std::vector<double>& values) {
+  double least = HUGE_VAL;
+  for (std::size_t k = 1; k < values.size(); ++k) least = smaller(least, values[k] - values[k - 1]);
+  return least;
+}
+
+std::vector<CaseGate> conservation_gates(const std::string& study, const std::vector<double>& levels, Tier tier) {
+  std::vector<CaseGate> all;
+  for (const double level : levels) {
+    const std::string at = "-" + to_text(level);
+    all.push_back(gate(study + "/energy-rise" + at, value_at("energy_rise", level), at_most(1e-13),
+                       theory("no step of the midpoint rule raises the energy of a linear elastic body, contact "
+                              "included; sums over points round at 1e-15"))
+                      .in(tier));
+    all.push_back(gate(study + "/momentum-kept" + at, value_at("momentum_error", level), at_most(1e-12),
+                       identity("equal and opposite impulses at each node"))
+                      .in(tier));
+  }
+  return all;
 }
 
 }  // namespace plumbline

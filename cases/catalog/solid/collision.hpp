@@ -1,10 +1,12 @@
-// What is watched of bodies that meet.
+// What is watched of bodies that meet, and what is asked of it.
 #pragma once
 
 #include <array>
 #include <cmath>
+#include <string>
 #include <vector>
 
+#include "cases/harness/judge/gates.hpp"
 #include "kernel/simulation.hpp"
 
 namespace plumbline {
@@ -72,5 +74,17 @@ class PushWatch {
   int d_;
   std::vector<double> times_, momenta_;
 };
+
+// A measure of scale and unit 1.
+Measure share_measure(std::string name, double value, double reference);
+
+// The values of a measure, level by level. Throws std::runtime_error where a run does not have it, or there is no run.
+std::vector<double> values_of(const StudyResult& study, const std::string& measure);
+// The least rise from one of at least two values to the next.
+double least_rise(const std::vector<double>& values);
+
+// What the midpoint step promises of linear elastic bodies, by the measures energy_rise and momentum_error.
+std::vector<CaseGate> conservation_gates(const std::string& study, const std::vector<double>& levels,
+                                         Tier tier = Tier::quick);
 
 }  // namespace plumbline

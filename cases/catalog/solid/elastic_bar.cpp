@@ -14,6 +14,10 @@
 namespace plumbline {
 namespace {
 
+std::size_t number_of_point(const Body& body, int p) {
+  return static_cast<std::size_t>(body.id[static_cast<std::size_t>(p)]);
+}
+
 class ElasticBarProblem final : public Problem, public JudgedAtEnd {
  public:
   ElasticBarProblem(ElasticBar bar, const Settings& settings) : settings_(settings), bar_(std::move(bar)) {
@@ -22,7 +26,7 @@ class ElasticBarProblem final : public Problem, public JudgedAtEnd {
     for (int p = 0; p < body.points.points(); ++p) start_.push_back(body.points(column::position)[p]);
   }
 
-  double end_time() const override { return settings_.number("t_end"); }
+  double end_time() const override { return bar_.end_time; }
 
   Scene scene() const override {
     Scene scene;
@@ -45,11 +49,9 @@ class ElasticBarProblem final : public Problem, public JudgedAtEnd {
   void observe(const Simulation& simulation) override {
     energy_.observe(simulation);
     const Body& body = simulation.scene().bodies.front();
-    double momentum = 0, mass = 0, square = 0, size = 0;
+    double square = 0, size = 0;
     for (int p = 0; p < body.points.points(); ++p) {
-      const double x = start_of(body, p), m = body.points(column::mass)[p];
-      momentum += m * body.points(column::velocity)[p];
-      mass += m;
+      const double x = start_of(body, p);
       const double exact = bar_.exact(x, simulation.time()).displacement.value;
       const double error = body.points(column::position)[p] - x - exact, volume = body.points(column::volume)[p];
       square += volume * error * error;
@@ -57,7 +59,7 @@ class ElasticBarProblem final : public Problem, public JudgedAtEnd {
     }
     largest_ = larger(largest_, std::sqrt(size));
     history_.time.push_back(simulation.time());
-    history_.mean_velocity.push_back(momentum / mass);
+    history_.mean_velocity.push_back(motion_of(body, 1).velocity[0]);
     history_.displacement_error.push_back(std::sqrt(square));
     history_.energy.push_back(simulation.ledger().stores.total());
   }
@@ -78,28 +80,14 @@ class ElasticBarProblem final : public Problem, public JudgedAtEnd {
   }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {
-    std::vector<Measure> all;
     const Body& body = simulation.scene().bodies.front();
-    std::vector<FieldSample> displacement, velocity, stress;
+    const auto exact = [&](double x) { return bar_.exact(x, simulation.time()); };
+    std::vector<Measure> all = bar_norms(body, start_, exact, [&](int p) { return stress_of(body, p); });
     double bound = 0;
     for (int p = 0; p < body.points.points(); ++p) {
-      const double x = start_of(body, p), here = body.points(column::position)[p];
-      const double volume = body.points(column::volume)[p];
-      const BarSample exact = bar_.exact(x, simulation.time());
-      const auto add = [&](std::vector<FieldSample>& to, double computed, const reference::Bounded& right) {
-        to.push_back({volume, here, computed, right.value, right.bound});
-      };
-      add(displacement, here - x, exact.displacement);
-      add(velocity, body.points(column::velocity)[p], exact.velocity);
-      add(stress, bar_.youngs_modulus * body.points(column::strain)[p], exact.stress);
-      bound += volume * exact.displacement.bound * exact.displacement.bound;
+      const double unsure = exact(start_of(body, p)).displacement.bound;
+      bound += body.points(column::volume)[p] * unsure * unsure;
     }
-    const auto add = [&](std::vector<Measure> more) {
-      for (Measure& m : more) all.push_back(std::move(m));
-    };
-    add(field_norms("displacement", "m", displacement));
-    add(field_norms("velocity", "m/s", velocity));
-    add(field_norms("stress", "Pa", stress));
     Measure worst;
     worst.name = "displacement.worst";
     worst.unit = "m^1.5";
@@ -109,7 +97,9 @@ class ElasticBarProblem final : public Problem, public JudgedAtEnd {
     all.push_back(worst);
     all.push_back(scalar_measure("energy_rise", energy_.largest_rise(), 0, 0, "1"));
     all.push_back(scalar_measure("energy_lost", 1 - energy_.kept(), 0, 0, "1"));
-    if (bar_.further) add(bar_.further(history_));
+    if (bar_.further) {
+      for (Measure& m : bar_.further(history_)) all.push_back(std::move(m));
+    }
     return all;
   }
 
@@ -125,8 +115,7 @@ class ElasticBarProblem final : public Problem, public JudgedAtEnd {
                        {"stress_reference", "Pa", "exact stress", {}}};
     const Body& body = simulation.scene().bodies.front();
     std::vector<int> place(start_.size());
-    for (int p = 0; p < body.points.points(); ++p)
-      place[static_cast<std::size_t>(body.id[static_cast<std::size_t>(p)])] = p;
+    for (int p = 0; p < body.points.points(); ++p) place[number_of_point(body, p)] = p;
     for (std::size_t k = 0; k < start_.size(); ++k) {
       const int p = place[k];
       const BarSample exact = bar_.exact(start_[k], simulation.time());
@@ -135,7 +124,7 @@ class ElasticBarProblem final : public Problem, public JudgedAtEnd {
                             exact.displacement.value,
                             body.points(column::velocity)[p],
                             exact.velocity.value,
-                            bar_.youngs_modulus * body.points(column::strain)[p],
+                            stress_of(body, p),
                             exact.stress.value};
       for (std::size_t c = 0; c < profile.columns.size(); ++c) profile.columns[c].values.push_back(row[c]);
     }
@@ -143,9 +132,8 @@ class ElasticBarProblem final : public Problem, public JudgedAtEnd {
   }
 
  private:
-  double start_of(const Body& body, int p) const {
-    return start_[static_cast<std::size_t>(body.id[static_cast<std::size_t>(p)])];
-  }
+  double start_of(const Body& body, int p) const { return start_[number_of_point(body, p)]; }
+  double stress_of(const Body& body, int p) const { return bar_.youngs_modulus * body.points(column::strain)[p]; }
 
   // Node lines at the ends of the unstretched bar.
   GridSpec grid() const {
@@ -175,6 +163,26 @@ class ElasticBarProblem final : public Problem, public JudgedAtEnd {
 };
 
 }  // namespace
+
+std::vector<Measure> bar_norms(const Body& body, const std::vector<double>& start,
+                               const std::function<BarSample(double x)>& exact,
+                               const std::function<double(int p)>& stress) {
+  std::vector<FieldSample> displacements, velocities, stresses;
+  for (int p = 0; p < body.points.points(); ++p) {
+    const double x = start[number_of_point(body, p)], here = body.points(column::position)[p];
+    const BarSample right = exact(x);
+    const auto add = [&](std::vector<FieldSample>& to, double computed, const reference::Bounded& value) {
+      to.push_back({body.points(column::volume)[p], here, computed, value.value, value.bound});
+    };
+    add(displacements, here - x, right.displacement);
+    add(velocities, body.points(column::velocity)[p], right.velocity);
+    add(stresses, stress(p), right.stress);
+  }
+  std::vector<Measure> all = field_norms("displacement", "m", displacements);
+  for (Measure& m : field_norms("velocity", "m/s", velocities)) all.push_back(std::move(m));
+  for (Measure& m : field_norms("stress", "Pa", stresses)) all.push_back(std::move(m));
+  return all;
+}
 
 std::unique_ptr<Problem> elastic_bar_problem(ElasticBar bar, const Settings& settings) {
   return std::make_unique<ElasticBarProblem>(std::move(bar), settings);

@@ -1,6 +1,7 @@
 // What the cases with manufactured solutions have in common beside the motion.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,32 +10,21 @@
 
 namespace plumbline {
 
-class ManufacturedCase : public Case {
- public:
-  Kind kind() const override { return Kind::solid; }
-  // York has no such case: four points a cell of the plane as in his solids, and the step of the published studies.
-  std::vector<Override> points_and_end(const std::string& scheme) const override;
-  void derive(Settings& settings, const std::string& scheme) const override;
-  std::unique_ptr<Problem> problem(const Settings& settings) const override;
+// York has no such case: four points a cell of the plane as in his solids, and the Courant number of the published
+// studies.
+constexpr double published_courant = 0.2;
 
- protected:
-  virtual ManufacturedSetup setup(const Settings& settings) const = 0;
-};
+// A body [0, length]^dim between mirrors, its points on a regular lattice.
+std::unique_ptr<Problem> axis_aligned_run(const reference::AxisAlignedProblem& motion, double end_time,
+                                          const Settings& settings);
 
 // The key of Poisson's ratio.
 Key poisson_key(double value);
 
-// Points of the regular lattice that starts at `shape.low`, as ManufacturedSetup::body wants them.
-struct SolidShape;
-std::function<Body(std::shared_ptr<const Material>)> lattice_body(const SolidShape& shape, const ExactMotion& exact,
-                                                                  int ppc, const GridSpec& grid);
-
-// The order of displacement.worst: its estimate at least `order`, the low end of its interval 0.1 below.
-std::vector<CaseGate> displacement_order(const std::string& study, double order, const std::string& reason,
-                                         Tier tier = Tier::quick);
-// The error at one level at most `most`.
-CaseGate displacement_gate(const std::string& study, double level, double most, Origin origin,
-                           const std::string& reason, Tier tier = Tier::quick);
+// The order of displacement.worst in each of the studies: its estimate at least `order`, the low end of its interval
+// 0.1 below.
+std::vector<CaseGate> displacement_orders(const std::vector<std::string>& studies, double order,
+                                          const std::string& reason, Tier tier = Tier::quick);
 // That no step raises the energy of the points: largest measure energy_rise of all runs of a study. Linear elasticity,
 // midpoint step, no load.
 CaseGate energy_monotone_gate(const std::string& study);

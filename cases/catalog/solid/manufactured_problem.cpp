@@ -38,16 +38,16 @@ class ManufacturedProblem final : public Problem, public JudgedAtEnd {
   ManufacturedProblem(ManufacturedSetup setup, const Settings& settings)
       : settings_(settings),
         setup_(std::move(setup)) {
-    const Body body = setup_.body(material_of(*setup_.exact));
-    for (int p = 0; p < body.points.points(); ++p) start_.push_back(place(body.points, dim(), p));
+    const Columns& points = setup_.body.points;
+    for (int p = 0; p < points.points(); ++p) start_.push_back(place(points, dim(), p));
   }
 
-  double end_time() const override { return settings_.number("t_end"); }
+  double end_time() const override { return setup_.end_time; }
 
   Scene scene() const override {
     Scene scene;
     scene.grid = setup_.grid;
-    Body body = setup_.body(material_of(*setup_.exact));
+    Body body = setup_.body;
     start_motion(*setup_.exact, settings_.text("transfer") == "apic", body);
     body.load = [exact = setup_.exact, start = start_](double time, Columns& points, std::span<const int> id) {
       for (int p = 0; p < points.points(); ++p) {

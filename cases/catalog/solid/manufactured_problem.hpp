@@ -1,11 +1,12 @@
 // A manufactured solution run on points: the start, the load, and the errors against the exact motion.
 #pragma once
 
-#include <functional>
 #include <memory>
 
 #include "cases/harness/description/case.hpp"
+#include "kernel/grid_spec.hpp"
 #include "kernel/materials/neo_hookean.hpp"
+#include "kernel/points/body.hpp"
 #include "reference/manufactured/manufactured.hpp"
 
 namespace plumbline {
@@ -15,8 +16,9 @@ using ExactMotion = std::shared_ptr<const reference::ManufacturedSolution>;
 // What a case has to state. The body's points stand where the material was before anything moved, at X.
 struct ManufacturedSetup {
   ExactMotion exact;
-  GridSpec grid;
-  std::function<Body(std::shared_ptr<const Material>)> body;
+  double end_time = 0;  // s
+  GridSpec grid = {};
+  Body body = Body();
 };
 
 // The neo-Hookean material of the solution.

@@ -1,87 +1,69 @@
 // A ring whose circles turn by different angles: shear and rotation, no change of volume.
 #include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "cases/catalog/solid/annulus_points.hpp"
 #include "cases/catalog/solid/manufactured_case.hpp"
+#include "cases/harness/description/parameters.hpp"
 #include "cases/harness/files/whole.hpp"
 
 namespace plumbline {
 namespace {
 
-class MmsVortex final : public ManufacturedCase {
- public:
-  std::string name() const override { return "mms-vortex"; }
+const std::vector<double> levels{16, 20, 24, 32, 40};
 
-  std::vector<Key> keys() const override {
-    const reference::VortexProblem vortex;
-    return {{.name = "amplitude",
-             .value = vortex.amplitude,
-             .unit = "rad",
-             .low = 0,
-             .high = 1.5,
-             .low_open = true,
-             .description = "A, largest angle"},
-            positive_key("youngs_modulus", vortex.youngs_modulus, "Pa", "E"),
-            poisson_key(vortex.poisson),
-            positive_key("initial_density", vortex.density, "kg/m^3", "initial density"),
-            positive_key("t_end", 1, "s", "end time"),
-            {.name = "layout",
-             .value = "circles",
-             .choices = {"cut", "circles", "lattice"},
-             .description = "the lattice with cut squares, points on circles, or whole squares"}};
-  }
+struct Vortex : Parameters {
+  reference::VortexProblem motion;
+  double end_time = 0;
+  AnnulusLayout layout = nullptr;
 
-  std::vector<double> default_levels() const override { return {16, 20, 24, 32, 40}; }
-
-  std::vector<StudyPlan> studies() const override {
-    const std::vector<double> levels{16, 20, 24, 32, 40};
-    return {{.id = "default",
-             .title = "default",
-             .why = "Second order as far as boxes tile: they do not where the shear is large.",
-             .values = {16},
-             .full_values = levels},
-            {.id = "cubic",
-             .title = "cubic B-splines",
-             .why = "Kernels that do not depend on the points' shapes.",
-             .overrides = {{"shape", "cubic"}},
-             .values = levels,
-             .tier = Tier::full}};
-  }
-
-  std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all;
-    for (const char* study : {"default", "cubic"}) {
-      for (CaseGate& gate : displacement_order(study, 1.8, "second order; 0.2 for large shear", Tier::full)) {
-        all.push_back(std::move(gate));
-      }
-    }
-    return all;
-  }
-
- protected:
-  ManufacturedSetup setup(const Settings& settings) const override {
-    reference::VortexProblem problem;
-    problem.amplitude = settings.number("amplitude");
-    problem.youngs_modulus = settings.number("youngs_modulus");
-    problem.poisson = settings.number("poissons_ratio");
-    problem.density = settings.number("initial_density");
-    ManufacturedSetup setup;
-    setup.exact = reference::mms_vortex(problem);
-    setup.grid.dim = 2;
-    setup.grid.h = 1 / settings.number("cells");
-    const int cells = whole(std::ceil(problem.outer / setup.grid.h)) + 2;
-    setup.grid.cells = {2 * cells, 2 * cells, 1};
-    setup.grid.origin = {-cells * setup.grid.h, -cells * setup.grid.h, 0};
-    const Annulus ring{problem.inner, problem.outer};
-    const auto fill = annulus_layout(settings.text("layout"));
-    setup.body = [=, grid = setup.grid, ppc = settings.integer("ppc")](std::shared_ptr<const Material> material) {
-      return fill("ring", std::move(material), ring, problem.density, ppc, grid);
-    };
-    return setup;
+  explicit Vortex(Parameters given = {}) : Parameters(std::move(given)) {
+    motion.amplitude = within("amplitude", motion.amplitude, "rad", 0, 1.5, "A, largest angle");
+    motion.youngs_modulus = positive("youngs_modulus", motion.youngs_modulus, "Pa", "E");
+    motion.poisson = number(poisson_key(motion.poisson));
+    motion.density = positive("initial_density", motion.density, "kg/m^3", "initial density");
+    end_time = positive("t_end", 1, "s", "end time");
+    layout = annulus_layout(text(layout_key("circles")));
   }
 };
 
-PLUMBLINE_CASE(MmsVortex);
+std::unique_ptr<Problem> run(const Settings& settings) {
+  const Vortex at(settings);
+  const reference::VortexProblem& ring = at.motion;
+  ManufacturedSetup setup{.exact = reference::mms_vortex(ring), .end_time = at.end_time};
+  GridSpec& grid = setup.grid;
+  grid.dim = 2;
+  grid.h = 1 / settings.number("cells");
+  const int cells = whole(std::ceil(ring.outer / grid.h)) + 2;
+  grid.cells = {2 * cells, 2 * cells, 1};
+  grid.origin = {-cells * grid.h, -cells * grid.h, 0};
+  setup.body = at.layout("ring", material_of(*setup.exact), {ring.inner, ring.outer}, ring.density,
+                         settings.integer("ppc"), grid);
+  return manufactured_problem(std::move(setup), settings);
+}
+
+std::vector<StudyPlan> studies() {
+  return {study("default", "default", "Second order as far as boxes tile: they do not where the shear is large.", {16})
+              .in_full(levels),
+          study("cubic", "cubic B-splines", "Kernels that do not depend on the points' shapes.", levels)
+              .with({{"shape", "cubic"}})
+              .in(Tier::full)};
+}
+
+Case mms_vortex() {
+  return {.name = "mms-vortex",
+          .kind = Kind::solid,
+          .keys = Vortex().keys(),
+          .sets = {{"cells", 32.0}},
+          .york_step = courant_number(published_courant),
+          .problem = run,
+          .studies = studies(),
+          .gates = displacement_orders({"default", "cubic"}, 1.8, "second order; 0.2 for large shear", Tier::full),
+          .levels = levels};
+}
+PLUMBLINE_CASE(mms_vortex);
 
 }  // namespace
 }  // namespace plumbline

@@ -1,13 +1,16 @@
 // A disk that turns steadily: stress without motion of its own.
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "cases/catalog/solid/annulus_points.hpp"
 #include "cases/catalog/solid/collision.hpp"
 #include "cases/catalog/solid/manufactured_case.hpp"
 #include "cases/harness/description/archive.hpp"
+#include "cases/harness/description/parameters.hpp"
 #include "cases/harness/description/schemes.hpp"
 #include "cases/harness/judge/gates.hpp"
 #include "reference/rotating_disk.hpp"
@@ -15,36 +18,41 @@
 namespace plumbline {
 namespace {
 
-reference::RotatingDiskProblem problem_from(const Settings& settings) {
-  reference::RotatingDiskProblem problem;
-  problem.radius = settings.number("radius");
-  problem.youngs_modulus = settings.number("youngs_modulus");
-  problem.poisson = settings.number("poissons_ratio");
-  problem.density = settings.number("initial_density");
-  problem.angular_velocity = settings.number("angular_velocity");
-  problem.plane = reference::PlaneState::strain;
-  return problem;
-}
+// One struct for points and reference.
+struct Disk : Parameters {
+  reference::RotatingDiskProblem disk;
+  double turns = 0;
+  AnnulusLayout layout = nullptr;
 
-class SpinningDiskProblem final : public Problem {
+  explicit Disk(Parameters given = {}) : Parameters(std::move(given)) {
+    disk.plane = reference::PlaneState::strain;
+    disk.radius = positive("radius", disk.radius, "m", "R");
+    disk.youngs_modulus = positive("youngs_modulus", disk.youngs_modulus, "Pa", "E");
+    disk.poisson = number(poisson_key(disk.poisson));
+    disk.density = positive("initial_density", disk.density, "kg/m^3", "density");
+    disk.angular_velocity = positive("angular_velocity", 1.5, "1/s", "ω");
+    turns = positive("turns", 1, "1", "turns to the end");
+    layout = annulus_layout(text(layout_key("cut")));
+  }
+};
+
+class SpinningDisk final : public Problem {
  public:
-  explicit SpinningDiskProblem(const Settings& settings) : settings_(settings), exact_(problem_from(settings)) {
+  explicit SpinningDisk(const Settings& settings) : settings_(settings), at_(settings), exact_(at_.disk) {
     const Body body = points();
     for (int p = 0; p < body.points.points(); ++p) {
       start_.push_back({body.points(column::position, 0)[p], body.points(column::position, 1)[p]});
     }
   }
 
-  double end_time() const override {
-    return settings_.number("turns") * 2 * std::numbers::pi / std::abs(settings_.number("angular_velocity"));
-  }
+  double end_time() const override { return at_.turns * 2 * std::numbers::pi / std::abs(at_.disk.angular_velocity); }
 
   // In the steady state: moved outwards, stretched and turning.
   Scene scene() const override {
     Scene scene;
     scene.grid = grid();
     Body body = points();
-    const double omega = settings_.number("angular_velocity");
+    const double omega = at_.disk.angular_velocity;
     const bool affine = settings_.text("transfer") == "apic";
     if (affine) body.points.add(column::affine, 4);
     for (int p = 0; p < body.points.points(); ++p) {
@@ -124,8 +132,8 @@ class SpinningDiskProblem final : public Problem {
 
   // Hooke's law in plane strain.
   std::pair<double, double> strains(double r) const {
-    const double nu = settings_.number("poissons_ratio"), plane = nu / (1 - nu);
-    const double modulus = settings_.number("youngs_modulus") / (1 - nu * nu);
+    const double nu = at_.disk.poisson, plane = nu / (1 - nu);
+    const double modulus = at_.disk.youngs_modulus / (1 - nu * nu);
     const double radial = exact_.radial_stress(r).value, hoop = exact_.hoop_stress(r).value;
     return {(radial - plane * hoop) / modulus, (hoop - plane * radial) / modulus};
   }
@@ -159,7 +167,7 @@ class SpinningDiskProblem final : public Problem {
     for (int p = 0; p < body.points.points(); ++p) {
       const auto [x, y] = start_[static_cast<std::size_t>(body.id[static_cast<std::size_t>(p)])];
       const double r = std::hypot(x, y);
-      if (r > 0.25 * settings_.number("radius")) continue;
+      if (r > 0.25 * at_.disk.radius) continue;
       const double off = exact_.centre_stress().value -
                          0.5 * (exact_.radial_stress(r).value + exact_.hoop_stress(r).value);
       const double v = body.points(column::volume)[p];
@@ -172,7 +180,7 @@ class SpinningDiskProblem final : public Problem {
   GridSpec grid() const {
     GridSpec grid;
     grid.dim = 2;
-    grid.h = settings_.number("radius") / settings_.number("cells");
+    grid.h = at_.disk.radius / settings_.number("cells");
     const int half = settings_.integer("cells") + 3;
     grid.cells = {2 * half, 2 * half, 1};
     // The axis at no special place of a cell.
@@ -181,16 +189,16 @@ class SpinningDiskProblem final : public Problem {
   }
 
   Body points() const {
-    const reference::RotatingDiskProblem& at = exact_.problem();
+    const reference::RotatingDiskProblem& disk = at_.disk;
     auto material = std::make_shared<NeoHookean>();
-    material->youngs_modulus = at.youngs_modulus;
-    material->poissons_ratio = at.poisson;
-    material->density = at.density;
-    return annulus_layout(settings_.text("layout"))("disk", material, {0, at.radius}, at.density,
-                                                    settings_.integer("ppc"), grid());
+    material->youngs_modulus = disk.youngs_modulus;
+    material->poissons_ratio = disk.poisson;
+    material->density = disk.density;
+    return at_.layout("disk", material, {0, disk.radius}, disk.density, settings_.integer("ppc"), grid());
   }
 
   Settings settings_;
+  Disk at_;
   reference::RotatingDisk exact_;
   std::vector<std::array<double, 2>> start_;  // X by the point's number
   EnergyWatch energy_;
@@ -199,66 +207,37 @@ class SpinningDiskProblem final : public Problem {
   std::vector<double> times_, errors_;
 };
 
-class SpinningDisk final : public Case {
- public:
-  std::string name() const override { return "spinning-disk"; }
+std::vector<StudyPlan> studies() {
+  return {study("default", "default", "One turn. The step's error in the angular momentum is of second order.", {4})
+              .in_full({4, 5, 6, 8, 11})};
+}
 
-  Kind kind() const override { return Kind::solid; }
+std::vector<CaseGate> gates() {
+  return {gate("default/centre-stress-4", value_at("centre_stress", 4), between(0.95 * 0.964286, 1.05 * 0.964286),
+               requirement("within 5 % of (3 + nu')/8 rho omega^2 R^2, the mean over a sixteenth of the area: stresses "
+                           "that the maps make up stay below 5e-6 of E")),
+          gate("default/angular-momentum-4", value_at("angular_momentum_change", 4), at_most(1e-3),
+               requirement("a thousandth over a turn at four cells along the radius: "
+                           "the spin would halve in seven hundred turns")),
+          recorded("default/stress-4", value_at("stress.mean_error", 4), 0.11376, 0.1, "2026-11-21 a96ec71",
+                   "how far the stress of single points scatters; nothing else should move it"),
+          gate("default/angular-momentum-order", fitted_order_of("angular_momentum_change"), at_least(1.8),
+               theory("the step is of second order and follows h; 0.2 for coarse meshes"))
+              .in(Tier::full)};
+}
 
-  std::vector<Key> keys() const override {
-    const reference::RotatingDiskProblem disk;
-    return {positive_key("radius", disk.radius, "m", "R"),
-            positive_key("youngs_modulus", disk.youngs_modulus, "Pa", "E"),
-            poisson_key(disk.poisson),
-            positive_key("initial_density", disk.density, "kg/m^3", "density"),
-            positive_key("angular_velocity", 1.5, "1/s", "ω"),
-            positive_key("turns", 1, "1", "turns to the end"),
-            {.name = "layout",
-             .value = "cut",
-             .choices = {"cut", "circles", "lattice"},
-             .description = "the lattice with cut squares, points on circles, or whole squares"}};
-  }
-
-  std::vector<Override> points_and_end(const std::string&) const override { return {{"cells", 8.0}}; }
-  void derive(Settings& settings, const std::string& scheme) const override {
-    if (scheme == "york1997" && !settings.is_set("dt") && !settings.is_set("cfl")) {
-      settings.set("cfl", 0.2, "spinning-disk");
-    }
-  }
-  std::unique_ptr<Problem> problem(const Settings& settings) const override {
-    return std::make_unique<SpinningDiskProblem>(settings);
-  }
-  std::vector<double> default_levels() const override { return {4, 5, 6, 8, 11}; }
-
-  std::vector<StudyPlan> studies() const override {
-    return {{.id = "default",
-             .title = "default",
-             .why = "One turn. The step's error in the angular momentum is of second order.",
-             .values = {4},
-             .full_values = {4, 5, 6, 8, 11}}};
-  }
-
-  std::vector<CaseGate> gates() const override {
-    const auto at_four = [](const char* measure, const char* id, Range range, Origin origin, const char* why) {
-      return value_gate("default", measure, 4, declare(std::string("default/") + id + "-4", range, origin, why));
-    };
-    return {
-        at_four("centre_stress", "centre-stress", {0.95 * 0.964286, 1.05 * 0.964286}, Origin::requirement,
-                "within 5 % of (3 + nu')/8 rho omega^2 R^2, the mean over a sixteenth of the area: stresses that the "
-                "maps make up stay below 5e-6 of E"),
-        at_four("angular_momentum_change", "angular-momentum", {{}, 1e-3}, Origin::requirement,
-                "a thousandth over a turn at four cells along the radius: the spin would halve in seven hundred turns"),
-        value_gate("default", "stress.mean_error", 4,
-                   regression("default/stress-4", 0.11376, 0.1, "2026-11-21 a96ec71",
-                              "how far the stress of single points scatters; nothing else should move it")),
-        fitted_order_gate("default", "angular_momentum_change",
-                          declare("default/angular-momentum-order", {1.8, {}}, Origin::theory,
-                                  "the step is of second order and follows h; 0.2 for coarse meshes"),
-                          Tier::full)};
-  }
-};
-
-PLUMBLINE_CASE(SpinningDisk);
+Case spinning_disk() {
+  return {.name = "spinning-disk",
+          .kind = Kind::solid,
+          .keys = Disk().keys(),
+          .sets = {{"cells", 8.0}},
+          .york_step = courant_number(0.2),
+          .problem = run_of<SpinningDisk>,
+          .studies = studies(),
+          .gates = gates(),
+          .levels = {4, 5, 6, 8, 11}};
+}
+PLUMBLINE_CASE(spinning_disk);
 
 }  // namespace
 }  // namespace plumbline

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "cases/catalog/stability/map_scheme.hpp"
 #include "cases/harness/judge/gates.hpp"
@@ -12,6 +14,18 @@ namespace {
 
 constexpr int places = 12;
 constexpr double none = 0;
+
+struct TableColumn {
+  std::string name, integrator, transfer;
+  int order = 2;  // of xpic and fmpm
+};
+const std::vector<TableColumn>& table_columns() {
+  static const std::vector<TableColumn> all{
+      {"usf-flip", "usf", "flip"},     {"musl-flip", "musl", "flip"},   {"usl-flip", "usl", "flip"},
+      {"musl-pic", "musl", "pic"},     {"usl-apic", "usl", "apic"},     {"musl-apic", "musl", "apic"},
+      {"usf-xpic2", "usf", "xpic", 2}, {"usf-fmpm2", "usf", "fmpm", 2}, {"usf-fmpm4", "usf", "fmpm", 4}};
+  return all;
+}
 
 struct Entry {
   double regular = none, worst = none;
@@ -98,16 +112,13 @@ Pair worst_of_places(const StabilityProblem& bar, const TableColumn& column, con
 
 double departure(double value, double older) { return older == none ? 0 : std::abs(value / older - 1); }
 
-}  // namespace
-
-const std::vector<TableColumn>& table_columns() {
-  static const std::vector<TableColumn> all{
-      {"usf-flip", "usf", "flip"},     {"musl-flip", "musl", "flip"},   {"usl-flip", "usl", "flip"},
-      {"musl-pic", "musl", "pic"},     {"usl-apic", "usl", "apic"},     {"musl-apic", "musl", "apic"},
-      {"usf-xpic2", "usf", "xpic", 2}, {"usf-fmpm2", "usf", "fmpm", 2}, {"usf-fmpm4", "usf", "fmpm", 4}};
-  return all;
-}
-
+// One column: `predict` at the regular places and at 12 more, against reference/mpm_amplification.hpp at the same places
+// and against the table that was made beforehand. Measures:
+//   regular.departure      largest relative one from the reference, regular places
+//   worst.departure        the same of the worst of the 12 places
+//   table.departure        largest relative one of the reference from the older table, regular places
+//   table.worst_departure  the same at the worst places of all, where the table has them
+// Profile: a row each.
 Findings table_column(const TableColumn& column) {
   const StabilityProblem& bar = find_stability_problem("bar");
   const auto which = static_cast<std::size_t>(&column - table_columns().data());
@@ -122,12 +133,12 @@ Findings table_column(const TableColumn& column) {
     worst = larger(worst, at_worst.departure());
     older = larger(older, departure(at_regular.reference, entry.regular));
     older_worst = larger(older_worst, departure(worst_of_all, entry.worst));
-    const double cells[6] = {static_cast<double>(table[0].size() + 1),
-                             static_cast<double>(row.ppc),
-                             at_regular.laboratory,
-                             entry.regular,
-                             at_worst.laboratory,
-                             worst_of_all};
+    const double cells[] = {static_cast<double>(table[0].size() + 1),
+                            static_cast<double>(row.ppc),
+                            at_regular.laboratory,
+                            entry.regular,
+                            at_worst.laboratory,
+                            worst_of_all};
     for (std::size_t k = 0; k < 6; ++k) table[k].push_back(cells[k]);
   }
   Findings findings;
@@ -145,6 +156,8 @@ Findings table_column(const TableColumn& column) {
   return findings;
 }
 
+}  // namespace
+
 std::vector<Trial> table_trials() {
   std::vector<Trial> all;
   for (const TableColumn& column : table_columns()) {
@@ -155,21 +168,20 @@ std::vector<Trial> table_trials() {
 }
 
 std::vector<CaseGate> table_gates() {
+  const Because exact = theory(
+      "limits are exact eigenvalues; a radius up to 1 + 1e-6 counts as stable, bisected to 1e-6");
   std::vector<CaseGate> all;
   for (const TableColumn& column : table_columns()) {
-    const std::string study = "table-" + column.name;
-    const auto gate = [&](const std::string& measure, double most, Origin origin, const std::string& reason) {
-      all.push_back(error_gate(study, measure, TrialCase::trial_level,
-                               declare(study + "/" + measure, {{}, most}, origin, reason), Tier::full));
+    const auto add = [&](const std::string& measure, double most, Because because) {
+      all.push_back(gate("table-" + column.name + "/" + measure, error_of(measure), at_most(most), std::move(because))
+                        .in(Tier::full));
     };
-    const std::string exact =
-        "limits are exact eigenvalues; a radius up to 1 + 1e-6 counts as stable, bisected to 1e-6";
-    gate("regular.departure", 1e-5, Origin::theory, exact);
-    gate("worst.departure", 1e-5, Origin::theory, exact);
-    gate("table.departure", 0.01, Origin::requirement,
-         "within 1 % of a table computed before this program was, of the waves that 24 cells hold, a tenth of the room "
-         "that cfl=auto leaves below a limit");
-    gate("table.worst_departure", 0.01, Origin::requirement, "within 1 % of the same table at the worst place");
+    add("regular.departure", 1e-5, exact);
+    add("worst.departure", 1e-5, exact);
+    add("table.departure", 0.01,
+        requirement("within 1 % of a table computed before this program was, of the waves that 24 cells hold, a tenth "
+                    "of the room that cfl=auto leaves below a limit"));
+    add("table.worst_departure", 0.01, requirement("within 1 % of the same table at the worst place"));
   }
   return all;
 }

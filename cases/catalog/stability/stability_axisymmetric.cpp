@@ -1,5 +1,6 @@
 // What the laboratory says of a gas around the axis.
 #include <cmath>
+#include <utility>
 
 #include "cases/catalog/stability/trial_case.hpp"
 #include "cases/harness/judge/gates.hpp"
@@ -34,44 +35,38 @@ Findings limits(const std::string& scheme, const std::vector<Override>& more) {
   return findings;
 }
 
-class StabilityAxisymmetric final : public TrialCase {
- public:
-  std::string name() const override { return "stability-axisymmetric"; }
-  std::vector<Trial> trials() const override {
-    std::vector<Trial> all;
-    for (const std::string scheme : {"default", "york1997"}) {
-      all.push_back({scheme, scheme + ": a can of three cells, and the plane", "2 x 2 rings a cell.", [scheme] {
-                       return limits(scheme, {{"width", 3.0}});
-                     }});
-      all.push_back({scheme + "-wide", scheme + ": a can of five cells", "The same, wider.",
-                     [scheme] { return limits(scheme, {}); }, Tier::full});
-    }
-    return all;
-  }
-  std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all;
-    for (const std::string scheme : {"default", "york1997"}) {
-      for (const bool wide : {false, true}) {
-        const Tier tier = wide ? Tier::full : Tier::quick;
-        const std::string trial = scheme + (wide ? "-wide" : "");
-        all.push_back(error_gate(trial, "observed.departure", trial_level,
-                                 declare(trial + "/limit", {{}, 0.02}, Origin::requirement,
-                                         "observed limits within 2 % of the predicted ones, a fifth of the room that "
-                                         "cfl=auto leaves below a limit"),
-                                 tier));
-        all.push_back(
-            value_gate(trial, "axis_over_plane", trial_level,
-                       declare(trial + "/axis", {0.5, 1.0}, Origin::theory,
-                               "the hoop strain adds to the stiffness of the first node, at most as much again "
-                               "as the radial one: 1/2 to 1 even if it carried no more mass"),
-                       tier));
-      }
-    }
-    return all;
-  }
-};
+const std::vector<std::string> schemes{"default", "york1997"};
 
-PLUMBLINE_CASE(StabilityAxisymmetric);
+std::vector<Trial> trials() {
+  std::vector<Trial> all;
+  for (const std::string& scheme : schemes) {
+    all.push_back({scheme, scheme + ": a can of three cells, and the plane", "2 x 2 rings a cell.", [scheme] {
+                     return limits(scheme, {{"width", 3.0}});
+                   }});
+    all.push_back({scheme + "-wide", scheme + ": a can of five cells", "The same, wider.",
+                   [scheme] { return limits(scheme, {}); }, Tier::full});
+  }
+  return all;
+}
+
+std::vector<CaseGate> gates() {
+  std::vector<CaseGate> all;
+  for (const std::string& scheme : schemes) {
+    for (const auto& [trial, tier] : {std::pair{scheme, Tier::quick}, {scheme + "-wide", Tier::full}}) {
+      all.push_back(
+          gate(trial + "/limit", error_of("observed.departure"), at_most(0.02), requirement(roughly_observed_limits))
+              .in(tier));
+      all.push_back(gate(trial + "/axis", value_of("axis_over_plane"), between(0.5, 1.0),
+                         theory("the hoop strain adds to the stiffness of the first node, at most as much again as "
+                                "the radial one: 1/2 to 1 even if it carried no more mass"))
+                        .in(tier));
+    }
+  }
+  return all;
+}
+
+Case stability_axisymmetric() { return trial_case("stability-axisymmetric", trials(), gates()); }
+PLUMBLINE_CASE(stability_axisymmetric);
 
 }  // namespace
 }  // namespace plumbline

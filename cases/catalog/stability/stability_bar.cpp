@@ -53,46 +53,39 @@ Findings runs(const std::string& integrator) {
   return findings;
 }
 
-class StabilityBar final : public TrialCase {
- public:
-  std::string name() const override { return "stability-bar"; }
+const std::vector<std::string> integrators{"usf", "musl", "usl"};
 
-  std::vector<Trial> trials() const override {
-    std::vector<Trial> all;
-    for (const char* integrator : {"usf", "musl", "usl"}) {
-      const std::string name = integrator;
-      all.push_back({name + "-closed-form", name + ": limits at 50 places of the point in its cell",
-                     "The closed form is exact for linear elasticity with positions held.",
-                     [name] { return closed_forms(name); }});
-      all.push_back({name + "-runs", name + ": limits that runs show, at four places",
-                     "24 periods carry 24 of all wave numbers; the limit is flat there.",
-                     [name] { return runs(name); }});
-    }
-    for (Trial& trial : table_trials()) all.push_back(std::move(trial));
-    return all;
+std::vector<Trial> trials() {
+  std::vector<Trial> all;
+  for (const std::string& name : integrators) {
+    all.push_back({name + "-closed-form", name + ": limits at 50 places of the point in its cell",
+                   "The closed form is exact for linear elasticity with positions held.",
+                   [name] { return closed_forms(name); }});
+    all.push_back({name + "-runs", name + ": limits that runs show, at four places",
+                   "24 periods carry 24 of all wave numbers; the limit is flat there.", [name] { return runs(name); }});
   }
+  for (Trial& trial : table_trials()) all.push_back(std::move(trial));
+  return all;
+}
 
-  std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all;
-    for (const std::string name : {"usf", "musl", "usl"}) {
-      all.push_back(error_gate(
-          name + "-closed-form", "limit.departure", trial_level,
-          declare(name + "-closed-form/limit", {{}, 1e-6}, Origin::theory,
-                  "predicted limits equal the closed form; 1e-6 for finding the step at which a radius leaves 1")));
-      all.push_back(error_gate(name + "-runs", "observed.departure", trial_level,
-                               declare(name + "-runs/limit", {{}, 0.01}, Origin::requirement,
-                                       "observed limits within 1 % of the predicted ones, a tenth of the room that "
-                                       "cfl=auto leaves below a limit")));
-      all.push_back(value_gate(name + "-runs", "observed.brackets", trial_level,
-                               declare(name + "-runs/brackets", {1, 1}, Origin::theory,
-                                       "below the limit all steps are stable, above it none")));
-    }
-    for (CaseGate& gate : table_gates()) all.push_back(std::move(gate));
-    return all;
+std::vector<CaseGate> gates() {
+  std::vector<CaseGate> all;
+  for (const std::string& name : integrators) {
+    all.push_back(
+        gate(name + "-closed-form/limit", error_of("limit.departure"), at_most(1e-6),
+             theory("predicted limits equal the closed form; 1e-6 for finding the step at which a radius leaves "
+                    "1")));
+    all.push_back(
+        gate(name + "-runs/limit", error_of("observed.departure"), at_most(0.01), requirement(observed_limits)));
+    all.push_back(gate(name + "-runs/brackets", value_of("observed.brackets"), exactly(1),
+                       theory("below the limit all steps are stable, above it none")));
   }
-};
+  for (CaseGate& gate : table_gates()) all.push_back(std::move(gate));
+  return all;
+}
 
-PLUMBLINE_CASE(StabilityBar);
+Case stability_bar() { return trial_case("stability-bar", trials(), gates()); }
+PLUMBLINE_CASE(stability_bar);
 
 }  // namespace
 }  // namespace plumbline

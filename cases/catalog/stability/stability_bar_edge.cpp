@@ -3,13 +3,10 @@
 #include <cmath>
 
 #include "cases/catalog/stability/trial_case.hpp"
-#include "cases/harness/judge/gates.hpp"
 #include "cases/harness/laboratory/problem.hpp"
 
 namespace plumbline {
 namespace {
-
-constexpr const char* measured_on = "2026-11-22 8052781";
 
 // Largest stable steps at two points a cell, as computed before this program was written: a bar of eight cells with two
 // free ends.
@@ -27,10 +24,6 @@ const std::vector<Column>& table() {
       {"quadratic", "usl", {0.999, 0.963, 0.917, 0.910}}};
   return all;
 }
-
-constexpr const char* within_one =
-    "within 1 % of a table computed before this program was, to three digits, a tenth of the room that cfl=auto leaves "
-    "below a limit";
 
 std::string name_of(const Column& column) { return column.shape + "-" + column.integrator; }
 
@@ -111,58 +104,45 @@ Findings runs() {
   return findings;
 }
 
-class StabilityBarEdge final : public TrialCase {
- public:
-  std::string name() const override { return "stability-bar-edge"; }
+std::vector<Trial> trials() {
+  return {
+      {"table", "two free ends, eight cells", "Nine columns at four depths.", [] { return against_table("free", 8); }},
+      {"one-edge", "one free end", "The same depths.", [] { return against_table("wall", 16); }, Tier::full},
+      {"shallow", "usl with linear shapes, the last point ever less deep", "One light node.", shallow},
+      {"runs", "limits that runs show, one free end", "Random states of sixteen cells.", runs, Tier::full}};
+}
 
-  std::vector<Trial> trials() const override {
-    return {{"table", "two free ends, eight cells", "Nine columns at four depths.",
-             [] { return against_table("free", 8); }},
-            {"one-edge", "one free end", "The same depths.", [] { return against_table("wall", 16); }, Tier::full},
-            {"shallow", "usl with linear shapes, the last point ever less deep", "One light node.",
-             [] { return shallow(); }},
-            {"runs", "limits that runs show, one free end", "Random states of sixteen cells.", [] { return runs(); },
-             Tier::full}};
+std::vector<CaseGate> gates() {
+  const auto within_one = [](const std::string& study, const std::string& column) {
+    return gate(study + "/" + column, error_of(column + ".departure"), at_most(0.01),
+                requirement("within 1 % of a table computed before this program was, to three digits, a tenth of the "
+                            "room that cfl=auto leaves below a limit"));
+  };
+  std::vector<CaseGate> all;
+  for (const Column& column : table()) {
+    const std::string name = name_of(column);
+    all.push_back(within_one("table", name));
+    if (name != "quadratic-usl") all.push_back(within_one("one-edge", name).in(Tier::full));
   }
+  const std::vector<CaseGate> rows{
+      within_one("one-edge", "quadratic-usl")
+          .fails("the table's column is that of its other end, ½ − depth deep", {0.06, 0.075}, "2026-11-22 8052781")
+          .in(Tier::full),
+      gate("table/reference", error_of("reference.departure"), at_most(2e-6),
+           theory("differentiating the step gives the eigenvalues of the symmetric matrix; a radius up to 1 + 1e-6 "
+                  "counts as stable, where usl's grows with twice the step's")),
+      gate("shallow/root", value_of("departure_over_depth"), at_most(1),
+           theory("the light node's own limit is the root of twice the depth, next order in depth")),
+      gate("runs/limit", error_of("observed.departure"), at_most(0.01), requirement(observed_limits)).in(Tier::full),
+      gate("runs/brackets", value_of("observed.brackets"), exactly(1),
+           theory("below the limit all steps are stable, above it none"))
+          .in(Tier::full)};
+  all.insert(all.end(), rows.begin(), rows.end());
+  return all;
+}
 
-  std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all;
-    for (const Column& column : table()) {
-      const std::string name = name_of(column);
-      const Gate within = declare("table/" + name, {{}, 0.01}, Origin::requirement, within_one);
-      all.push_back(error_gate("table", name + ".departure", trial_level, within));
-      if (name == "quadratic-usl") continue;
-      const Gate one = declare("one-edge/" + name, {{}, 0.01}, Origin::requirement, within_one);
-      all.push_back(error_gate("one-edge", name + ".departure", trial_level, one, Tier::full));
-    }
-    all.push_back(error_gate(
-        "one-edge", "quadratic-usl.departure", trial_level,
-        expected_failure(declare("one-edge/quadratic-usl", {{}, 0.01}, Origin::requirement, within_one),
-                         "the table's column is that of its other end, ½ − depth deep", {0.06, 0.075}, measured_on),
-        Tier::full));
-    all.push_back(error_gate("table", "reference.departure", trial_level,
-                             declare("table/reference", {{}, 2e-6}, Origin::theory,
-                                     "differentiating the step gives the eigenvalues of the symmetric matrix; a radius "
-                                     "up to 1 + 1e-6 counts as stable, where usl's grows with twice the step's")));
-    all.push_back(
-        value_gate("shallow", "departure_over_depth", trial_level,
-                   declare("shallow/root", {{}, 1}, Origin::theory,
-                           "the light node's own limit is the root of twice the depth, next order in depth")));
-    all.push_back(error_gate(
-        "runs", "observed.departure", trial_level,
-        declare(
-            "runs/limit", {{}, 0.01}, Origin::requirement,
-            "observed limits within 1 % of the predicted ones, a tenth of the room that cfl=auto leaves below a limit"),
-        Tier::full));
-    all.push_back(value_gate(
-        "runs", "observed.brackets", trial_level,
-        declare("runs/brackets", {1, 1}, Origin::theory, "below the limit all steps are stable, above it none"),
-        Tier::full));
-    return all;
-  }
-};
-
-PLUMBLINE_CASE(StabilityBarEdge);
+Case stability_bar_edge() { return trial_case("stability-bar-edge", trials(), gates()); }
+PLUMBLINE_CASE(stability_bar_edge);
 
 }  // namespace
 }  // namespace plumbline

@@ -1,6 +1,7 @@
 // Cases of the catalog at shares of the limit that the laboratory predicts.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cases/catalog/stability/trial_case.hpp"
 #include "cases/harness/judge/gates.hpp"
@@ -15,7 +16,8 @@ namespace {
 double growth_of(const Case& entry, const std::string& scheme, const std::vector<Override>& overrides) {
   const RunResult run = run_experiment(entry, scheme, entry.settings(scheme, overrides));
   if (!run.finished) return HUGE_VAL;
-  double scale = std::abs(run.ledger.energy.initial()), largest = 0;
+  const double scale = std::abs(run.ledger.energy.initial());
+  double largest = 0;
   for (const auto& series : run.history.series) {
     if (series.quantity != "energy" || series.column != "store") continue;
     for (const double store : series.values) largest = larger(largest, std::abs(store));
@@ -66,43 +68,36 @@ Findings shares_of(const Entry& chosen) {
   return findings;
 }
 
-class StabilityCatalog final : public TrialCase {
- public:
-  std::string name() const override { return "stability-catalog"; }
-
-  std::vector<Trial> trials() const override {
-    std::vector<Trial> all;
-    for (const Entry& chosen : entries()) {
-      all.push_back({chosen.trial, chosen.title, "Shares 0.5, 0.9, 1.1 and 2 of the limit.",
-                     [chosen] { return shares_of(chosen); }});
-    }
-    return all;
+std::vector<Trial> trials() {
+  std::vector<Trial> all;
+  for (const Entry& chosen : entries()) {
+    all.push_back({chosen.trial, chosen.title, "Shares 0.5, 0.9, 1.1 and 2 of the limit.",
+                   [chosen] { return shares_of(chosen); }});
   }
+  return all;
+}
 
-  std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all;
-    for (const Entry& chosen : entries()) {
-      const std::string trial = chosen.trial;
-      for (const char* share : {"at-0.5", "at-0.9"}) {
-        all.push_back(
-            value_gate(trial, share, trial_level,
-                       declare(trial + "/" + share, {{}, 2}, Origin::requirement,
-                               "below the limit a case holds: its energy stays within twice that of its start, what "
-                               "gravity and walls give included; above the limit it grows tenfold and more")));
-      }
-      Gate above = declare(trial + "/at-1.1", {10, {}}, Origin::theory,
-                           "above the limit something grows from step to step, and the energy with it");
-      if (chosen.spared) above = expected_failure(above, chosen.spared, chosen.energy, "2026-11-23 5825b24");
-      all.push_back(value_gate(trial, "at-1.1", trial_level, above));
-      all.push_back(value_gate(trial, "at-2", trial_level,
-                               declare(trial + "/at-2", {10, {}}, Origin::theory,
-                                       "twice the limit is above that of every place of the points")));
-    }
-    return all;
+std::vector<CaseGate> gates() {
+  std::vector<CaseGate> all;
+  for (const Entry& chosen : entries()) {
+    const auto at = [&](const std::string& share, Range energy, Because because) {
+      return gate(chosen.trial + ("/" + share), value_of(share), energy, std::move(because));
+    };
+    const Because holds = requirement(
+        "below the limit a case holds: its energy stays within twice that of its start, what gravity and walls give "
+        "included; above the limit it grows tenfold and more");
+    all.push_back(at("at-0.5", at_most(2), holds));
+    all.push_back(at("at-0.9", at_most(2), holds));
+    all.push_back(at("at-1.1", at_least(10),
+                     theory("above the limit something grows from step to step, and the energy with it")));
+    if (chosen.spared) all.back() = std::move(all.back()).fails(chosen.spared, chosen.energy, "2026-11-23 5825b24");
+    all.push_back(at("at-2", at_least(10), theory("twice the limit is above that of every place of the points")));
   }
-};
+  return all;
+}
 
-PLUMBLINE_CASE(StabilityCatalog);
+Case stability_catalog() { return trial_case("stability-catalog", trials(), gates()); }
+PLUMBLINE_CASE(stability_catalog);
 
 }  // namespace
 }  // namespace plumbline

@@ -38,56 +38,40 @@ Findings limits(const std::string& scheme, const std::string& side) {
   return findings;
 }
 
-class StabilityContact final : public TrialCase {
- public:
-  std::string name() const override { return "stability-contact"; }
+// One of the four in the quick tier: the others take as long again each.
+Tier tier_of(const std::string& study) { return study == "default-touching" ? Tier::quick : Tier::full; }
 
-  // One of the four in the quick tier: the others take as long again each.
-  static Tier tier_of(const std::string& study) { return study == "default-touching" ? Tier::quick : Tier::full; }
-
-  std::vector<Trial> trials() const override {
-    std::vector<Trial> all;
-    for (const std::string scheme : {"default", "york1997"}) {
-      for (const std::string side : {"touching", "apart"}) {
-        all.push_back({scheme + "-" + side, scheme + ", bars " + side, "Four places of the interface.",
-                       [=] { return limits(scheme, side); }, tier_of(scheme + "-" + side)});
-      }
+std::vector<Trial> trials() {
+  std::vector<Trial> all;
+  for (const std::string scheme : {"default", "york1997"}) {
+    for (const std::string side : {"touching", "apart"}) {
+      all.push_back({scheme + "-" + side, scheme + ", bars " + side, "Four places of the interface.",
+                     [=] { return limits(scheme, side); }, tier_of(scheme + "-" + side)});
     }
-    return all;
   }
+  return all;
+}
 
-  std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all;
-    for (const std::string study : {"default-touching", "default-apart"}) {
-      all.push_back(error_gate(study, "observed.departure", trial_level,
-                               declare(study + "/observed", {{}, 0.01}, Origin::requirement,
-                                       "observed limits within 1 % of the predicted ones, a tenth of the room that "
-                                       "cfl=auto leaves below a limit"),
-                               tier_of(study)));
-    }
-    for (const std::string study : {"default-touching", "default-apart", "york1997-touching", "york1997-apart"}) {
-      all.push_back(value_gate(study, "least", trial_level,
-                               declare(study + "/above-safe-step", {0.5, {}}, Origin::requirement,
-                                       "cases of solids run at half of h/c, which contact must bear"),
-                               tier_of(study)));
-    }
-    for (const bool touching : {true, false}) {
-      const std::string study = touching ? "york1997-touching" : "york1997-apart";
-      all.push_back(
-          error_gate(study, "observed.departure", trial_level,
-                     expected_failure(declare(study + "/observed", {{}, 0.01}, Origin::requirement,
-                                              "observed limits within 1 % of the predicted ones, a tenth of the room "
-                                              "that cfl=auto leaves below a limit"),
-                                      "the criterion switches between two linear steps, each stable; their products "
-                                      "are not",
-                                      touching ? Range{0.29, 0.37} : Range{0.41, 0.51}, "2026-11-23 5825b24"),
-                     Tier::full));
-    }
-    return all;
+CaseGate observed_gate(const std::string& study) {
+  return gate(study + "/observed", error_of("observed.departure"), at_most(0.01), requirement(observed_limits))
+      .in(tier_of(study));
+}
+
+std::vector<CaseGate> gates() {
+  std::vector<CaseGate> all{observed_gate("default-touching"), observed_gate("default-apart")};
+  for (const std::string study : {"default-touching", "default-apart", "york1997-touching", "york1997-apart"}) {
+    all.push_back(gate(study + "/above-safe-step", value_of("least"), at_least(0.5),
+                       requirement("cases of solids run at half of h/c, which contact must bear"))
+                      .in(tier_of(study)));
   }
-};
+  const std::string switches = "the criterion switches between two linear steps, each stable; their products are not";
+  all.push_back(observed_gate("york1997-touching").fails(switches, {0.29, 0.37}, "2026-11-23 5825b24"));
+  all.push_back(observed_gate("york1997-apart").fails(switches, {0.41, 0.51}, "2026-11-23 5825b24"));
+  return all;
+}
 
-PLUMBLINE_CASE(StabilityContact);
+Case stability_contact() { return trial_case("stability-contact", trials(), gates()); }
+PLUMBLINE_CASE(stability_contact);
 
 }  // namespace
 }  // namespace plumbline

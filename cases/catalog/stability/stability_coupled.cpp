@@ -1,6 +1,8 @@
 // What the laboratory says of a membrane in a gas: York's open problem.
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "cases/catalog/stability/fast_growth.hpp"
 #include "cases/catalog/stability/trial_case.hpp"
@@ -102,97 +104,73 @@ Findings growth(const std::string& scheme, const std::vector<double>& steps) {
   return findings;
 }
 
-class StabilityCoupled final : public TrialCase {
- public:
-  std::string name() const override { return "stability-coupled"; }
-
-  std::vector<Trial> trials() const override {
-    std::vector<Trial> all;
-    for (const std::string scheme : {"default", "york1997"}) {
-      all.push_back({scheme + "-line", scheme + ": along the membrane", "Light and heavy, soft and stiff.", [scheme] {
-                       return runs(scheme, {{0.1, 100}, {100, 0.01}}, {});
-                     }});
-      all.push_back({scheme + "-line-more", scheme + ": along the membrane, further ones",
-                     "Equal to the gas, or nothing.",
-                     [scheme] {
-                       return runs(scheme, {{1, 1}, {0.01, 0.01}, {0.01, 1e4}, {100, 1e4}}, {});
-                     },
-                     Tier::full});
-      all.push_back(
-          {scheme + "-box", scheme + ": a box that the membrane divides", "2 x 2 points of gas a cell.", [scheme] {
-             return runs(scheme, {{0.1, 100}}, {{"dim", 2.0}});
-           }});
-      all.push_back({scheme + "-box-more", scheme + ": the box at other heights of the membrane",
-                     "2 x 2 points a cell.",
-                     [scheme] {
-                       return runs(scheme, {{1, 1}, {0.1, 100}}, {{"dim", 2.0}, {"place", 0.1}});
-                     },
-                     Tier::full});
-      all.push_back({scheme + "-extremes", scheme + ": limits of limits", "Next to no membrane; next to no gas.",
-                     [scheme] { return extremes(scheme); }, Tier::full});
-      all.push_back({scheme + "-dependence", scheme + ": limits over mass and stiffness", "Along the membrane.",
-                     [scheme] {
-                       return dependence(scheme, {0.01, 0.1, 1, 10, 100}, {0.01, 0.1, 1, 10, 100, 1e4});
-                     },
-                     Tier::full});
-    }
-    all.push_back({"york1997-growth", "york1997: growth in the box, points moving", "Steps of 0.1, 0.3 and 1 h/c.", [] {
-                     return growth("york1997", {0.1, 0.3, 1});
-                   }});
-    all.push_back({"default-growth", "default: growth in the box, points moving", "A step of h/c.",
-                   [] { return growth("default", {1}); }});
-    return all;
+std::vector<Trial> trials() {
+  std::vector<Trial> all;
+  for (const std::string scheme : {"default", "york1997"}) {
+    const auto add = [&](const std::string& name, const std::string& title, const std::string& why,
+                         std::function<Findings()> find, Tier tier = Tier::full) {
+      all.push_back({scheme + name, scheme + title, why, std::move(find), tier});
+    };
+    const auto of = [&](const std::vector<Ratios>& membranes, const std::vector<Override>& more = {}) {
+      return [=] { return runs(scheme, membranes, more); };
+    };
+    add("-line", ": along the membrane", "Light and heavy, soft and stiff.", of({{0.1, 100}, {100, 0.01}}),
+        Tier::quick);
+    add("-line-more", ": along the membrane, further ones", "Equal to the gas, or nothing.",
+        of({{1, 1}, {0.01, 0.01}, {0.01, 1e4}, {100, 1e4}}));
+    add("-box", ": a box that the membrane divides", "2 x 2 points of gas a cell.", of({{0.1, 100}}, {{"dim", 2.0}}),
+        Tier::quick);
+    add("-box-more", ": the box at other heights of the membrane", "2 x 2 points a cell.",
+        of({{1, 1}, {0.1, 100}}, {{"dim", 2.0}, {"place", 0.1}}));
+    add("-extremes", ": limits of limits", "Next to no membrane; next to no gas.", [=] { return extremes(scheme); });
+    add("-dependence", ": limits over mass and stiffness", "Along the membrane.", [=] {
+      return dependence(scheme, {0.01, 0.1, 1, 10, 100}, {0.01, 0.1, 1, 10, 100, 1e4});
+    });
   }
+  all.push_back({"york1997-growth", "york1997: growth in the box, points moving", "Steps of 0.1, 0.3 and 1 h/c.", [] {
+                   return growth("york1997", {0.1, 0.3, 1});
+                 }});
+  all.push_back({"default-growth", "default: growth in the box, points moving", "A step of h/c.",
+                 [] { return growth("default", {1}); }});
+  return all;
+}
 
-  std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all;
-    for (const std::string scheme : {"default", "york1997"}) {
-      for (const std::string trial : {"-line", "-line-more", "-box", "-box-more"}) {
-        const Tier tier = trial.ends_with("more") ? Tier::full : Tier::quick;
-        all.push_back(error_gate(scheme + trial, "observed.departure", trial_level,
-                                 declare(scheme + trial + "/limit", {{}, 0.02}, Origin::requirement,
-                                         "observed limits within 2 % of the predicted ones, a fifth of the room that "
-                                         "cfl=auto leaves below a limit"),
-                                 tier));
-        all.push_back(value_gate(scheme + trial, "observed.brackets", trial_level,
-                                 declare(scheme + trial + "/brackets", {1, 1}, Origin::theory,
-                                         "below the limit all steps are stable, above it none"),
-                                 tier));
-      }
-      add_dependence(scheme, all);
+std::vector<CaseGate> gates() {
+  std::vector<CaseGate> all;
+  for (const std::string scheme : {"default", "york1997"}) {
+    for (const std::string trial : {"-line", "-line-more", "-box", "-box-more"}) {
+      const Tier tier = trial.ends_with("more") ? Tier::full : Tier::quick;
+      all.push_back(gate(scheme + trial + "/limit", error_of("observed.departure"), at_most(0.02),
+                         requirement(roughly_observed_limits))
+                        .in(tier));
+      all.push_back(gate(scheme + trial + "/brackets", value_of("observed.brackets"), exactly(1),
+                         theory("below the limit all steps are stable, above it none"))
+                        .in(tier));
     }
-    for (const std::string scheme : {"default", "york1997"}) {
-      all.push_back(
-          error_gate(scheme + "-growth", "observed.departure", trial_level,
-                     declare(scheme + "-growth/observed", {{}, 0.02}, Origin::requirement,
-                             "growth per step of runs within 2 % of what the step predicts, as of the limits")));
-    }
-    const Gate none = declare("york1997-growth/rate", {{}, 1e-5}, Origin::theory, "a gas at rest stays at rest");
-    all.push_back(value_gate(
-        "york1997-growth", "rate", trial_level,
-        expected_failure(none, "waves of shear of a gas on bilinear shapes, see stability-gas", {0.45, 0.6})));
-    return all;
-  }
-
- private:
-  static void add_dependence(const std::string& scheme, std::vector<CaseGate>& all) {
     const auto value = [&](const std::string& trial, const std::string& measure, Range range,
                            const std::string& reason) {
-      all.push_back(value_gate(scheme + trial, measure, trial_level,
-                               declare(scheme + trial + "/" + measure, range, Origin::theory, reason), Tier::full));
+      all.push_back(gate(scheme + trial + "/" + measure, value_of(measure), range, theory(reason)).in(Tier::full));
     };
     const std::string rayleigh =
-        "frequencies are Rayleigh quotients of both stiffnesses over both masses; 1e-3 for the "
-        "limits' own accuracy";
-    value("-dependence", "stiffer", {{}, 1.001}, rayleigh + ": stiffer is faster");
-    value("-dependence", "heavier", {0.999, {}}, rayleigh + ": heavier is slower");
-    value("-extremes", "gas", {0.99, 1.01}, "a membrane of 1e-4 the mass and stiffness changes frequencies by 1e-4");
-    value("-extremes", "stiff", {0.99, 1.01}, "the gas adds 1e-3 and 1e-5 of the stiffness");
-    value("-extremes", "place", {0.5, 1}, "linear shapes with one point: 1 to 2 over all places");
+        "frequencies are Rayleigh quotients of both stiffnesses over both masses; 1e-3 for the limits' own accuracy";
+    value("-dependence", "stiffer", at_most(1.001), rayleigh + ": stiffer is faster");
+    value("-dependence", "heavier", at_least(0.999), rayleigh + ": heavier is slower");
+    value("-extremes", "gas", between(0.99, 1.01),
+          "a membrane of 1e-4 the mass and stiffness changes frequencies by 1e-4");
+    value("-extremes", "stiff", between(0.99, 1.01), "the gas adds 1e-3 and 1e-5 of the stiffness");
+    value("-extremes", "place", between(0.5, 1), "linear shapes with one point: 1 to 2 over all places");
   }
-};
+  for (const std::string study : {"default-growth", "york1997-growth"}) {
+    all.push_back(gate(study + "/observed", error_of("observed.departure"), at_most(0.02),
+                       requirement("growth per step of runs within 2 % of what the step predicts, as of the limits")));
+  }
+  all.push_back(gate("york1997-growth/rate", value_of("rate"), at_most(1e-5), theory("a gas at rest stays at rest"))
+                    .fails("waves of shear of a gas on bilinear shapes, see stability-gas", {0.45, 0.6}));
+  return all;
+}
 
-PLUMBLINE_CASE(StabilityCoupled);
+Case stability_coupled() { return trial_case("stability-coupled", trials(), gates()); }
+PLUMBLINE_CASE(stability_coupled);
 
 }  // namespace
 }  // namespace plumbline

@@ -6,7 +6,6 @@
 #include "cases/catalog/stability/fast_growth.hpp"
 #include "cases/catalog/stability/gas_patch.hpp"
 #include "cases/catalog/stability/trial_case.hpp"
-#include "cases/harness/judge/gates.hpp"
 #include "cases/harness/laboratory/matrices.hpp"
 #include "cases/harness/laboratory/problem.hpp"
 
@@ -165,104 +164,92 @@ Findings plane() {
   return findings;
 }
 
-class StabilityGas final : public TrialCase {
- public:
-  std::string name() const override { return "stability-gas"; }
+Trial closed_form(const std::string& integrator) {
+  return {integrator + "-closed-form", integrator + ": limits at twelve offsets of the lattice",
+          "Points that stay in their cells push a bar of the modulus (γ − 1) p.",
+          [integrator] { return closed_forms(integrator); }};
+}
 
-  std::vector<Trial> trials() const override {
-    std::vector<Trial> all;
-    for (const std::string name : {"usf", "musl", "usl"}) {
-      all.push_back({name + "-closed-form", name + ": limits at twelve offsets of the lattice",
-                     "Points that stay in their cells push a bar of the modulus (γ − 1) p.",
-                     [name] { return closed_forms(name); }});
-    }
-    all.push_back({"default-runs", "default: limits that runs show", "24 periods carry 24 of all wave numbers.", [] {
-                     return runs("default", {{}, {{"offset", 0.2}, {"ppc", 3.0}}});
-                   }});
-    all.push_back({"york1997-runs", "york1997: limits that runs show, on both sides of the viscosity's switch",
-                   "Three points a cell at three offsets.", [] {
-                     return runs("york1997", {{},
-                                              {{"offset", 0.1}},
-                                              {{"offset", 0.2}},
-                                              {{"side", "opening"}},
-                                              {{"offset", 0.2}, {"side", "opening"}}});
-                   }});
-    all.push_back(
-        {"switch", "A gas that closes, one that opens, and the switch between",
-         "The limit of a gas that is compressed, its own switch on, is that of a viscosity 4/3 μ = c_L ρ c h.",
-         the_switch});
-    all.push_back({"sound", "How fast sound of no amplitude travels", "π/31 a cell.", sound});
-    all.push_back({"viscosity", "Limits with physical viscosity", "From none to 30 c h.", viscosities, Tier::full});
-    all.push_back(
-        {"plane", "Growth in the plane, at steps of 0.1 and 0.2 h/c", "All wave numbers, 2 x 2 points a cell.", plane});
-    return all;
-  }
+std::vector<Trial> trials() {
+  return {
+      closed_form("usf"),
+      closed_form("musl"),
+      closed_form("usl"),
+      {"default-runs", "default: limits that runs show", "24 periods carry 24 of all wave numbers.",
+       [] {
+         return runs("default", {{}, {{"offset", 0.2}, {"ppc", 3.0}}});
+       }},
+      {"york1997-runs", "york1997: limits that runs show, on both sides of the viscosity's switch",
+       "Three points a cell at three offsets.",
+       [] {
+         return runs(
+             "york1997",
+             {{}, {{"offset", 0.1}}, {{"offset", 0.2}}, {{"side", "opening"}}, {{"offset", 0.2}, {"side", "opening"}}});
+       }},
+      {"switch", "A gas that closes, one that opens, and the switch between",
+       "The limit of a gas that is compressed, its own switch on, is that of a viscosity 4/3 μ = c_L ρ c h.",
+       the_switch},
+      {"sound", "How fast sound of no amplitude travels", "π/31 a cell.", sound},
+      {"viscosity", "Limits with physical viscosity", "From none to 30 c h.", viscosities, Tier::full},
+      {"plane", "Growth in the plane, at steps of 0.1 and 0.2 h/c", "All wave numbers, 2 x 2 points a cell.", plane}};
+}
 
-  std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all;
-    const auto value = [&](const std::string& trial, const std::string& measure, Gate gate, Tier tier = Tier::quick) {
-      all.push_back(value_gate(trial, measure, trial_level, std::move(gate), tier));
-    };
-    for (const std::string name : {"usf", "musl", "usl"}) {
-      all.push_back(error_gate(name + "-closed-form", "limit.departure", trial_level,
-                               declare(name + "-closed-form/limit", {{}, 1e-6}, Origin::theory,
-                                       "predicted limits equal the closed form to 1e-6; a growth below 1e-6 a step is "
-                                       "no growth, which moves limits by less, as growth begins like a root")));
-    }
-    for (const std::string scheme : {"default", "york1997"}) {
-      const std::string trial = scheme + "-runs";
-      all.push_back(error_gate(trial, "observed.departure", trial_level,
-                               declare(trial + "/limit", {{}, 0.02}, Origin::requirement,
-                                       "observed limits within 2 % of the predicted ones, a fifth of the room that "
-                                       "cfl=auto leaves below a limit")));
-      value(
-          trial, "observed.brackets",
-          declare(trial + "/brackets", {1, 1}, Origin::theory, "below the limit all steps are stable, above it none"));
-    }
-    const std::string same =
-        "the same law on this side of its switch; 2 % for the compression of 0.003 c/h and 5 % a step";
-    value("switch", "compressed", declare("switch/compressed", {0.98, 1.02}, Origin::identity, same));
-    value("switch", "expanding", declare("switch/expanding", {0.98, 1.02}, Origin::identity, same));
-    value("switch", "both", declare("switch/both", {0, 1}, Origin::theory, "a mean of both sides"));
-    const std::string long_waves = "long waves travel with c, but for (k h)² = 0.01 and the step";
-    value("sound", "default", declare("sound/default", {0.99, 1.01}, Origin::theory, long_waves));
-    value("sound", "york1997.quadratic", declare("sound/quadratic", {0.99, 1.01}, Origin::theory, long_waves));
-    value("sound", "york1997",
-          expected_failure(declare("sound/york1997", {0.99, 1.01}, Origin::theory, long_waves),
-                           "gradients of linear shapes do not change within a cell: √((γ − 1)/γ) = 0.5345",
-                           {0.529, 0.540}));
-    for (const std::string scheme : {"default", "york1997"}) {
-      value("viscosity", scheme + ".rise",
-            declare("viscosity/" + scheme + "-rise", {{}, 1e-3}, Origin::theory,
-                    "more diffusion never lets a step be longer; a thousandth for the limits' own accuracy"),
-            Tier::full);
-      value("viscosity", scheme + ".diffusive",
-            declare("viscosity/" + scheme + "-diffusive", {0.95, 1.05}, Origin::theory,
-                    "of great viscosity the limit falls as h²/ν; from 10 to 30 c h all but (c h/ν)²"),
-            Tier::full);
-    }
-    value(
-        "plane", "york1997.rate",
-        expected_failure(declare("plane/york1997-rate", {{}, 1e-5}, Origin::theory, "a gas at rest stays at rest"),
-                         "the mixed derivative of bilinear shapes, but not their second ones, changes forces as points "
-                         "move: waves of shear grow",
-                         {0.55, 0.7}));
-    value("plane", "york1997.ratio",
-          declare("plane/york1997-ratio", {1.9, 2.2}, Origin::theory,
-                  "FLIP damps nothing: growth per time does not depend on the step, growth per step is in proportion"));
-    value("plane", "default.rate",
-          expected_failure(declare("plane/default-rate", {{}, 1e-5}, Origin::theory, "a gas at rest stays at rest"),
-                           "sums over points of second derivatives of shapes are not the integrals that vanish; APIC "
-                           "damps what that makes grow, once a step",
-                           {0.0069, 0.0084}, "2026-11-23 5825b24"));
-    value("plane", "default.ratio",
-          declare("plane/default-ratio", {3.6, 4.2}, Origin::theory,
-                  "damped by a share a step, driven by Δt²: growth per step is in proportion to Δt²"));
-    return all;
-  }
-};
+std::vector<CaseGate> gates() {
+  const Number departure = error_of("limit.departure"), observed = error_of("observed.departure"),
+               brackets = value_of("observed.brackets");
+  const Because closed = theory(
+      "predicted limits equal the closed form to 1e-6; a growth below 1e-6 a step is no growth, which moves limits by "
+      "less, as growth begins like a root");
+  const Because near_predicted = requirement(roughly_observed_limits);
+  const Because one_limit = theory("below the limit all steps are stable, above it none");
+  const Because same = identity(
+      "the same law on this side of its switch; 2 % for the compression of 0.003 c/h and 5 % a step");
+  const Because long_waves = theory("long waves travel with c, but for (k h)² = 0.01 and the step");
+  const Because falling = theory(
+      "more diffusion never lets a step be longer; a thousandth for the limits' own accuracy");
+  const Because diffusive = theory("of great viscosity the limit falls as h²/ν; from 10 to 30 c h all but (c h/ν)²");
+  const Because at_rest = theory("a gas at rest stays at rest");
+  return {
+      gate("usf-closed-form/limit", departure, at_most(1e-6), closed),
+      gate("musl-closed-form/limit", departure, at_most(1e-6), closed),
+      gate("usl-closed-form/limit", departure, at_most(1e-6), closed),
+      gate("default-runs/limit", observed, at_most(0.02), near_predicted),
+      gate("default-runs/brackets", brackets, exactly(1), one_limit),
+      gate("york1997-runs/limit", observed, at_most(0.02), near_predicted),
+      gate("york1997-runs/brackets", brackets, exactly(1), one_limit),
 
-PLUMBLINE_CASE(StabilityGas);
+      gate("switch/compressed", value_of("compressed"), between(0.98, 1.02), same),
+      gate("switch/expanding", value_of("expanding"), between(0.98, 1.02), same),
+      gate("switch/both", value_of("both"), between(0, 1), theory("a mean of both sides")),
+
+      gate("sound/default", value_of("default"), between(0.99, 1.01), long_waves),
+      gate("sound/quadratic", value_of("york1997.quadratic"), between(0.99, 1.01), long_waves),
+      gate("sound/york1997", value_of("york1997"), between(0.99, 1.01), long_waves)
+          .fails("gradients of linear shapes do not change within a cell: √((γ − 1)/γ) = 0.5345", {0.529, 0.540}),
+
+      gate("viscosity/default-rise", value_of("default.rise"), at_most(1e-3), falling).in(Tier::full),
+      gate("viscosity/default-diffusive", value_of("default.diffusive"), between(0.95, 1.05), diffusive).in(Tier::full),
+      gate("viscosity/york1997-rise", value_of("york1997.rise"), at_most(1e-3), falling).in(Tier::full),
+      gate("viscosity/york1997-diffusive", value_of("york1997.diffusive"), between(0.95, 1.05), diffusive)
+          .in(Tier::full),
+
+      gate("plane/york1997-rate", value_of("york1997.rate"), at_most(1e-5), at_rest)
+          .fails("the mixed derivative of bilinear shapes, but not their second ones, changes forces as points "
+                 "move: waves of shear grow",
+                 {0.55, 0.7}),
+      gate("plane/york1997-ratio", value_of("york1997.ratio"), between(1.9, 2.2),
+           theory("FLIP damps nothing: growth per time does not depend on the step, "
+                  "growth per step is in proportion")),
+      gate("plane/default-rate", value_of("default.rate"), at_most(1e-5), at_rest)
+          .fails("sums over points of second derivatives of shapes are not the integrals that vanish; APIC damps "
+                 "what that makes grow, once a step",
+                 {0.0069, 0.0084}, "2026-11-23 5825b24"),
+      gate("plane/default-ratio", value_of("default.ratio"), between(3.6, 4.2),
+           theory("damped by a share a step, driven by Δt²: growth per step is in proportion to Δt²"))};
+}
+
+Case stability_gas() { return trial_case("stability-gas", trials(), gates()); }
+PLUMBLINE_CASE(stability_gas);
 
 }  // namespace
 }  // namespace plumbline

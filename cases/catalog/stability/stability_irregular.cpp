@@ -1,4 +1,6 @@
 // Bars with irregular points: does anything grow at small steps?
+#include <utility>
+
 #include "cases/catalog/stability/trial_case.hpp"
 #include "cases/harness/judge/gates.hpp"
 #include "cases/harness/laboratory/problem.hpp"
@@ -6,14 +8,16 @@
 namespace plumbline {
 namespace {
 
+const std::vector<std::string> transfers{"pic", "flip", "apic"};
+
 // Largest growth per step over layouts, points per cell and steps, on wave numbers a tenth of pi apart.
 Findings growth_of(const std::string& transfer, int layouts) {
   const StabilityProblem& irregular = find_stability_problem("irregular");
   double worst = 0, looked = 0;
   for (const Method& method : methods({"linear", "quadratic", "cubic"}, {transfer})) {
+    if (method.integrator != "usf" && method.integrator != "musl" && method.integrator != "usl") continue;
     for (const double ppc : {1.0, 2.0, 3.0}) {
       for (int seed = 1; seed <= layouts; ++seed) {
-        if (method.integrator != "usf" && method.integrator != "musl" && method.integrator != "usl") continue;
         std::vector<Override> overrides = method.overrides();
         overrides.insert(overrides.end(), {{"ppc", ppc}, {"seed", static_cast<double>(seed)}, {"jitter", 0.99}});
         const Settings settings = stability_settings(irregular, "default", overrides);
@@ -32,36 +36,32 @@ Findings growth_of(const std::string& transfer, int layouts) {
   return findings;
 }
 
-class StabilityIrregular final : public TrialCase {
- public:
-  std::string name() const override { return "stability-irregular"; }
-  std::vector<Trial> trials() const override {
-    std::vector<Trial> all;
-    for (const std::string transfer : {"pic", "flip", "apic"}) {
-      all.push_back({transfer, transfer + ": growth on random layouts", "Steps of 0.001, 0.01 and 0.1 h/c.",
-                     [transfer] { return growth_of(transfer, 2); }});
-      all.push_back({transfer + "-many", transfer + ": growth on many random layouts", "The same, twelve layouts.",
-                     [transfer] { return growth_of(transfer, 12); }, Tier::full});
-    }
-    return all;
+std::vector<Trial> trials() {
+  std::vector<Trial> all;
+  for (const std::string& transfer : transfers) {
+    all.push_back({transfer, transfer + ": growth on random layouts", "Steps of 0.001, 0.01 and 0.1 h/c.",
+                   [transfer] { return growth_of(transfer, 2); }});
+    all.push_back({transfer + "-many", transfer + ": growth on many random layouts", "The same, twelve layouts.",
+                   [transfer] { return growth_of(transfer, 12); }, Tier::full});
   }
-  std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all;
-    for (const std::string transfer : {"pic", "flip", "apic"}) {
-      for (const bool many : {false, true}) {
-        const std::string trial = transfer + (many ? "-many" : "");
-        all.push_back(value_gate(trial, "growth", trial_level,
-                                 declare(trial + "/growth", {{}, 1e-9}, Origin::theory,
-                                         "no eigenvalue outside the unit circle; 1e-9 for what differences and "
-                                         "eigenvalues round, where two of them meet at one"),
-                                 many ? Tier::full : Tier::quick));
-      }
-    }
-    return all;
-  }
-};
+  return all;
+}
 
-PLUMBLINE_CASE(StabilityIrregular);
+std::vector<CaseGate> gates() {
+  std::vector<CaseGate> all;
+  for (const std::string& transfer : transfers) {
+    for (const auto& [trial, tier] : {std::pair{transfer, Tier::quick}, {transfer + "-many", Tier::full}}) {
+      all.push_back(gate(trial + "/growth", value_of("growth"), at_most(1e-9),
+                         theory("no eigenvalue outside the unit circle; 1e-9 for what differences and eigenvalues "
+                                "round, where two of them meet at one"))
+                        .in(tier));
+    }
+  }
+  return all;
+}
+
+Case stability_irregular() { return trial_case("stability-irregular", trials(), gates()); }
+PLUMBLINE_CASE(stability_irregular);
 
 }  // namespace
 }  // namespace plumbline

@@ -57,48 +57,39 @@ Findings slack(const std::string& scheme) {
   return findings;
 }
 
-class StabilityMembrane final : public TrialCase {
- public:
-  std::string name() const override { return "stability-membrane"; }
+std::vector<Trial> trials() {
+  const std::string offsets = "Three offsets.", nothing = "Nothing pulls.";
+  return {{"along", "segments, along the grid", offsets, [] { return limits_at("default", 0); }},
+          {"slope-half", "segments, slope ½", offsets, [] { return limits_at("default", 0.5); }, Tier::full},
+          {"diagonal", "segments, slope 1", offsets, [] { return limits_at("default", 1); }, Tier::full},
+          {"york-along", "accumulated strain, along the grid", offsets, [] { return limits_at("york1997", 0); },
+           Tier::full},
+          {"as-a-bar", "accumulated strain, positions held", "Exact.", as_a_bar},
+          {"slack", "slack segments", nothing, [] { return slack("default"); }},
+          {"slack-york", "slack, accumulated strain", nothing, [] { return slack("york1997"); }, Tier::full}};
+}
 
-  std::vector<Trial> trials() const override {
-    return {
-        {"along", "segments, along the grid", "Three offsets.", [] { return limits_at("default", 0); }},
-        {"slope-half", "segments, slope ½", "Three offsets.", [] { return limits_at("default", 0.5); }, Tier::full},
-        {"diagonal", "segments, slope 1", "Three offsets.", [] { return limits_at("default", 1); }, Tier::full},
-        {"york-along", "accumulated strain, along the grid", "Three offsets.", [] { return limits_at("york1997", 0); },
-         Tier::full},
-        {"as-a-bar", "accumulated strain, positions held", "Exact.", as_a_bar},
-        {"slack", "slack segments", "Nothing pulls.", [] { return slack("default"); }},
-        {"slack-york", "slack, accumulated strain", "Nothing pulls.", [] { return slack("york1997"); }, Tier::full}};
+std::vector<CaseGate> gates() {
+  std::vector<CaseGate> all;
+  for (const std::string study : {"along", "slope-half", "diagonal", "york-along"}) {
+    all.push_back(gate(study + "/observed", error_of("observed.departure"), at_most(0.01), requirement(observed_limits))
+                      .in(study == "along" ? Tier::quick : Tier::full));
   }
-
-  std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all;
-    for (const std::string study : {"along", "slope-half", "diagonal", "york-along"}) {
-      all.push_back(error_gate(study, "observed.departure", trial_level,
-                               declare(study + "/observed", {{}, 0.01}, Origin::requirement,
-                                       "observed limits within 1 % of the predicted ones, a tenth of the room that "
-                                       "cfl=auto leaves below a limit"),
-                               study == "along" ? Tier::quick : Tier::full));
+  all.push_back(gate("as-a-bar/limit", error_of("limit.departure"), at_most(1e-3),
+                     theory("the closed form of a bar; growth below 0.002 a step is not counted, and a radius grows "
+                            "with the root of the step's excess")));
+  for (const std::string study : {"slack", "slack-york"}) {
+    for (const std::string who : {"predicted", "observed"}) {
+      all.push_back(
+          gate(study + "/" + who, value_of(who + "_stable"), exactly(1), theory("nothing pulls: every step is stable"))
+              .in(study == "slack" ? Tier::quick : Tier::full));
     }
-    all.push_back(error_gate("as-a-bar", "limit.departure", trial_level,
-                             declare("as-a-bar/limit", {{}, 1e-3}, Origin::theory,
-                                     "the closed form of a bar; growth below 0.002 a step is not counted, and a radius "
-                                     "grows with the root of the step's excess")));
-    for (const std::string study : {"slack", "slack-york"}) {
-      for (const std::string who : {"predicted", "observed"}) {
-        all.push_back(
-            value_gate(study, who + "_stable", trial_level,
-                       declare(study + "/" + who, {1, 1}, Origin::theory, "nothing pulls: every step is stable"),
-                       study == "slack" ? Tier::quick : Tier::full));
-      }
-    }
-    return all;
   }
-};
+  return all;
+}
 
-PLUMBLINE_CASE(StabilityMembrane);
+Case stability_membrane() { return trial_case("stability-membrane", trials(), gates()); }
+PLUMBLINE_CASE(stability_membrane);
 
 }  // namespace
 }  // namespace plumbline

@@ -85,8 +85,8 @@ Findings limits() {
   return findings;
 }
 
-// A stress held over a step whose strain follows the midpoint velocity: the matrix ((1 - z^2/2, z), (-z, 1)) of z = omega dt
-// has the determinant 1 + z^2/2, and up to z = 4 complex eigenvalues.
+// A stress held over a step whose strain follows the midpoint velocity: the matrix ((1 - z^2/2, z), (-z, 1)) of
+// z = omega dt has the determinant 1 + z^2/2, and up to z = 4 complex eigenvalues.
 Findings growth_of_energy() {
   const Settings settings = settings_of({{"integrator", "energy"}});
   const Configuration found = examine(oscillator(), "default", settings, true);
@@ -143,78 +143,66 @@ Findings runs() {
 Findings orders() {
   Findings findings;
   for (const Member& m : all_members()) {
-    const auto found = oscillator().orders(settings_of(m.choice));
-    for (const auto& [quantity, order] : found) {
+    for (const auto& [quantity, order] : oscillator().orders(settings_of(m.choice))) {
       findings.measures.push_back(finding(m.label + "." + quantity, order.order));
     }
   }
-  const std::vector<std::pair<std::string, std::string>> shown{
-      {"musl", "musl"}, {"leapfrog", "leapfrog"}, {"rk4", "rk4"}};
+  const std::vector<std::string> shown{"musl", "leapfrog", "rk4"};
   findings.profile.abscissa = "dt";
   findings.profile.columns = {{"dt", "1/omega", "step", {}}};
-  for (const auto& [name, label] : shown) findings.profile.columns.push_back({name, "1", "error of " + label, {}});
+  for (const std::string& name : shown) findings.profile.columns.push_back({name, "1", "error of " + name, {}});
   const Eigen::Vector2d start(1, 0);
   const double t = 2;
   for (int steps = 32; steps <= 1024; steps *= 2) {
     findings.profile.columns[0].values.push_back(t / steps);
     for (std::size_t k = 0; k < shown.size(); ++k) {
-      const Eigen::Vector2d off = oscillation({shown[k].first}, 0, start, t, steps) - exact_oscillation(0, start, t);
+      const Eigen::Vector2d off = oscillation({shown[k]}, 0, start, t, steps) - exact_oscillation(0, start, t);
       findings.profile.columns[k + 1].values.push_back(std::abs(off[0]));
     }
   }
   return findings;
 }
 
-class StabilityOscillator final : public TrialCase {
- public:
-  std::string name() const override { return "stability-oscillator"; }
+std::vector<Trial> trials() {
+  return {{"limits", "predicted limits of every integrator", "The limits are exact.", limits},
+          {"energy", "the energy-conserving step, which amplifies at every step",
+           "It holds the stress over the step while points strain with the midpoint velocity.", growth_of_energy},
+          {"runs", "limits that runs show", "2000 steps see growth of more than 0.1 % a step.", runs},
+          {"orders", "orders of displacement and velocity", "Truncation errors of the methods.", orders}};
+}
 
-  std::vector<Trial> trials() const override {
-    return {{"limits", "predicted limits of every integrator", "The limits are exact.", limits},
-            {"energy", "the energy-conserving step, which amplifies at every step",
-             "It holds the stress over the step while points strain with the midpoint velocity.", growth_of_energy},
-            {"runs", "limits that runs show", "2000 steps see growth of more than 0.1 % a step.", runs},
-            {"orders", "orders of displacement and velocity", "Truncation errors of the methods.", orders}};
+std::vector<CaseGate> gates() {
+  std::vector<CaseGate> all;
+  const auto is_true = [&](const std::string& trial, const std::string& measure, const std::string& why) {
+    all.push_back(gate(trial + "/" + measure, value_of(measure), exactly(1), theory(why)));
+  };
+  for (const Member& m : limited()) {
+    all.push_back(
+        gate("limits/" + m.label, error_of(m.label + ".limit"), at_most(1e-6),
+             theory("predicted limits equal the closed form; 1e-6 for finding the step at which a radius leaves 1")));
+    all.push_back(gate("runs/" + m.label, error_of(m.label + ".observed"), at_most(0.01),
+                       requirement("observed limits within 1 % of the predicted ones, all of which are above 1, a "
+                                   "tenth of the room that cfl=auto leaves below a limit")));
   }
-
-  std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all;
-    const auto is_true = [&](const std::string& trial, const std::string& measure, const std::string& why) {
-      all.push_back(
-          value_gate(trial, measure, trial_level, declare(trial + "/" + measure, {1, 1}, Origin::theory, why)));
-    };
-    for (const Member& m : limited()) {
-      all.push_back(error_gate(
-          "limits", m.label + ".limit", trial_level,
-          declare("limits/" + m.label, {{}, 1e-6}, Origin::theory,
-                  "predicted limits equal the closed form; 1e-6 for finding the step at which a radius leaves 1")));
-      all.push_back(error_gate("runs", m.label + ".observed", trial_level,
-                               declare("runs/" + m.label, {{}, 0.01}, Origin::requirement,
-                                       "observed limits within 1 % of the predicted ones, all of which are above 1, a "
-                                       "tenth of the room that cfl=auto leaves below a limit")));
+  const std::string keeps = "the implicit midpoint rule keeps the energy of an oscillator";
+  is_true("limits", "implicit-midpoint.always_stable", keeps);
+  is_true("runs", "implicit-midpoint.seen_always_stable", keeps);
+  all.push_back(gate("energy/growth", error_of("growth.departure"), at_most(1e-13),
+                     identity("eigenvalues of a two by two matrix: a hundred roundings")));
+  is_true("energy", "always_unstable", "its radius is above one at every step");
+  is_true("energy", "seen_always_unstable", "the scan's smallest step already grows by 0.25 % a step");
+  for (const Member& m : all_members()) {
+    for (const auto& [quantity, order] : {std::pair{"displacement", m.displacement}, {"velocity", m.velocity}}) {
+      const std::string measure = m.label + "." + quantity;
+      all.push_back(gate("orders/" + measure, value_of(measure), between(order - 0.05, order + 0.05),
+                         theory("the method's order, to 0.05 for the longest steps")));
     }
-    is_true("limits", "implicit-midpoint.always_stable",
-            "the implicit midpoint rule keeps the energy of an oscillator");
-    is_true("runs", "implicit-midpoint.seen_always_stable",
-            "the implicit midpoint rule keeps the energy of an oscillator");
-    all.push_back(error_gate("energy", "growth.departure", trial_level,
-                             declare("energy/growth", {{}, 1e-13}, Origin::identity,
-                                     "eigenvalues of a two by two matrix: a hundred roundings")));
-    is_true("energy", "always_unstable", "its radius is above one at every step");
-    is_true("energy", "seen_always_unstable", "the scan's smallest step already grows by 0.25 % a step");
-    for (const Member& m : all_members()) {
-      for (const auto& [quantity, order] : {std::pair{"displacement", m.displacement}, {"velocity", m.velocity}}) {
-        const std::string measure = m.label + "." + quantity;
-        all.push_back(value_gate("orders", measure, trial_level,
-                                 declare("orders/" + measure, {order - 0.05, order + 0.05}, Origin::theory,
-                                         "the method's order, to 0.05 for the longest steps")));
-      }
-    }
-    return all;
   }
-};
+  return all;
+}
 
-PLUMBLINE_CASE(StabilityOscillator);
+Case stability_oscillator() { return trial_case("stability-oscillator", trials(), gates()); }
+PLUMBLINE_CASE(stability_oscillator);
 
 }  // namespace
 }  // namespace plumbline

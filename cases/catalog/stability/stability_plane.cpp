@@ -1,5 +1,6 @@
 // What the laboratory says of an elastic plate, against the waves' own matrices and against runs.
 #include <cmath>
+#include <utility>
 
 #include "cases/catalog/stability/plate_waves.hpp"
 #include "cases/catalog/stability/trial_case.hpp"
@@ -69,66 +70,42 @@ Findings runs() {
   return findings;
 }
 
-class StabilityPlane final : public TrialCase {
- public:
-  std::string name() const override { return "stability-plane"; }
+std::vector<Trial> trials() {
+  const std::string waves = "Exact waves.";
+  return {{"musl", "musl, one point a cell at four places", waves, [] { return against_waves("musl"); }},
+          {"usl", "usl, the same", waves, [] { return against_waves("usl"); }, Tier::full},
+          {"corner", "one point beside the corner of its cell", "First order in its distance.", corner},
+          {"tiled-linear", "2 × 2 points a cell, linear", waves, [] { return tiled("linear"); }, Tier::full},
+          {"tiled-quadratic", "2 × 2 points a cell, quadratic", waves, [] { return tiled("quadratic"); }, Tier::full},
+          {"runs", "limits that runs show", "64 periods.", runs, Tier::full}};
+}
 
-  std::vector<Trial> trials() const override {
-    return {{"musl", "musl, one point a cell at four places", "Exact waves.", [] { return against_waves("musl"); }},
-            {"usl", "usl, the same", "Exact waves.", [] { return against_waves("usl"); }, Tier::full},
-            {"corner", "one point beside the corner of its cell", "First order in its distance.", corner},
-            {"tiled-linear", "2 × 2 points a cell, linear", "Exact waves.", [] { return tiled("linear"); }, Tier::full},
-            {"tiled-quadratic", "2 × 2 points a cell, quadratic", "Exact waves.", [] { return tiled("quadratic"); },
-             Tier::full},
-            {"runs", "limits that runs show", "64 periods.", runs, Tier::full}};
+std::vector<CaseGate> gates() {
+  const Because sampled = theory("the waves' own matrices; waves are sampled, and bisected to 1e-6: 1e-3 at most");
+  const Number relative = number_at("relative error of limit", "limit", trial_level,
+                                    [](const RunResult&, const Measure& m) { return Measured::of(m.error / m.scale); });
+  std::vector<CaseGate> all{gate("musl/limit", error_of("limit.departure"), at_most(1e-3), sampled),
+                            gate("usl/limit", error_of("limit.departure"), at_most(1e-3), sampled).in(Tier::full),
+                            gate("corner/limit", error_of("corner.departure"), at_most(1e-3),
+                                 theory("1/√2, to ten times the distance from the corner"))};
+  for (const auto& [study, eight] : {std::pair{std::string("tiled-linear"), 1.79}, {"tiled-quadratic", 2.45}}) {
+    all.push_back(gate(study + "/coupling", value_of("coupling"), at_most(0.01),
+                       requirement("pressure and shear waves together bear what a scalar wave does, within 1 %, a "
+                                   "tenth of the room that cfl=auto leaves below a limit"))
+                      .in(Tier::full));
+    all.push_back(gate(study + "/limit", relative, at_most(1e-3), sampled).in(Tier::full));
+    all.push_back(gate(study + "/eight-cells", value_of("scalar_of_eight_cells"), between(0.99 * eight, 1.01 * eight),
+                       requirement("the limit of a periodic patch of 8 × 8 cells, computed before this program was to "
+                                   "three digits, within 1 %, a tenth of the room that cfl=auto leaves below a limit"))
+                      .in(Tier::full));
   }
+  all.push_back(
+      gate("runs/limit", error_of("observed.departure"), at_most(0.01), requirement(observed_limits)).in(Tier::full));
+  return all;
+}
 
-  std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all;
-    const std::string sampled = "the waves' own matrices; waves are sampled, and bisected to 1e-6: 1e-3 at most";
-    all.push_back(
-        error_gate("musl", "limit.departure", trial_level, declare("musl/limit", {{}, 1e-3}, Origin::theory, sampled)));
-    all.push_back(error_gate("usl", "limit.departure", trial_level,
-                             declare("usl/limit", {{}, 1e-3}, Origin::theory, sampled), Tier::full));
-    all.push_back(error_gate(
-        "corner", "corner.departure", trial_level,
-        declare("corner/limit", {{}, 1e-3}, Origin::theory, "1/√2, to ten times the distance from the corner")));
-    for (const std::string shape : {"linear", "quadratic"}) {
-      const std::string study = "tiled-" + shape;
-      const double eight = shape == "linear" ? 1.79 : 2.45;
-      all.push_back(value_gate(study, "coupling", trial_level,
-                               declare(study + "/coupling", {{}, 0.01}, Origin::requirement,
-                                       "pressure and shear waves together bear what a scalar wave does, within 1 %, a "
-                                       "tenth of the room that cfl=auto leaves below a limit"),
-                               Tier::full));
-      Gate exact = declare(study + "/limit", {{}, 1e-3}, Origin::theory, sampled);
-      exact.quantity = "relative error of limit";
-      all.push_back(measure_gate(
-          study, exact, "limit", trial_level,
-          [](const RunResult&, const Measure& m) {
-            Measured measured;
-            measured.value = m.error / m.scale;
-            return measured;
-          },
-          Tier::full));
-      all.push_back(
-          value_gate(study, "scalar_of_eight_cells", trial_level,
-                     declare(study + "/eight-cells", {0.99 * eight, 1.01 * eight}, Origin::requirement,
-                             "the limit of a periodic patch of 8 × 8 cells, computed before this program was to three "
-                             "digits, within 1 %, a tenth of the room that cfl=auto leaves below a limit"),
-                     Tier::full));
-    }
-    all.push_back(error_gate(
-        "runs", "observed.departure", trial_level,
-        declare(
-            "runs/limit", {{}, 0.01}, Origin::requirement,
-            "observed limits within 1 % of the predicted ones, a tenth of the room that cfl=auto leaves below a limit"),
-        Tier::full));
-    return all;
-  }
-};
-
-PLUMBLINE_CASE(StabilityPlane);
+Case stability_plane() { return trial_case("stability-plane", trials(), gates()); }
+PLUMBLINE_CASE(stability_plane);
 
 }  // namespace
 }  // namespace plumbline

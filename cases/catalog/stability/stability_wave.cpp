@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "cases/catalog/stability/trial_case.hpp"
-#include "cases/harness/judge/gates.hpp"
 #include "cases/harness/laboratory/problem.hpp"
 #include "cases/harness/laboratory/wave.hpp"
 
@@ -61,29 +60,25 @@ Findings orders() {
   return findings;
 }
 
-class StabilityWave final : public TrialCase {
- public:
-  std::string name() const override { return "stability-wave"; }
-
-  std::vector<Trial> trials() const override {
-    return {{"orders", "orders of velocity and strain", "Truncation errors of the methods at a fixed mesh.", orders}};
-  }
-
-  std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all;
-    for (const Member& m : members()) {
-      for (const auto& [quantity, order] : {std::pair{"velocity", m.velocity}, {"strain", m.strain}}) {
-        const std::string measure = m.integrator + "." + quantity;
-        all.push_back(value_gate("orders", measure, trial_level,
-                                 declare("orders/" + measure, {order - 0.05, order + 0.05}, Origin::theory,
-                                         std::string("the method's order, to 0.05 for the longest steps: ") + m.why)));
-      }
+std::vector<CaseGate> gates() {
+  std::vector<CaseGate> all;
+  for (const Member& m : members()) {
+    for (const auto& [quantity, order] : {std::pair{"velocity", m.velocity}, {"strain", m.strain}}) {
+      const std::string measure = m.integrator + "." + quantity;
+      all.push_back(gate("orders/" + measure, value_of(measure), between(order - 0.05, order + 0.05),
+                         theory(std::string("the method's order, to 0.05 for the longest steps: ") + m.why)));
     }
-    return all;
   }
-};
+  return all;
+}
 
-PLUMBLINE_CASE(StabilityWave);
+Case stability_wave() {
+  return trial_case(
+      "stability-wave",
+      {{"orders", "orders of velocity and strain", "Truncation errors of the methods at a fixed mesh.", orders}},
+      gates());
+}
+PLUMBLINE_CASE(stability_wave);
 
 }  // namespace
 }  // namespace plumbline

@@ -5,14 +5,11 @@
 
 #include "cases/catalog/stability/trial_case.hpp"
 #include "cases/catalog/stability/york_bar.hpp"
-#include "cases/harness/judge/gates.hpp"
 #include "cases/harness/laboratory/problem.hpp"
 #include "reference/mpm_amplification.hpp"
 
 namespace plumbline {
 namespace {
-
-constexpr const char* measured_on = "2026-11-22 8052781";
 
 // The steps of Fig. 91, and two more, for a list that has no unstable one.
 std::vector<double> longer_list(const std::string& at) {
@@ -29,24 +26,20 @@ double first_unstable(const std::string& at, const Unstable& unstable) {
   return first == steps.end() ? std::nan("") : *first;
 }
 
-Settings settings_at(const StabilityProblem& york, const std::string& at) {
-  return stability_settings(york, "york1997", {{"at", at}});
-}
-
 Findings his_list(const std::string& at) {
   const StabilityProblem& york = find_stability_problem("york");
-  const Settings settings = settings_at(york, at);
+  const Settings settings = stability_settings(york, "york1997", {{"at", at}});
   const Experiment experiment = experiment_of(york, settings);
   const Watch watch = york.watch(settings);
   const auto grows = [&](double c) { return run_perturbed(experiment, watch, 0, c).unstable; };
   const std::vector<double> steps = york_steps(at);
   std::vector<std::vector<double>> histories;
-  for (const double c : steps) histories.push_back(energy_history({york_offset(at), true}, c));
   Findings findings;
   findings.measures.push_back(finding("first_unstable", first_unstable(at, grows), "h/c"));
-  for (std::size_t k = 0; k < steps.size(); ++k) {
+  for (const double c : steps) {
+    const std::vector<double>& history = histories.emplace_back(energy_history({york_offset(at), true}, c));
     findings.measures.push_back(
-        finding("highest_energy_" + to_text(steps[k]), *std::max_element(histories[k].begin(), histories[k].end())));
+        finding("highest_energy_" + to_text(c), *std::max_element(history.begin(), history.end())));
   }
   findings.profile = energy_profile(steps, histories);
   return findings;
@@ -87,90 +80,67 @@ Findings true_limit(const std::string& at) {
   return findings;
 }
 
-class StabilityYork final : public TrialCase {
- public:
-  std::string name() const override { return "stability-york"; }
+std::vector<Trial> trials() {
+  std::vector<Trial> all;
+  for (const std::string at : {"centres", "sides"}) {
+    all.push_back({"list-" + at, "Fig. 91, points at the " + at + ": energy against time",
+                   "His steps and his kick; ends held throughout.", [at] { return his_list(at); }});
+    all.push_back({"late-held-" + at, "the same, ends held after the forces only", "A loop of ten numbers.",
+                   [at] { return late_held_list(at); }});
+    all.push_back({"limit-" + at, "true limits, points at the " + at, "All ten eigenvalues, and runs.",
+                   [at] { return true_limit(at); }});
+  }
+  return all;
+}
 
-  std::vector<Trial> trials() const override {
-    std::vector<Trial> all;
-    for (const std::string at : {"centres", "sides"}) {
-      all.push_back({"list-" + at, "Fig. 91, points at the " + at + ": energy against time",
-                     "His steps and his kick; ends held throughout.", [at] { return his_list(at); }});
-      all.push_back({"late-held-" + at, "the same, ends held after the forces only", "A loop of ten numbers.",
-                     [at] { return late_held_list(at); }});
-      all.push_back({"limit-" + at, "true limits, points at the " + at, "All ten eigenvalues, and runs.",
-                     [at] { return true_limit(at); }});
+Number relative_error_of(const std::string& measure) {
+  return number_at("relative error of " + measure, measure, trial_level, [](const RunResult&, const Measure& m) {
+    Measured measured = Measured::of(m.error / m.scale);
+    measured.reference_bound = m.reference_bound / m.scale;
+    return measured;
+  });
+}
+
+std::vector<CaseGate> gates() {
+  const Number first_unstable_step = value_of("first_unstable");
+  const Because his = literature("York: the first unstable time step observed, of the steps in Fig. 91");
+  const double half = std::sin(0.4 * std::numbers::pi);  // 2 h/c over the limit at the centres
+  std::vector<CaseGate> all{
+      gate("list-centres/first-unstable", first_unstable_step, exactly(2), his)
+          .fails("the limit of these five points is 2.103 h/c, held or free; his list ends below it, and of the steps "
+                 "added to it 2.2 is the first above",
+                 {2.2, 2.2}),
+      gate("list-sides/first-unstable", first_unstable_step, exactly(1.1), his),
+      gate("late-held-centres/first-unstable", first_unstable_step, exactly(2), his),
+      gate("late-held-sides/first-unstable", first_unstable_step, exactly(1.1), his),
+      recorded("late-held-centres/limit", value_of("limit"), 1.93861, 1e-3, "2026-11-22 8052781",
+               "no closed form is known: bisected, as guard against drift"),
+      gate("list-centres/energy-at-2", value_of("highest_energy_2"), between(1, (1 + half) / (1 - half)),
+           theory("the step keeps v² + ω²u² − Δt ω² u v of each mode, so the energy stays within (1 + Ω/2)/(1 − Ω/2) "
+                  "of its start, Ω/2 = 2/2.103")),
+      gate("list-sides/energy-at-1.1", value_of("highest_energy_1.1"), at_least(20),
+           literature("York's curve leaves the figure, whose axis ends at twenty times the kick's"))};
+  for (const std::string study : {"limit-centres", "limit-sides"}) {
+    for (const std::string ends : {"held", "free"}) {
+      const std::string id = study + "/" + ends + "-";
+      const std::vector<CaseGate> rows{
+          gate(id + "predicted", relative_error_of(ends + ".predicted"), at_most(1e-6),
+               theory("differentiating the step gives the eigenvalues of the symmetric matrix; a radius up to 1 + 1e-6 "
+                      "counts as stable")),
+          gate(id + "observed", relative_error_of(ends + ".observed"), at_most(1e-3),
+               theory("runs bracket the limit, and bisection leaves brackets of 0.1 %")),
+          gate(id + "width", value_of(ends + ".bracket_width"), at_most(1e-3),
+               theory("bisection ends when a bracket is narrower than this")),
+          gate(id + "brackets", value_of(ends + ".brackets"), exactly(1),
+               theory("stable steps are an interval: waves are lost through -1 alone"))};
+      all.insert(all.end(), rows.begin(), rows.end());
     }
-    return all;
   }
+  return all;
+}
 
-  std::vector<CaseGate> gates() const override {
-    std::vector<CaseGate> all = list_gates();
-    for (const std::string at : {"centres", "sides"}) {
-      const std::string study = "limit-" + at;
-      for (const std::string ends : {"held", "free"}) {
-        const std::string id = study + "/" + ends + "-";
-        all.push_back(relative_gate(study, ends + ".predicted",
-                                    declare(id + "predicted", {{}, 1e-6}, Origin::theory,
-                                            "differentiating the step gives the eigenvalues of the symmetric matrix; "
-                                            "a radius up to 1 + 1e-6 counts as stable")));
-        all.push_back(relative_gate(study, ends + ".observed",
-                                    declare(id + "observed", {{}, 1e-3}, Origin::theory,
-                                            "runs bracket the limit, and bisection leaves brackets of 0.1 %")));
-        all.push_back(value_gate(
-            study, ends + ".bracket_width", trial_level,
-            declare(id + "width", {{}, 1e-3}, Origin::theory, "bisection ends when a bracket is narrower than this")));
-        all.push_back(value_gate(study, ends + ".brackets", trial_level,
-                                 declare(id + "brackets", {1, 1}, Origin::theory,
-                                         "stable steps are an interval: waves are lost through -1 alone")));
-      }
-    }
-    return all;
-  }
-
- private:
-  static CaseGate relative_gate(const std::string& study, const std::string& measure, Gate gate) {
-    gate.quantity = "relative error of " + measure;
-    return measure_gate(study, gate, measure, trial_level, [](const RunResult&, const Measure& m) {
-      Measured measured;
-      measured.value = m.error / m.scale;
-      measured.reference_bound = m.reference_bound / m.scale;
-      return measured;
-    });
-  }
-
-  static std::vector<CaseGate> list_gates() {
-    const auto his = [](const std::string& study, double step) {
-      return declare(study + "/first-unstable", {step, step}, Origin::literature,
-                     "York: the first unstable time step observed, of the steps in Fig. 91");
-    };
-    std::vector<CaseGate> all;
-    all.push_back(value_gate(
-        "list-centres", "first_unstable", trial_level,
-        expected_failure(his("list-centres", 2),
-                         "the limit of these five points is 2.103 h/c, held or free; his list ends below it, and of "
-                         "the steps added to it 2.2 is the first above",
-                         {2.2, 2.2})));
-    all.push_back(value_gate("list-sides", "first_unstable", trial_level, his("list-sides", 1.1)));
-    all.push_back(value_gate("late-held-centres", "first_unstable", trial_level, his("late-held-centres", 2)));
-    all.push_back(value_gate("late-held-sides", "first_unstable", trial_level, his("late-held-sides", 1.1)));
-    all.push_back(value_gate("late-held-centres", "limit", trial_level,
-                             regression("late-held-centres/limit", 1.93861, 1e-3, measured_on,
-                                        "no closed form is known: bisected, as guard against drift")));
-    const double half = std::sin(0.4 * std::numbers::pi);  // 2 h/c over the limit at the centres
-    all.push_back(
-        value_gate("list-centres", "highest_energy_2", trial_level,
-                   declare("list-centres/energy-at-2", {1, (1 + half) / (1 - half)}, Origin::theory,
-                           "the step keeps v² + ω²u² − Δt ω² u v of each mode, so the energy stays within (1 + "
-                           "Ω/2)/(1 − Ω/2) of its start, Ω/2 = 2/2.103")));
-    all.push_back(value_gate("list-sides", "highest_energy_1.1", trial_level,
-                             declare("list-sides/energy-at-1.1", {20, {}}, Origin::literature,
-                                     "York's curve leaves the figure, whose axis ends at twenty times the kick's")));
-    return all;
-  }
-};
-
-PLUMBLINE_CASE(StabilityYork);
+Case stability_york() { return trial_case("stability-york", trials(), gates()); }
+PLUMBLINE_CASE(stability_york);
 
 }  // namespace
 }  // namespace plumbline

@@ -19,7 +19,10 @@ std::optional<Number> number_of(const std::string& text) {
   return value;
 }
 
-const auto check = [](CLI::Option& option, auto&& fault_of) { option.check(CLI::Validator(fault_of, "", "")); };
+template <class FaultOf>
+void check(CLI::Option& option, const FaultOf& fault_of) {
+  option.check(CLI::Validator(fault_of, "", ""));
+}
 
 }  // namespace
 

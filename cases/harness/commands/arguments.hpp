@@ -1,4 +1,4 @@
-// What the command line may say. The parser's own header takes ten seconds to compile; few sources include it.
+// What the command line may say. The parser's own header takes seconds to compile; few sources include it.
 #pragma once
 
 #include <functional>

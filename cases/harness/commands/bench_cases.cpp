@@ -37,7 +37,7 @@ void add_york_levels(const Case& entry, const std::vector<StudyPlan>& plans, Tie
   if (!is_compared) return;
   StudyPlan plan{.id = york_levels, .title = "York 1997", .why = "His scheme at the levels of the default."};
   plan.scheme = "york1997";
-  plan.values = entry.default_levels();
+  plan.values = entry.levels;
   add_plan(entry, plan, tier, runs);
 }
 
@@ -66,7 +66,7 @@ double estimate(const CostRun& run) {
 
 // The document of the run as an earlier verification stored it; null if there is none.
 Json stored_run(const CostRun& run, const std::string& results) {
-  const RunResult named(run.entry->name(), run.scheme, run.settings);
+  const RunResult named(run.entry->name, run.scheme, run.settings);
   try {
     return Json::parse(read_hdf5_text(results + "/" + ResultsFolder::run_name(named), "/run"));
   } catch (const FileError&) {
@@ -133,7 +133,7 @@ Json errors_of(const Json& measures) {
 Json own_choices(const CostRun& run) {
   const Settings usual = run.entry->settings("default", {});
   Json choices = Json::object();
-  for (const Key& key : run.entry->keys()) {
+  for (const Key& key : run.entry->keys) {
     if (run.settings[key.name] != usual[key.name]) choices[key.name] = to_json(run.settings[key.name]);
   }
   return choices;
@@ -141,24 +141,24 @@ Json own_choices(const CostRun& run) {
 
 }  // namespace
 
-std::string CostRun::key() const { return entry->name() + "\n" + called + "\n" + settings.canonical(); }
+std::string CostRun::key() const { return entry->name + "\n" + called + "\n" + settings.canonical(); }
 
 std::vector<CostRun> cost_runs(const Case& entry, Tier tier) {
   std::vector<CostRun> runs;
-  if (entry.name().rfind("stability-", 0) == 0) return runs;
-  const std::vector<StudyPlan> plans = entry.studies();
+  if (!entry.trials.empty()) return runs;
+  const std::vector<StudyPlan> plans = entry.studies;
   for (const StudyPlan& plan : plans) {
     if (plan.vary == Vary::cells && (plan.tier == Tier::quick || tier == Tier::full)) add_plan(entry, plan, tier, runs);
   }
-  if (entry.any_integrator()) {
+  if (entry.any_integrator) {
     for (const IntegratorEntry& integrator : integrators()) {
       StudyPlan plan = integrator_plan(entry, integrator.name);
-      plan.values = entry.default_levels();
+      plan.values = entry.levels;
       add_plan(entry, plan, tier, runs);
     }
   }
   add_york_levels(entry, plans, tier, runs);
-  if (entry.name() == "sod") add_surface(entry, runs);
+  if (entry.name == "sod") add_surface(entry, runs);
   return runs;
 }
 
@@ -191,7 +191,7 @@ std::vector<CostSample> time_cost_runs(const std::vector<CostRun>& runs, int rep
 }
 
 Json cost_run_name(const CostRun& run) {
-  return {{"case", run.entry->name()},
+  return {{"case", run.entry->name},
           {"scheme", run.scheme},
           {"study", run.study},
           {"vary", name(run.vary)},
@@ -205,7 +205,7 @@ Json cost_entry(const CostRun& run, const CostSample& sample) {
   const long points = document["points"].get<long>(), steps = document["steps"].get<long>();
   const double time = document["time"].get<double>();
   Json entry = cost_run_name(run);
-  entry.update({{"kind", name(run.entry->kind())},
+  entry.update({{"kind", name(run.entry->kind)},
                 {"differs", own_choices(run)},
                 {"cells", run.settings.integer("cells")},
                 {"h", document["h"]},

@@ -22,7 +22,7 @@ std::pair<Json, Json> time_run(const TimedRun& timed, const std::vector<std::str
               {"part", "run"},
               {"dimension", run.dim},
               {"axisymmetric", run.axisymmetric},
-              {"material", name(entry.kind())},
+              {"material", name(entry.kind)},
               {"shape", settings.text("shape")},
               {"transfer", settings.text("transfer")},
               {"integrator", settings.text("integrator")},

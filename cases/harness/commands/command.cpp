@@ -149,8 +149,9 @@ void write_json(const CommonOptions& options, const Json& document) {
 Progress terminal_progress(const std::string& what) {
   if (!::isatty(STDERR_FILENO)) return {};
   return [what](std::size_t done, std::size_t of, const RunResult& last) {
-    fmt::print(stderr, "\r\033[K{}: {} of {} runs, last {} cells in {:.2f} s", what, done, of,
-               last.settings.integer("cells"), last.wall_s);
+    const std::string which = last.settings.has("cells") ? to_text(last.settings["cells"]) + " cells"
+                                                         : last.settings.text("trial");
+    fmt::print(stderr, "\r\033[K{}: {} of {} runs, last {} in {:.2f} s", what, done, of, which, last.wall_s);
     std::fflush(stderr);
   };
 }
@@ -162,7 +163,7 @@ void end_progress() {
 std::vector<const Case*> matching_cases(const std::vector<std::string>& patterns) {
   if (patterns.empty()) return cases();
   std::vector<std::string> names;
-  for (const Case* entry : cases()) names.push_back(entry->name());
+  for (const Case* entry : cases()) names.push_back(entry->name);
   std::vector<bool> chosen(cases().size(), false);
   for (const std::string& pattern : patterns) {
     bool any = false;

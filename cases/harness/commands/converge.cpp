@@ -14,7 +14,7 @@ struct ConvergeOptions {
 std::vector<double> levels(const Case& entry, Vary vary, const std::vector<int>& cells) {
   switch (vary) {
     case Vary::cells:
-      return cells.empty() ? entry.default_levels() : std::vector<double>(cells.begin(), cells.end());
+      return cells.empty() ? entry.levels : std::vector<double>(cells.begin(), cells.end());
     case Vary::dt:
       return {1, 0.5, 0.25, 0.125, 0.0625};
     case Vary::ppc:
@@ -52,7 +52,7 @@ ChosenPlan plan_for(const Case& entry, const SchemeChoice& choice, Vary vary, co
   if (vary != Vary::cells && !options.cells.empty())
     plan.overrides.emplace_back("cells", static_cast<double>(options.cells.front()));
   const Settings wanted = planned_runs(entry, plan, Tier::quick, typed).front().settings;
-  for (StudyPlan declared : entry.studies()) {
+  for (StudyPlan declared : entry.studies) {
     if (declared.vary != vary || declared.scheme != choice.scheme) continue;
     declared.values = plan.values;
     if (!(planned_runs(entry, declared, Tier::quick).front().settings == wanted)) continue;
@@ -85,7 +85,7 @@ void print_levels(const Output& out, const StudyResult& study, const std::vector
 }
 
 void print(const Output& out, const StudyResult& study, const std::vector<JudgedGate>& gates, bool declared) {
-  out.line("{} under {}: {}. {}\nErrors against the reference:", study.entry->name(), study.scheme, study.plan.title,
+  out.line("{} under {}: {}. {}\nErrors against the reference:", study.entry->name, study.scheme, study.plan.title,
            study.plan.why);
   const std::vector<std::string> measures = leading_measures(study);
   print_levels(out, study, measures);
@@ -114,18 +114,18 @@ int execute(const Invocation& invocation, const ConvergeOptions& options) {
   const Output out(common);
   const Provenance provenance = provenance_of(entry, invocation.provenance());
   RunStore store(folder, provenance, common.reuse);
-  Json document{{"case", entry.name()}, {"studies", Json::array()}};
+  Json document{{"case", entry.name}, {"studies", Json::array()}};
   std::vector<JudgedGate> all;
   bool stopped = false;
   for (const auto& [plan, declared] : plans) {
     const auto planned = planned_runs(entry, plan, Tier::quick,
                                       declared ? std::vector<std::string>{} : common.settings);
-    StudyResult study = run_study(entry, plan, planned, common.threads, terminal_progress(entry.name() + " " + plan.id),
+    StudyResult study = run_study(entry, plan, planned, common.threads, terminal_progress(entry.name + " " + plan.id),
                                   &store);
     end_progress();
     for (const StudyLevel& at : study.levels) stopped = stopped || at.run.stop;
     std::vector<CaseGate> gates;
-    for (CaseGate& gate : entry.gates()) {
+    for (CaseGate gate : entry.gates) {
       if (declared && gate.study == plan.id) gates.push_back(std::move(gate));
     }
     for (CaseGate& gate : generic_gates(plan.id, study.levels.front().run.dim, study.levels.front().run.axisymmetric))

@@ -14,10 +14,10 @@ void print(const Output& out, const Case& entry) {
   for (const Key& key : settings.keys()) {
     out.line("  {:22} {:12} {:34} {}", key.name, to_text(key.value), key.allowed(), key.description);
   }
-  for (const StudyPlan& plan : entry.studies()) {
+  for (const StudyPlan& plan : entry.studies) {
     out.line("\nStudy {}: {} (varies {}, scheme {})\n  {}", plan.id, plan.title, name(plan.vary), plan.scheme,
              plan.why);
-    for (const CaseGate& g : entry.gates()) {
+    for (const CaseGate& g : entry.gates) {
       if (g.study != plan.id) continue;
       const auto end = [](const std::optional<double>& x) { return x ? fmt::format("{:.6g}", *x) : std::string(); };
       out.line("  gate {}: {} in [{}, {}] ({}): {}", g.gate.id, g.gate.quantity, end(g.gate.expected.low),

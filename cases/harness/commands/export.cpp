@@ -30,7 +30,7 @@ int execute(const Invocation& invocation, const ExportOptions& options) {
              body.at("material").at("name").get<std::string>(), body.at("final_state").at("points").get<std::string>());
   }
   out.line("{} and {}: the start of {}, to t = {:.6g} s", options.output, description_beside(options.output),
-           entry.name(), description.at("end_time").get<double>());
+           entry.name, description.at("end_time").get<double>());
   if (!description.at("scored").get<bool>()) {
     out.line("`plumbline score` cannot judge it: {}", description.at("why_not_scored").get<std::string>());
   }

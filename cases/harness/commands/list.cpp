@@ -19,7 +19,7 @@ Json scheme_entries() {
   Json list = Json::array();
   for (const std::string& scheme : scheme_names()) {
     Json resolved = Json::object();
-    for (const Case* entry : cases()) resolved[entry->name()] = to_json(entry->settings(scheme, {}));
+    for (const Case* entry : cases()) resolved[entry->name] = to_json(entry->settings(scheme, {}));
     Json by_kind = Json::object();
     for (const Kind kind : all_kinds) {
       for (const auto& [key, value] : scheme_values(scheme, kind)) by_kind[name(kind)][key] = to_json(value);
@@ -38,13 +38,13 @@ Json case_entries() {
   for (const Case* entry : cases()) {
     const Statement s = entry->statement();
     Json keys = Json::array();
-    for (const Key& key : entry->keys()) keys.push_back(key.name);
+    for (const Key& key : entry->keys) keys.push_back(key.name);
     list.push_back({{"name", s.name},
                     {"title", s.title},
                     {"source", s.source},
                     {"cells_along", s.cells_along},
                     {"keys", keys},
-                    {"kind", name(entry->kind())},
+                    {"kind", entry->trials.empty() ? name(entry->kind) : "trials"},
                     {"scored", why_not_scored(*entry, entry->settings("default", {})).empty()}});
   }
   return list;

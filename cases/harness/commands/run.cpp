@@ -23,7 +23,7 @@ struct Declared {
 };
 
 std::optional<Declared> declared_run(const Case& entry, const std::string& scheme, const Settings& settings) {
-  for (const StudyPlan& plan : entry.studies()) {
+  for (const StudyPlan& plan : entry.studies) {
     if (plan.scheme != scheme || plan.vary == Vary::dt) continue;
     for (const Tier tier : {Tier::quick, Tier::full}) {
       for (const PlannedRun& planned : planned_runs(entry, plan, tier)) {
@@ -39,7 +39,7 @@ std::vector<JudgedGate> judge_run(const Case& entry, const RunResult& run, const
   StudyResult study{&entry, plan, run.scheme, {}, {}, {}, nullptr};
   study.levels.push_back({declared ? declared->value : run.settings.number("cells"), run.h, run, {}});
   std::vector<CaseGate> gates;
-  for (CaseGate& gate : entry.gates()) {
+  for (CaseGate gate : entry.gates) {
     if (declared && gate.study == plan.id && gate.levels.size() == 1 && gate.also.empty())
       gates.push_back(std::move(gate));
   }
@@ -84,9 +84,9 @@ void print(const Output& out, const RunResult& run, const std::vector<JudgedGate
 int dry_run(const Output& out, const Invocation& invocation, const Case& entry, const std::string& scheme,
             const Settings& settings) {
   const RunEstimate estimate = estimate_run(entry, settings);
-  out.line("{} under {}: {} points, {} cells, about {} steps, {:.3g} MB, about {:.2g} s", entry.name(), scheme,
+  out.line("{} under {}: {} points, {} cells, about {} steps, {:.3g} MB, about {:.2g} s", entry.name, scheme,
            estimate.points, estimate.cells, estimate.steps, estimate.bytes / 1e6, estimate.seconds);
-  write_json(invocation.options, {{"case", entry.name()},
+  write_json(invocation.options, {{"case", entry.name},
                                   {"scheme", scheme},
                                   {"settings", to_json(settings)},
                                   {"dry_run", true},
@@ -132,6 +132,10 @@ RunChoice chosen_run(const Invocation& invocation, const RunOptions& options) {
   std::vector<Override> overrides = chosen[0].overrides;
   if (options.cells) overrides.emplace_back("cells", static_cast<double>(*options.cells));
   Settings settings = entry.settings(chosen[0].scheme, overrides, invocation.options.settings);
+  if (!entry.trials.empty() && (options.frames || options.checkpoints.file || options.checkpoints.every)) {
+    const char* key = options.frames ? "--frames" : "--checkpoint";
+    throw UsageError(key, entry.name, "a case of runs", {}, fmt::format("{}: {} has trials, without steps", key, entry.name));
+  }
   return {&entry, chosen[0].scheme, std::move(settings), frames_of(options)};
 }
 
@@ -166,7 +170,7 @@ int execute(const Invocation& invocation, const RunOptions& options) {
   if (options.dry) return dry_run(out, invocation, entry, choice.scheme, choice.settings);
   const ResultsFolder folder(invocation.options.results);
   if (const RunState* from = checkpoints.from())
-    out.line("{} goes on from step {}, t = {:.6g} s", entry.name(), from->step, from->time);
+    out.line("{} goes on from step {}, t = {:.6g} s", entry.name, from->step, from->time);
   Making making;
   const RunResult run = made_run(choice, checkpoints, making, invocation.options.threads);
   const auto declared = declared_run(entry, choice.scheme, choice.settings);

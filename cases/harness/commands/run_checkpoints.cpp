@@ -77,7 +77,7 @@ std::optional<RunChoice> RunCheckpoints::resumed() const {
 void RunCheckpoints::refuse_other_choices(const CommonOptions& options, const RunChoice& resumed,
                                           const std::optional<std::string>& case_name, std::optional<int> cells,
                                           std::optional<int> frames) const {
-  const std::string &file = *options_.resume, own = resumed.entry->name();
+  const std::string &file = *options_.resume, own = resumed.entry->name;
   const auto compare = [&](const std::string& key, const std::string& given, const std::string& kept) {
     if (given != kept) refuse(file, key, given, kept);
   };
@@ -111,8 +111,8 @@ RunStates RunCheckpoints::states(const RunChoice& choice) {
   written_at_ = std::chrono::steady_clock::now();
   states.wanted = [this](const Simulation& now) { return due(now.steps()); };
   states.keep = [this, choice](const RunState& state) {
-    write_checkpoint(file_, {choice.entry->name(), choice.scheme, choice.settings.canonical(),
-                             fingerprint(*choice.entry), build_in_words(), choice.frames, every_, state});
+    write_checkpoint(file_, {choice.entry->name, choice.scheme, choice.settings.canonical(), fingerprint(*choice.entry),
+                             build_in_words(), choice.frames, every_, state});
     written_step_ = state.step;
     written_at_ = std::chrono::steady_clock::now();
   };

@@ -14,7 +14,7 @@ Json document_of(const Case& entry, const Score& score, const Provenance& proven
   Json not_judged = Json::array();
   for (const NotJudged& gate : score.not_judged) not_judged.push_back({{"id", gate.id}, {"reason", gate.reason}});
   const auto all = verdicts(score.gates);
-  Json document{{"case", entry.name()},
+  Json document{{"case", entry.name},
                 {"scheme", score.study.scheme},
                 {"program", score.program},
                 {"version", score.version},

@@ -51,7 +51,7 @@ void print_program(const Output& out, const ProblemScores& problem, const Progra
 void print(const Output& out, const ProblemScores& problem) {
   std::string typed;
   for (const std::string& setting : problem.starts.front().typed) typed += " " + setting;
-  out.line("{}{}: {}", problem.entry->name(), typed, problem.measure);
+  out.line("{}{}: {}", problem.entry->name, typed, problem.measure);
   print_row(out, "program", "cells", fmt::format("{:12}", "verdict"), "error/default", "time/s", "");
   for (const StudyLevel& at : problem.own.levels) {
     const std::string stop = at.run.stop ? "STOPPED: " + at.run.stop->reason : "";
@@ -83,7 +83,7 @@ int judge_alone(const ScoreFolder& folder, const std::string& only) {
   return 0;
 }
 
-Trial trial_of(const CommonOptions& common, const ScoreboardOptions& options) {
+TrialRun trial_of(const CommonOptions& common, const ScoreboardOptions& options) {
   std::vector<std::string> words{"/proc/self/exe", "scoreboard", options.folder};
   for (const std::string& word : plugin_words(common)) words.push_back(word);
   return [words, timeout = options.timeout](const std::string& program, const Start& start) {

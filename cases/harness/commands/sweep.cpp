@@ -138,7 +138,7 @@ Json document_of(Outcome& outcome, const std::vector<PlanRun>& runs, const Resul
   Json failed = Json::array(), made = Json::array();
   for (const PlanRun& run : runs) {
     if (const auto why = outcome.failed.find(run.file); why != outcome.failed.end()) {
-      failed.push_back({{"file", run.file}, {"case", run.entry->name()}, {"error", why->second}});
+      failed.push_back({{"file", run.file}, {"case", run.entry->name}, {"error", why->second}});
     } else {
       made.push_back(swept(folder, run));
       outcome.misbehaved = outcome.misbehaved || is_misbehaviour(made.back().at("stop"));

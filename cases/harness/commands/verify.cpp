@@ -183,10 +183,10 @@ void verify_cases(const CommonOptions& common, const VerifyOptions& options, Run
                   Verification& verification) {
   const auto& asked = options.patterns;
   for (const Case* entry : matching_cases(asked)) {
-    const bool by_name = std::find(asked.begin(), asked.end(), entry->name()) != asked.end();
+    const bool by_name = std::find(asked.begin(), asked.end(), entry->name) != asked.end();
     const Selection selection{common.schemes, common.integrators, common.settings, by_name, &recorded_values()};
     verify_case(*entry, options.tier == "full" ? Tier::full : Tier::quick, selection, common.threads, store,
-                terminal_progress(entry->name()), verification);
+                terminal_progress(entry->name), verification);
     end_progress();
   }
 }

@@ -88,15 +88,15 @@ std::vector<Discrepancy> wide_bands(const std::vector<const Case*>& entries, con
   std::vector<Discrepancy> found;
   std::set<const Ensemble*> used;
   for (const Case* entry : entries) {
-    for (const CaseGate& declared : entry->gates()) {
-      const LedgerLine::Key key{entry->name(), declared.study, declared.gate.id};
+    for (const CaseGate& declared : entry->gates) {
+      const LedgerLine::Key key{entry->name, declared.study, declared.gate.id};
       const auto runs = std::find_if(ensembles.begin(), ensembles.end(), [&](const Ensemble& e) {
         return key == LedgerLine::Key{e.case_name, e.study, e.id} && declared.gate.expected_failure;
       });
       const Ensemble* const of_gate = runs == ensembles.end() ? nullptr : &*runs;
       used.insert(of_gate);
       if (const std::string why = too_wide(declared.gate, of_gate); !why.empty())
-        found.push_back({"wide", key, fmt::format("gate {} of {}: {}", declared.gate.id, entry->name(), why)});
+        found.push_back({"wide", key, fmt::format("gate {} of {}: {}", declared.gate.id, entry->name, why)});
     }
   }
   for (const Ensemble& e : ensembles) {

@@ -110,7 +110,7 @@ std::vector<RecordedValue> recorded_from(const std::vector<RecordedValue>& befor
     std::set<std::pair<std::string, std::string>> judged;
     std::map<RecordedValue::Key, RecordedValue> found;
     std::set<std::string> known;
-    for (const Case* entry : cases()) known.insert(entry->name());
+    for (const Case* entry : cases()) known.insert(entry->name);
     for (const Json& gate : verification.at("gates")) {
       if (known.count(gate.at("case").get<std::string>()) == 0) continue;  // an integrator's own
       judged.emplace(gate.at("case").get<std::string>(), gate.at("study").get<std::string>());
@@ -144,7 +144,7 @@ std::vector<Discrepancy> unrecorded(const std::vector<const Case*>& entries, con
   std::vector<Discrepancy> found;
   std::set<std::pair<std::string, std::string>> studies;
   for (const Case* entry : entries) {
-    const std::string name = entry->name();
+    const std::string name = entry->name;
     const std::string call = fmt::format(
         "Record it: `plumbline verify {} --json judged.json`, then `plumbline tolerances cases/tolerances.json "
         "--record "
@@ -157,11 +157,11 @@ std::vector<Discrepancy> unrecorded(const std::vector<const Case*>& entries, con
                          fmt::format("no value is recorded of gate {} of {}, study {}. {}", id, name, study, call)});
     };
     std::set<std::string> failing;
-    for (const CaseGate& gate : entry->gates()) {
+    for (const CaseGate& gate : entry->gates) {
       if (gate.gate.expected_failure) failing.insert(gate.gate.id);
       if (gate.tier == Tier::quick && !gate.gate.expected_failure) demand(gate.study, gate.gate.id);
     }
-    for (const StudyPlan& plan : entry->studies()) {
+    for (const StudyPlan& plan : entry->studies) {
       studies.emplace(name, plan.id);
       for (const char* generic : {"/finite", "/mass", "/momentum", "/ledger"}) {
         if (plan.tier == Tier::quick && failing.count(plan.id + generic) == 0) demand(plan.id, plan.id + generic);

@@ -153,8 +153,8 @@ std::vector<LedgerLine> declared_lines(const std::vector<const Case*>& entries, 
   std::vector<LedgerLine> lines;
   for (const CaseGate& gate : generic_gates(any_case, 2)) lines.push_back(declared_line(any_case, gate, date));
   for (const Case* entry : entries) {
-    const std::string name = entry->name();
-    for (const CaseGate& gate : entry->gates()) lines.push_back(declared_line(name, gate, date));
+    const std::string name = entry->name;
+    for (const CaseGate& gate : entry->gates) lines.push_back(declared_line(name, gate, date));
   }
   std::sort(lines.begin(), lines.end(), [](const LedgerLine& a, const LedgerLine& b) { return a.key() < b.key(); });
   return lines;

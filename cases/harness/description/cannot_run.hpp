@@ -7,7 +7,7 @@
 namespace plumbline {
 
 inline MissingTraits cannot_run(const Case& entry, const Settings& settings, const CannotWork& parts) {
-  return {"integrator", settings.text("integrator"), "another integrator, or other choices", "case=" + entry.name(),
+  return {"integrator", settings.text("integrator"), "another integrator, or other choices", "case=" + entry.name,
           parts.lacks};
 }
 

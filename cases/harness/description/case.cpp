@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
+#include <utility>
 
 #include "cases/harness/description/auto_courant.hpp"
 #include "cases/harness/description/prose.hpp"
@@ -14,13 +14,22 @@
 namespace plumbline {
 namespace {
 
-std::vector<const Case*>& registered() {
-  static std::vector<const Case*> all;
+// What makes cases, before main; the cases are made when first asked for.
+using Makers = std::vector<std::pair<std::function<std::vector<Case>()>, std::string>>;
+Makers& makers() {
+  static Makers all;
   return all;
 }
 
-std::map<const Case*, std::string>& source_files() {
-  static std::map<const Case*, std::string> all;
+std::vector<Case> made_cases() {
+  std::vector<Case> all;
+  for (const auto& [make, file] : makers()) {
+    for (Case& made : make()) {
+      made.source_file = file;
+      all.push_back(std::move(made));
+    }
+  }
+  std::sort(all.begin(), all.end(), [](const Case& a, const Case& b) { return a.name < b.name; });
   return all;
 }
 
@@ -37,23 +46,115 @@ Vary vary_from(const std::string& text) {
   throw unknown_name("--vary", text, {vary_names.begin(), vary_names.end()});
 }
 
-RegisterCase::RegisterCase(const Case* entry, const char* file) {
-  source_files()[entry] = file;
-  auto& all = registered();
-  const auto place = std::upper_bound(all.begin(), all.end(), entry,
-                                      [](const Case* a, const Case* b) { return a->name() < b->name(); });
-  all.insert(place, entry);
+StudyPlan study(std::string id, std::string title, std::string why, std::vector<double> values) {
+  return {.id = std::move(id), .title = std::move(title), .why = std::move(why), .values = std::move(values)};
 }
 
-const std::vector<const Case*>& cases() { return registered(); }
+StudyPlan StudyPlan::of_york() && {
+  scheme = "york1997";
+  return std::move(*this);
+}
 
-const std::string& source_file(const Case& entry) { return source_files().at(&entry); }
+StudyPlan StudyPlan::with(std::vector<Override> choices) && {
+  overrides = std::move(choices);
+  return std::move(*this);
+}
+
+StudyPlan StudyPlan::over(Vary varied) && {
+  vary = varied;
+  return std::move(*this);
+}
+
+StudyPlan StudyPlan::in_full(std::vector<double> levels) && {
+  full_values = std::move(levels);
+  return std::move(*this);
+}
+
+StudyPlan StudyPlan::in(Tier lowest) && {
+  tier = lowest;
+  return std::move(*this);
+}
+
+StudyPlan StudyPlan::pictured(int count, std::optional<double> level) && {
+  frames = count;
+  frames_at = level;
+  return std::move(*this);
+}
+
+CaseGate CaseGate::on(std::string other_study) && {
+  study = std::move(other_study);
+  return std::move(*this);
+}
+
+CaseGate CaseGate::beside(std::vector<std::string> studies) && {
+  also = std::move(studies);
+  return std::move(*this);
+}
+
+CaseGate CaseGate::in(Tier lowest) && {
+  tier = lowest;
+  return std::move(*this);
+}
+
+CaseGate CaseGate::fails(std::string cause, Range band, std::string measured_on) && {
+  gate.expected_failure = ExpectedFailure{std::move(cause), band, {}, std::move(measured_on)};
+  return std::move(*this);
+}
+
+CaseGate CaseGate::or_stops(StopBand band) && {
+  gate.expected_failure->stops = std::move(band);
+  return std::move(*this);
+}
+
+RegisterCases::RegisterCases(std::vector<Case> (*make)(), const char* file) { makers().emplace_back(make, file); }
+RegisterCases::RegisterCases(Case (*make)(), const char* file) {
+  makers().emplace_back([make] { return std::vector<Case>{make()}; }, file);
+}
+
+const std::vector<const Case*>& cases() {
+  static const std::vector<Case> made = made_cases();
+  static const std::vector<const Case*> all = [] {
+    std::vector<const Case*> pointers;
+    for (const Case& entry : made) pointers.push_back(&entry);
+    return pointers;
+  }();
+  return all;
+}
+
+Case trial_case(std::string name, std::vector<Trial> trials, std::vector<CaseGate> gates) {
+  Case made{.name = std::move(name), .gates = std::move(gates), .levels = {trial_level}};
+  Key key{.name = "trial", .value = trials.front().name, .description = "what is looked at"};
+  for (const Trial& trial : trials) {
+    key.choices.push_back(trial.name);
+    made.studies.push_back(
+        study(trial.name, trial.title, trial.why, {trial_level}).with({{"trial", trial.name}}).in(trial.tier));
+  }
+  made.keys = {std::move(key)};
+  made.problem = [name = made.name](const Settings&) -> std::unique_ptr<Problem> {
+    throw UsageError("case", name, "a case of runs", {}, name + " has trials beside any run, and no points");
+  };
+  made.trials = std::move(trials);
+  return made;
+}
+
+const Trial& Case::trial(const Settings& settings) const {
+  return *std::find_if(trials.begin(), trials.end(),
+                       [&](const Trial& one) { return one.name == settings.text("trial"); });
+}
+
+std::function<Override(const Settings&)> step_over_cells(double dt) {
+  return [dt](const Settings& settings) { return Override{"dt", dt / settings.number("cells")}; };
+}
+
+std::function<Override(const Settings&)> courant_number(double cfl) {
+  return [cfl](const Settings&) { return Override{"cfl", cfl}; };
+}
 
 const Case& find_case(const std::string& name) {
   std::vector<std::string> names;
   for (const Case* entry : cases()) {
-    if (entry->name() == name) return *entry;
-    names.push_back(entry->name());
+    if (entry->name == name) return *entry;
+    names.push_back(entry->name);
   }
   throw unknown_name("case", name, names);
 }
@@ -93,28 +194,34 @@ void settle_membranes(Settings& s, const std::string& owner) {
 // cfl=auto becomes the number that it stands for; a fixed step has no use for it.
 void settle_step(const Case& entry, Settings& settings) {
   if (!std::holds_alternative<std::string>(settings["cfl"])) return;
-  settings.set("cfl", 0.5, entry.name());
+  settings.set("cfl", 0.5, entry.name);
   if (settings.is_set("dt")) return;
-  settings.set("cfl", safe_courant_number(entry.problem(settings)->scene(), settings), entry.name());
+  settings.set("cfl", safe_courant_number(entry.problem(settings)->scene(), settings), entry.name);
 }
 
 }  // namespace
 
-Statement Case::statement() const { return statement_of(written_prose(name()), written_sketch(name())); }
+Statement Case::statement() const { return statement_of(written_prose(name), written_sketch(name)); }
 
 Settings Case::settings(const std::string& scheme, const std::vector<Override>& overrides,
                         const std::vector<std::string>& typed) const {
   const auto known = scheme_names();
   if (std::find(known.begin(), known.end(), scheme) == known.end()) throw unknown_name("scheme", scheme, known);
-  std::vector<Key> all = kind_keys(kind());
-  for (Key& key : keys()) all.push_back(std::move(key));
+  std::vector<Key> all = trials.empty() ? kind_keys(kind) : std::vector<Key>{};
+  all.insert(all.end(), keys.begin(), keys.end());
   Settings settings(std::move(all));
-  for (const auto& [key, value] : scheme_choices(scheme, kind())) settings.set(key, value, name());
-  for (const auto& [key, value] : points_and_end(scheme)) settings.set(key, value, name());
-  for (const auto& [key, value] : overrides) settings.set(key, value, name());
-  for (const std::string& assignment : typed) settings.set_text(assignment, name());
-  settle_membranes(settings, name());
-  derive(settings, scheme);
+  const auto set_all = [&](const std::vector<Override>& choices) {
+    for (const auto& [key, value] : choices) settings.set(key, value, name);
+  };
+  if (trials.empty()) set_all(scheme_choices(scheme, kind));
+  set_all(sets);
+  if (scheme == "york1997") set_all(york1997);
+  set_all(overrides);
+  for (const std::string& assignment : typed) settings.set_text(assignment, name);
+  if (!trials.empty()) return settings;
+  settle_membranes(settings, name);
+  if (scheme == "york1997" && york_step && !settings.is_set("dt") && !settings.is_set("cfl"))
+    set_all({york_step(settings)});
   if (!settings.is_set("cfl") && !settings.is_set("dt")) {
     throw UsageError("cfl", "none", "(0, inf)", {"cfl", "dt"}, "neither cfl nor dt is set: set one of them");
   }

@@ -75,9 +75,20 @@ struct StudyPlan {
   bool offsets_in_full = false;          // the full tier repeats each level at four sub-cell offsets
   int frames = 0;                        // 2 ... 100: so many snapshots of its last level for the report's pictures
   std::optional<double> frames_at = {};  // of the level with this value instead
-};
 
-// A gate on a study: which number, and what it must be.
+  // The same study of york1997; with overrides; that varies something else than the cells; with other values in the full
+  // tier; in this tier and above; with pictures.
+  StudyPlan of_york() &&;
+  StudyPlan with(std::vector<Override> choices) &&;
+  StudyPlan over(Vary varied) &&;
+  StudyPlan in_full(std::vector<double> levels) &&;
+  StudyPlan in(Tier lowest) &&;
+  StudyPlan pictured(int count, std::optional<double> level = {}) &&;
+};
+// A study in cells of the default scheme in the quick tier.
+StudyPlan study(std::string id, std::string title, std::string why, std::vector<double> values);
+
+// A gate on a study: which number, and what it must be. Made by gate() and recorded(): judge/gates.hpp.
 struct CaseGate {
   std::string study;  // StudyPlan::id
   Gate gate;
@@ -85,6 +96,15 @@ struct CaseGate {
   std::function<Measured(const StudyResult&)> measure;
   Tier tier = Tier::quick;
   std::vector<std::string> also = {};  // further studies it compares with, by StudyResult::sibling
+
+  // The same gate on another study than its id says; one that compares with further studies; in this tier and above.
+  CaseGate on(std::string other_study) &&;
+  CaseGate beside(std::vector<std::string> studies) &&;
+  CaseGate in(Tier lowest) &&;
+  // The same as one that is expected to fail: why, the band of the wrong value, and date and commit if the band is our own;
+  // and, of one that fails, the steps at which a run may stop instead.
+  CaseGate fails(std::string cause, Range band, std::string measured_on = {}) &&;
+  CaseGate or_stops(StopBand band) &&;
 };
 
 // Another method on the same problem, to show errors beside what they cost. Not judged.
@@ -99,50 +119,74 @@ struct Comparator {
   std::vector<Level> levels = {};
 };
 
-class Case {
- public:
-  virtual ~Case() = default;
-  virtual std::string name() const = 0;
-  virtual Statement statement() const;  // NAME.md and NAME.svg beside the code: harness/prose.hpp
-  virtual Kind kind() const = 0;
-  virtual std::vector<Key> keys() const = 0;                                          // the case's own
-  virtual std::vector<Override> points_and_end(const std::string& scheme) const = 0;  // what it sets beside the scheme
-  // Choices that follow from others, after all have been set (York's step in proportion to h). Unset keys only.
-  virtual void derive(Settings&, const std::string& /*scheme*/) const {}
-  virtual std::unique_ptr<Problem> problem(const Settings& settings) const = 0;
-  virtual std::vector<StudyPlan> studies() const = 0;
-  virtual std::vector<CaseGate> gates() const = 0;
-  virtual bool any_integrator() const { return false; }    // generic gates for every registered integrator
-  virtual bool takes_integrators() const { return true; }  // whether what it judges depends on the integrator
-  virtual std::vector<double> default_levels() const = 0;  // of `converge` without --cells
-  // What an integrator must offer for a run to arrive at its end, beside what the scene needs of it.
-  virtual Traits needs() const { return {}; }
-  // Measures that some runs of the case do not have, with the reason: they may be no numbers. All others have to be.
-  virtual std::map<std::string, std::string> may_be_undefined() const { return {}; }
-  // Run with a study in cells of the default scheme, at its levels, for the problem that the settings describe.
-  virtual std::vector<Comparator> comparators(const Settings& /*settings*/,
-                                              const std::vector<double>& /*cells*/) const {
-    return {};
-  }
+// What is judged without a run: a named computation with what it measures, as a table of the laboratory.
+struct Findings {
+  std::vector<Measure> measures;
+  Profile profile;
+};
+struct Trial {
+  std::string name, title, why;
+  std::function<Findings()> find;
+  Tier tier = Tier::quick;  // the lowest that makes it
+};
 
+// A case is a value, made by a function without arguments that PLUMBLINE_CASE registers. What it says in words stands in
+// NAME.md and NAME.svg beside the code (prose.hpp).
+struct Case {
+  std::string name;
+  Kind kind = Kind::gas;
+  std::vector<Key> keys = {};  // of its parameters (parameters.hpp)
+  // What it sets beside the scheme, points and end for example: under every scheme, and under york1997 besides.
+  std::vector<Override> sets = {}, york1997 = {};
+  // The step of york1997, dt or cfl, where neither is given.
+  std::function<Override(const Settings&)> york_step = {};
+  std::function<std::unique_ptr<Problem>(const Settings& settings)> problem = {};
+  std::vector<Trial> trials = {};  // instead of a problem, and of all choices but that of the trial: trial_case()
+  std::vector<StudyPlan> studies = {};
+  std::vector<CaseGate> gates = {};
+  std::vector<double> levels = {};  // of `converge` without --cells
+  bool any_integrator = false;      // generic gates for every registered integrator
+  Traits needs = {};                // of an integrator, for a run to arrive at its end, beside what the scene needs
+  // Measures that some runs of the case do not have, with the reason: they may be no numbers. All others have to be.
+  std::map<std::string, std::string> may_be_undefined = {};
+  // Run with a study in cells of the default scheme, at its levels, for the problem that the settings describe.
+  std::function<std::vector<Comparator>(const Settings&, const std::vector<double>& cells)> comparators = {};
+  // As the compiler was told it, "/.../cases/catalog/gas/sod.cpp"; set where the case is registered.
+  std::string source_file = {};
+
+  Statement statement() const;
+  // Of a case of trials, the one that the settings name.
+  const Trial& trial(const Settings& settings) const;
   // The resolved choices of a run. `typed`: "key=value" as given by --set. Throws UsageError, also where neither cfl
   // nor dt is left set.
   Settings settings(const std::string& scheme, const std::vector<Override>& overrides,
                     const std::vector<std::string>& typed = {}) const;
 };
 
+// A case of trials. Each is a study whose only level is trial_level, its id the trial's name.
+Case trial_case(std::string name, std::vector<Trial> trials, std::vector<CaseGate> gates);
+inline constexpr double trial_level = 1;
+
+// Case::problem of a Problem that is made from the settings alone.
+template <class Run>
+std::unique_ptr<Problem> run_of(const Settings& settings) {
+  return std::make_unique<Run>(settings);
+}
+
+// Case::york_step: a fixed step of so many seconds over the number of cells; a Courant number.
+std::function<Override(const Settings&)> step_over_cells(double dt);
+std::function<Override(const Settings&)> courant_number(double cfl);
+
 const std::vector<const Case*>& cases();         // in the order of their names
 const Case& find_case(const std::string& name);  // UsageError with the nearest names
 
 // `file`: where it is called, which g++ and clang++ both put there; clang++ 14 has no std::source_location.
-struct RegisterCase {
-  explicit RegisterCase(const Case* entry, const char* file = __builtin_FILE());
+struct RegisterCases {
+  explicit RegisterCases(std::vector<Case> (*make)(), const char* file = __builtin_FILE());
+  explicit RegisterCases(Case (*make)(), const char* file = __builtin_FILE());
 };
-// The file that registers a case, as the compiler was told it: "/.../cases/catalog/gas/sod.cpp". Several may share one.
-const std::string& source_file(const Case& entry);
 
-#define PLUMBLINE_CASE(Type)    \
-  static const Type the_##Type; \
-  static const ::plumbline::RegisterCase register_##Type { &the_##Type }
+#define PLUMBLINE_CASE(function) \
+  static const ::plumbline::RegisterCases register_##function { function }
 
 }  // namespace plumbline

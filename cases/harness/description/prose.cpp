@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 namespace plumbline {
 namespace {
@@ -23,11 +27,14 @@ const Written& written(const std::string& name) {
   return text->second;
 }
 
-// "2" or "4/3".
-double order_of(const std::string& text) {
-  const std::size_t over = text.find('/');
-  return over == std::string::npos ? std::stod(text)
-                                   : std::stod(text.substr(0, over)) / std::stod(text.substr(over + 1));
+// "2" or "4/3"; none of anything else.
+std::optional<double> order_of(std::string_view text) {
+  double upper = 0, lower = 1;
+  const char* const end = text.data() + text.size();
+  auto read = std::from_chars(text.data(), end, upper);
+  if (read.ec == std::errc() && read.ptr != end && *read.ptr == '/') read = std::from_chars(read.ptr + 1, end, lower);
+  if (read.ec != std::errc() || read.ptr != end || !std::isfinite(upper / lower)) return std::nullopt;
+  return upper / lower;
 }
 
 // "A, B of order 1: why" as two orders.
@@ -36,10 +43,12 @@ void add_orders(const Prose& prose, const std::string& item, std::vector<Stateme
   const std::size_t of = item.find(between), why = item.find(": ", of);
   if (of == std::string::npos || why == std::string::npos)
     throw prose.wrong("Orders", "'MEASURE, ... of order NUMBER: why' is wanted, not '" + item + "'");
-  const double order = order_of(item.substr(of + between.size(), why - of - between.size()));
+  const std::string number = item.substr(of + between.size(), why - of - between.size());
+  const std::optional<double> order = order_of(number);
+  if (!order) throw prose.wrong("Orders", "'" + number + "' is no order: '2' or '4/3' is wanted");
   for (std::size_t from = 0; from < of;) {
     const std::size_t end = std::min(item.find(", ", from), of);
-    orders.push_back({item.substr(from, end - from), order, item.substr(why + 2)});
+    orders.push_back({item.substr(from, end - from), *order, item.substr(why + 2)});
     from = end == of ? of : end + 2;
   }
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 
 #include "cases/harness/files/errors.hpp"
 #include "kernel/integrator_traits.hpp"
@@ -184,12 +185,13 @@ const std::vector<Row>& schemes_table() {
 
 std::vector<Key> kind_keys(Kind kind) {
   std::vector<Key> keys;
-  const std::vector<Key> described = described_keys();
-  for (std::size_t k = 0; k < described.size(); ++k) {
-    const Values& values = schemes_table()[k].of(kind);
-    if (!values.by_default) continue;
-    keys.push_back(described[k]);
-    keys.back().value = *values.by_default;
+  for (Key& key : described_keys()) {
+    const auto row = std::find_if(schemes_table().begin(), schemes_table().end(),
+                                  [&](const Row& r) { return r.key == key.name; });
+    if (row == schemes_table().end()) throw std::logic_error("no scheme has a value of " + key.name);
+    if (!row->of(kind).by_default) continue;
+    keys.push_back(std::move(key));
+    keys.back().value = *row->of(kind).by_default;
   }
   add_integrator_keys(keys);
   return keys;

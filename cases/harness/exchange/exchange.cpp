@@ -3,8 +3,8 @@
 namespace plumbline {
 
 std::string problem_id(const Case& entry, const Settings& settings) {
-  std::string text = entry.name() + "\n";
-  for (const Key& key : entry.keys()) text += key.name + "=" + to_text(settings[key.name]) + "\n";
+  std::string text = entry.name + "\n";
+  for (const Key& key : entry.keys) text += key.name + "=" + to_text(settings[key.name]) + "\n";
   return short_hash(text);
 }
 

@@ -49,7 +49,8 @@ HandedIn first_points(const Body& body, int most) {
 }  // namespace
 
 std::string why_not_scored(const Case& entry, const Settings& settings) {
-  if (entry.kind() == Kind::membrane || entry.kind() == Kind::coupled) return "points of membranes cannot be handed in";
+  if (!entry.trials.empty()) return "its trials have no points";
+  if (entry.kind == Kind::membrane || entry.kind == Kind::coupled) return "points of membranes cannot be handed in";
   const auto problem = entry.problem(settings);
   const bool judged = dynamic_cast<const JudgedAtEnd*>(problem.get());
   return judged ? "" : "its measures are made of what happens on the way, not of the final state";

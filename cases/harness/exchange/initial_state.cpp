@@ -301,7 +301,7 @@ Json write_initial_state(const Case& entry, const std::string& scheme, const Set
   Hdf5Writer out(file);
   out.attribute("/", "exchange_format", std::int64_t{exchange_format});
   out.attribute("/", "kind", "initial-state");
-  out.attribute("/", "case", entry.name());
+  out.attribute("/", "case", entry.name);
   out.attribute("/", "problem", problem_id(entry, settings));
   out.attribute("/", "start", start_id(entry, settings));
   out.attribute("/", "cells", static_cast<std::int64_t>(settings.integer("cells")));

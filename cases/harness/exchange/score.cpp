@@ -59,7 +59,7 @@ UsageError does_not_fit(const ResultFile& file, const std::string& what, const s
 Settings physics_of(const Case& entry, const Settings& settings) {
   std::vector<Key> keys;
   for (const Key& key : settings.keys()) {
-    const auto own = entry.keys();
+    const auto own = entry.keys;
     const bool physical = key.name == "cells" ||
                           std::any_of(own.begin(), own.end(), [&](const Key& k) { return k.name == key.name; });
     if (physical) keys.push_back(key);
@@ -68,7 +68,7 @@ Settings physics_of(const Case& entry, const Settings& settings) {
 }
 
 void require_fit(const ResultFile& file, const Case& entry, const Settings& settings, double end_time) {
-  if (file.case_name != entry.name()) throw does_not_fit(file, "the case", file.case_name, entry.name());
+  if (file.case_name != entry.name) throw does_not_fit(file, "the case", file.case_name, entry.name);
   const std::string id = problem_id(entry, settings);
   if (!file.problem.empty() && file.problem != id) {
     throw does_not_fit(file, "problem", file.problem, id + ", that of the case's own keys with this --set");
@@ -89,7 +89,7 @@ Judged judge_file(const Case& entry, const ResultFile& file, const std::vector<s
   const std::vector<HandedIn> bodies = file.points(scene);
   const Balanced found = balance_of(*problem, settings, bodies);
   const auto simulation = simulation_of(*problem, settings, bodies, problem->end_time());
-  Judged judged{RunResult(entry.name(), "foreign:" + file.program, physics_of(entry, settings)), {}, {}};
+  Judged judged{RunResult(entry.name, "foreign:" + file.program, physics_of(entry, settings)), {}, {}};
   RunResult& run = judged.run;
   run.dim = scene.grid.dim;
   run.axisymmetric = scene.grid.axisymmetric;
@@ -113,7 +113,7 @@ Judged judge_file(const Case& entry, const ResultFile& file, const std::vector<s
 // The case's study of its default scheme over meshes whose problem this is, and the settings of its level.
 std::optional<StudyPlan> declared_plan(const Case& entry, int cells, const std::vector<std::string>& typed) {
   const Settings wanted = entry.settings("default", {{"cells", static_cast<double>(cells)}}, typed);
-  for (StudyPlan plan : entry.studies()) {
+  for (StudyPlan plan : entry.studies) {
     if (plan.vary != Vary::cells || plan.scheme != "default") continue;
     plan.values = {static_cast<double>(cells)};
     const Settings declared = planned_runs(entry, plan, Tier::quick).front().settings;
@@ -122,18 +122,17 @@ std::optional<StudyPlan> declared_plan(const Case& entry, int cells, const std::
   return std::nullopt;
 }
 
-CaseGate measured_gate(Gate gate, std::optional<double> value) {
-  return study_gate("", std::move(gate), [value](const StudyResult&) {
+// A number that is known already.
+Number known(std::string quantity, std::optional<double> value) {
+  return number_of(std::move(quantity), [value](const StudyResult&) {
     Measured measured;
     measured.value = value;
     return measured;
   });
 }
 
-CaseGate kept_gate(const std::string& id, const std::string& what, std::optional<double> value) {
-  Gate gate = declare(id, {{}, kept}, Origin::identity, kept_reason);
-  gate.quantity = what;
-  return measured_gate(std::move(gate), value);
+CaseGate kept_gate(std::string id, std::string what, std::optional<double> value) {
+  return gate(std::move(id), known(std::move(what), value), at_most(kept), identity(kept_reason));
 }
 
 // Of a field's mean error, over the mean size of its reference: what any mesh that resolves the case at all stays below.
@@ -167,9 +166,8 @@ void judge_fields(const StudyResult& study, const std::vector<std::vector<Measur
     if (!measure.name.ends_with(".L1")) continue;
     const std::string id = study.plan.id + "/foreign-" + measure.name;
     if (const auto value = error_over_bound(measure.name, study, idle)) {
-      Gate gate = declare(id, {{}, 1.0}, Origin::theory, computed_reason);
-      gate.quantity = "error of " + measure.name + " over its bound";
-      gates.push_back(measured_gate(std::move(gate), value));
+      gates.push_back(gate(id, known("error of " + measure.name + " over its bound", value), at_most(1.0),
+                           theory(computed_reason)));
     } else {
       score.not_judged.push_back({id, "the reference vanishes at the end"});
     }
@@ -184,9 +182,9 @@ void judge_generic(const std::vector<Balance>& balances, const StudyResult& stud
   const std::string id = study.plan.id;
   std::vector<CaseGate> gates{
       kept_gate(id + "/foreign-mass", "relative difference of the points' mass to the start's", worst.mass)};
-  Gate energy = declare(id + "/foreign-energy", {{}, 2.0}, Origin::theory, energy_reason);
-  energy.quantity = "energy of motion and heat over all that there can be";
-  gates.push_back(measured_gate(std::move(energy), worst.energy));
+  gates.push_back(gate(id + "/foreign-energy",
+                       known("energy of motion and heat over all that there can be", worst.energy), at_most(2.0),
+                       theory(energy_reason)));
   if (worst.momentum) {
     gates.push_back(
         kept_gate(id + "/foreign-momentum", "difference of momentum to the start's over sum m |v|", worst.momentum));
@@ -194,9 +192,8 @@ void judge_generic(const std::vector<Balance>& balances, const StudyResult& stud
     score.not_judged.push_back({id + "/foreign-momentum", "something outside the bodies pushes in every direction"});
   }
   if (study.levels.back().run.find("coverage")) {
-    gates.push_back(value_gate(id, "coverage", study.levels.back().value,
-                               declare(id + "/foreign-coverage", {0.99, 1.01}, Origin::identity,
-                                       "gas fills its space: volumes of the points add up to it, within 1 %")));
+    gates.push_back(gate(id + "/foreign-coverage", value_at("coverage", study.levels.back().value), between(0.99, 1.01),
+                         identity("gas fills its space: volumes of the points add up to it, within 1 %")));
   }
   for (JudgedGate& gate : judge_gates(gates, study)) score.gates.push_back(std::move(gate));
 }
@@ -238,7 +235,7 @@ bool all_measures_finite(const StudyResult& study) {
 
 void judge_declared(const Case& entry, const StudyResult& study, Score& score) {
   const bool finite = all_measures_finite(study);
-  for (CaseGate gate : entry.gates()) {
+  for (CaseGate gate : entry.gates) {
     if (gate.study != study.plan.id) continue;
     gate.gate = for_any_program(std::move(gate.gate));
     std::string reason = why_not(gate, study);
@@ -273,8 +270,8 @@ void require_one_series(const std::vector<std::unique_ptr<ResultFile>>& files) {
 Score score(const Case& entry, const std::vector<std::string>& names, const std::vector<std::string>& typed) {
   const std::string refused = why_not_scored(entry, entry.settings("default", {}, typed));
   if (!refused.empty()) {
-    throw UsageError("case", entry.name(), "a case that `plumbline list` shows as scored", {},
-                     entry.name() + " cannot be scored: " + refused);
+    throw UsageError("case", entry.name, "a case that `plumbline list` shows as scored", {},
+                     entry.name + " cannot be scored: " + refused);
   }
   std::vector<std::unique_ptr<ResultFile>> files;
   for (const std::string& name : names) files.push_back(std::make_unique<ResultFile>(name));

@@ -51,7 +51,7 @@ void take_starts(const ScoreFolder& folder, Scoreboard& board) {
               [](const Start& a, const Start& b) { return a.cells < b.cells; });
   }
   std::stable_sort(board.problems.begin(), board.problems.end(),
-                   [](const ProblemScores& a, const ProblemScores& b) { return a.entry->name() < b.entry->name(); });
+                   [](const ProblemScores& a, const ProblemScores& b) { return a.entry->name < b.entry->name; });
 }
 
 // Of the measures that a final state has: the first that theory gives an order to, else the first.
@@ -80,7 +80,7 @@ Entry without_result(const std::optional<AdapterEnd>& end) {
   return {end->how == AdapterEnd::How::late ? Outcome::late : Outcome::failed, end->reason, {}, false};
 }
 
-ProgramScore score_program(const ScoreFolder& folder, const Trial& trial, const std::string& program,
+ProgramScore score_program(const ScoreFolder& folder, const TrialRun& trial, const std::string& program,
                            const ProblemScores& problem) {
   ProgramScore scored{.program = program, .entries = {}, .score = {}, .reason = {}};
   std::vector<std::string> files;
@@ -166,7 +166,7 @@ Json problem_document(const ProblemScores& problem) {
   for (const StudyLevel& at : problem.own.levels) {
     for (const Measure& m : at.run.measures) units[m.name] = m.unit;
   }
-  return {{"case", problem.entry->name()},
+  return {{"case", problem.entry->name},
           {"title", problem.entry->statement().title},
           {"settings", problem.starts.front().typed},
           {"measure", problem.measure},
@@ -190,10 +190,10 @@ Entry judge_result(const ScoreFolder& folder, const std::string& program, const 
     const auto end = folder.read_end(program, start.name);
     if (!is_there(path)) return without_result(end);
     const ResultFile file(path);
-    if (file.case_name != start.entry->name() || file.cells != start.cells) {
+    if (file.case_name != start.entry->name || file.cells != start.cells) {
       return {Outcome::mismatched,
               fmt::format("it is of {} at {} cells; {} at {} cells is wanted", file.case_name, file.cells,
-                          start.entry->name(), start.cells),
+                          start.entry->name, start.cells),
               {},
               false};
     }
@@ -210,7 +210,7 @@ Entry judge_result(const ScoreFolder& folder, const std::string& program, const 
   }
 }
 
-Scoreboard make_scoreboard(const ScoreFolder& folder, const Trial& trial, int threads, const Progress& progress,
+Scoreboard make_scoreboard(const ScoreFolder& folder, const TrialRun& trial, int threads, const Progress& progress,
                            RunStore& store) {
   Scoreboard board;
   take_starts(folder, board);

@@ -67,11 +67,11 @@ Entry judge_result(const ScoreFolder& folder, const std::string& program, const 
 
 // Has judge_result done by a process of its own, since HDF5 does not come back from some damaged files; how that process was
 // ended, or empty if it ended by itself.
-using Trial = std::function<std::string(const std::string& program, const Start& start)>;
+using TrialRun = std::function<std::string(const std::string& program, const Start& start)>;
 
 // Scores what the folder holds. Runs of the default scheme come from the store or go there, `threads` at a time. Whatever is
 // wrong with a start or a result is an entry; throws FileError for a folder that cannot be read or written, Interrupted.
-Scoreboard make_scoreboard(const ScoreFolder& folder, const Trial& trial, int threads, const Progress& progress,
+Scoreboard make_scoreboard(const ScoreFolder& folder, const TrialRun& trial, int threads, const Progress& progress,
                            RunStore& store);
 
 // Error of a measure at a level over another's; nothing where either has none, or the other's is 0.

@@ -19,7 +19,7 @@ namespace {
 constexpr std::array placing{"ppc", "points", "offset"};
 
 bool belongs_to_start(const Case& entry, const std::string& key) {
-  const auto own = entry.keys();
+  const auto own = entry.keys;
   return std::find(placing.begin(), placing.end(), key) != placing.end() ||
          std::any_of(own.begin(), own.end(), [&](const Key& k) { return k.name == key; });
 }
@@ -43,8 +43,8 @@ std::vector<std::string> choices_of(const Case& entry, const Json& settings, int
 void require_known_physics(const Start& start, const Json& description, const std::string& path) {
   const Settings settings = start.settings();
   if (const std::string refused = why_not_scored(*start.entry, settings); !refused.empty()) {
-    throw UsageError("case", start.entry->name(), "a case that `plumbline list` shows as scored", {},
-                     fmt::format("{}: {} cannot be scored: {}", path, start.entry->name(), refused));
+    throw UsageError("case", start.entry->name, "a case that `plumbline list` shows as scored", {},
+                     fmt::format("{}: {} cannot be scored: {}", path, start.entry->name, refused));
   }
   const std::string id = problem_id(*start.entry, settings), stated = description.at("problem");
   if (stated != id) {

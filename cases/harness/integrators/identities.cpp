@@ -30,7 +30,7 @@ struct Extract {
 };
 Extract extract_for(const Subject& subject, const Stepped& stepped) {
   constexpr double many_cells = 40;
-  const std::vector<double> levels = stepped.entry->default_levels();
+  const std::vector<double> levels = stepped.entry->levels;
   const double coarsest = levels.front();
   if (subject.has_inner_solver())
     return {2, {stepped.dim == 1 && coarsest >= many_cells ? std::floor(coarsest / 4) : coarsest}};
@@ -42,8 +42,8 @@ const std::vector<Stepped>& stepped_cases() {
   static const std::vector<Stepped> all = [] {
     std::vector<Stepped> found;
     for (const Case* entry : cases()) {
-      if (!entry->takes_integrators()) continue;
-      const Settings settings = entry->settings("default", {{"cells", entry->default_levels().front()}});
+      if (!entry->trials.empty()) continue;
+      const Settings settings = entry->settings("default", {{"cells", entry->levels.front()}});
       const GridSpec grid = entry->problem(settings)->scene().grid;
       found.push_back({entry, grid.dim, grid.axisymmetric});
     }
@@ -54,7 +54,7 @@ const std::vector<Stepped>& stepped_cases() {
 
 RunResult first_steps(const Stepped& stepped, const Subject& subject, const Settings& settings) {
   const Case& entry = *stepped.entry;
-  RunResult result(entry.name(), subject.name(), settings);
+  RunResult result(entry.name, subject.name(), settings);
   const auto problem = entry.problem(settings);
   Scene scene = problem->scene();
   result.dim = scene.grid.dim;
@@ -85,10 +85,10 @@ RunResult first_steps(const Stepped& stepped, const Subject& subject, const Sett
 
 // The first steps at the coarsest levels, as a study that generic gates can read.
 const StudyResult& study_of(const Stepped& stepped, const Subject& subject) {
-  return subject.once<StudyResult>("identities/" + stepped.entry->name(), [&] {
-    for (const Trait trait : stepped.entry->needs()) {
+  return subject.once<StudyResult>("identities/" + stepped.entry->name, [&] {
+    for (const Trait trait : stepped.entry->needs) {
       if (subject.traits().offers.count(trait) > 0) continue;
-      throw CannotWork({{trait, "case " + stepped.entry->name(), "integrator " + subject.name()}});
+      throw CannotWork({{trait, "case " + stepped.entry->name, "integrator " + subject.name()}});
     }
     StudyResult study;
     study.entry = stepped.entry;
@@ -182,7 +182,7 @@ std::vector<IntegratorGate> identity_gates(const Subject& subject) {
   all.back().gate.order = true;  // the extrapolation's interval is judged
   const int maps = subject.traits().maps;
   for (const Stepped& stepped : stepped_cases()) {
-    const std::string id = "identities/" + stepped.entry->name();
+    const std::string id = "identities/" + stepped.entry->name;
     for (CaseGate& gate : generic_gates(id, stepped.dim, stepped.axisymmetric)) {
       if (gate.gate.expected.high && maps > 1) {
         *gate.gate.expected.high *= maps;

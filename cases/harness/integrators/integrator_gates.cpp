@@ -13,9 +13,7 @@ const std::vector<std::string>& gate_families() {
 
 Gate gate_row(const std::string& family, const std::string& name, const std::string& quantity, Range expected,
               Origin origin, const std::string& reason) {
-  Gate gate = declare(family + "/" + name, expected, origin, reason);
-  gate.quantity = quantity;
-  return gate;
+  return gate(family + "/" + name, {quantity, {}}, expected, {origin, reason}).gate;
 }
 
 Measured plain(double value, std::string note) {

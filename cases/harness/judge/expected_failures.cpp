@@ -82,8 +82,8 @@ FailureOf failure_of(const Case& entry, const StudyPlan& plan, const Gate& gate)
 
 FailureOf failure_of(const JudgedGate& judged) {
   for (const Case* entry : cases()) {
-    if (entry->name() != judged.case_name) continue;
-    for (const StudyPlan& plan : entry->studies()) {
+    if (entry->name != judged.case_name) continue;
+    for (const StudyPlan& plan : entry->studies) {
       if (plan.id == judged.study) return failure_of(*entry, plan, judged.gate);
     }
   }

@@ -27,34 +27,60 @@ struct NotApplicable {
   std::vector<Lack> lacks;
 };
 
-// A gate's declaration, its quantity to be named by the functions below.
-Gate declare(std::string id, Range expected, Origin origin, std::string reason);
-// The same as one that is expected to fail: why, the band of the wrong value, and date and commit if the band is our own.
-Gate expected_failure(Gate gate, std::string cause, Range band, std::string measured_on = {});
+// A gate is one row: what it is called, which number of its study it judges, what that must be, and why.
+//
+//   gate("default/density-100", error_at("density.L1", 100), at_most(0.0060), literature("York, Fig. 14")),
+//   gate("york1997/converges", ratio_of("density.L1", 800, 400), at_most(0.6), theory("first order gives 0.5"))
+//       .fails("more cells mean more crossings", {1.03, 1.15}, "2026-11-23 5825b24"),
+
+// Which number of a study. A run that stopped, and a level or measure that is not there, say so.
+struct Number {
+  std::string quantity;  // in words
+  std::function<Measured(const StudyResult&)> measure;
+  std::vector<double> levels = {};  // those it needs; empty: the whole study
+  bool interval = false;            // its interval is judged, not the value
+};
+
+Number error_at(const std::string& measure, double level);  // of a measure against its reference
+Number value_at(const std::string& measure, double level);
+Number ratio_of(const std::string& measure, double level, double over);  // of the errors at two levels
+Number order_of(const std::string& measure);                             // the interval of the fitted order
+Number fitted_order_of(const std::string& measure);                      // its estimate
+Number energy_drift();                                                   // the largest relative one over all levels
+// Made of a measure and its run at one level.
+Number number_at(std::string quantity, const std::string& measure, double level,
+                 std::function<Measured(const RunResult&, const Measure&)> read);
+// Of the whole study, or of these levels.
+Number number_of(std::string quantity, std::function<Measured(const StudyResult&)> read,
+                 std::vector<double> levels = {});
+
+// What it must be.
+Range at_most(double high);
+Range at_least(double low);
+Range between(double low, double high);
+Range exactly(double value);
+
+// Why. A recorded value (Origin::regression) has a function of its own below.
+struct Because {
+  Origin origin;
+  std::string reason;
+};
+Because theory(std::string reason);
+Because literature(std::string reason);
+Because reference_bound(std::string reason);
+Because identity(std::string reason);
+Because requirement(std::string reason);
+Because reference_run(std::string reason);  // the yardstick is a run of this program made beside it
+
+// `id`: STUDY/NAME, by which it is recorded; on another study by CaseGate::on.
+CaseGate gate(std::string id, Number number, Range expected, Because because);
+
 // An earlier measurement of this program, within a share of it: a bug that makes an error smaller is a bug, too. stamp:
 // date and commit.
-Gate regression(std::string id, double value, double share, const std::string& stamp, std::string reason);
+CaseGate recorded(std::string id, Number number, double value, double share, std::string stamp, std::string reason);
 
-// The error of a measure at one level; its value; its ratio between two levels; its fitted order. A run that stopped or
-// lacks the measure says so.
-CaseGate error_gate(std::string study, const std::string& measure, double level, Gate gate, Tier tier = Tier::quick);
-CaseGate value_gate(std::string study, const std::string& measure, double level, Gate gate, Tier tier = Tier::quick);
-// Any number made of a measure and its run at one level.
-CaseGate measure_gate(std::string study, Gate gate, const std::string& measure, double level,
-                      std::function<Measured(const RunResult&, const Measure&)> read, Tier tier = Tier::quick);
-CaseGate ratio_gate(std::string study, const std::string& measure, double level, double over, Gate gate,
-                    Tier tier = Tier::quick);
-CaseGate order_gate(std::string study, const std::string& measure, Gate gate, Tier tier = Tier::quick);
-// The point estimate of the fitted order.
-CaseGate fitted_order_gate(std::string study, const std::string& measure, Gate gate, Tier tier = Tier::quick);
-// Largest relative drift of the energy ledger over all levels.
-CaseGate drift_gate(std::string study, Gate gate, Tier tier = Tier::quick);
-// Any number of a whole study.
-CaseGate study_gate(std::string study, Gate gate, std::function<Measured(const StudyResult&)> measure,
-                    std::vector<double> levels = {}, Tier tier = Tier::quick);
-
-// finite, mass, momentum (and angular momentum from 2-D on, but for axisymmetric scenes), ledger residual: true of every scheme. INVALID on a study
-// without runs.
+// finite, mass, momentum (and angular momentum from 2-D on, but for axisymmetric scenes), ledger residual: true of every
+// scheme. INVALID on a study without runs. Of trials, for which dim is 0, finite alone.
 std::vector<CaseGate> generic_gates(const std::string& study, int dim, bool axisymmetric = false);
 
 // Judges the gates whose levels the study has. A gate that throws is INVALID.

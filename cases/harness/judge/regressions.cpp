@@ -84,12 +84,13 @@ std::vector<RecordedValue::Key> Regressions::of_case(const std::string& case_nam
 
 JudgedGate judge_regression(const JudgedGate& judged, const RecordedValue& recorded) {
   JudgedGate result = judged;
-  result.gate = declare(
-      judged.gate.id + std::string(suffix), *recorded.within, Origin::regression,
-      fmt::format("recorded: {:.6g}; the gate's own bound lets pass more than {:g} times that. Where the "
-                  "change is meant: `plumbline tolerances cases/tolerances.json --record`",
-                  recorded.measured, loose_factor));
-  result.gate.quantity = judged.gate.quantity;
+  result.gate = gate(judged.gate.id + std::string(suffix), {judged.gate.quantity, {}}, *recorded.within,
+                     {Origin::regression,
+                      fmt::format(
+                          "recorded: {:.6g}; the gate's own bound lets pass more than {:g} times that. Where the "
+                          "change is meant: `plumbline tolerances cases/tolerances.json --record`",
+                          recorded.measured, loose_factor)})
+                    .gate;
   result.gate.measured_on = recorded.since;
   result.measured.interval.reset();
   result.measured.reference_bound = 0;

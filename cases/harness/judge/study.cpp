@@ -61,7 +61,7 @@ void add_step_measures(RunResult& run, const RunResult& finer) {
 }
 
 void fit_measures(StudyResult& study) {
-  if (study.plan.vary == Vary::offset || study.levels.empty()) return;
+  if (study.plan.vary == Vary::offset || study.levels.empty() || !study.entry->trials.empty()) return;
   for (const Measure& measure : study.levels.front().run.measures) {
     std::vector<Level> levels;
     bool weighted = true;
@@ -128,14 +128,14 @@ std::vector<PlannedRun> planned_runs(const Case& entry, const StudyPlan& plan, T
   std::vector<PlannedRun> planned;
   for (const double value : values) {
     std::vector<Override> overrides = plan.overrides;
-    if (plan.vary != Vary::dt) overrides.emplace_back(plumbline::name(plan.vary), value);
+    if (plan.vary != Vary::dt && entry.trials.empty()) overrides.emplace_back(plumbline::name(plan.vary), value);
     Settings settings = entry.settings(plan.scheme, overrides, typed);
-    if (plan.vary == Vary::dt) settings = with_step_factor(std::move(settings), value, entry.name());
+    if (plan.vary == Vary::dt) settings = with_step_factor(std::move(settings), value, entry.name);
     planned.push_back({value, settings});
     for (const double offset : further_offsets) {
       if (!full || !plan.offsets_in_full) break;
       Settings shifted = settings;
-      shifted.set("offset", offset, entry.name());
+      shifted.set("offset", offset, entry.name);
       planned.push_back({value, std::move(shifted), true});
     }
   }
@@ -143,7 +143,7 @@ std::vector<PlannedRun> planned_runs(const Case& entry, const StudyPlan& plan, T
   if (plan.vary == Vary::dt && !values.empty()) {
     // One more run, with half the finest step: the one the finest level is measured against.
     planned.push_back({values.back() / 2, with_step_factor(entry.settings(plan.scheme, plan.overrides, typed),
-                                                           values.back() / 2, entry.name())});
+                                                           values.back() / 2, entry.name)});
   }
   return planned;
 }

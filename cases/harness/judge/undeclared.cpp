@@ -34,7 +34,7 @@ bool has_a_limit(const std::string& integrator) {
 // methods [Butcher 2016, 4th-order Runge-Kutta], and a mesh whose highest frequency were below c/h would not resolve a cell.
 constexpr double far_above = 4;
 
-Measured courant_number(const StudyResult& study) {
+Measured largest_courant_number(const StudyResult& study) {
   Measured measured;
   measured.value = 0;
   for (const StudyLevel& at : study.levels) {
@@ -77,34 +77,20 @@ Measured error_over_start(const StudyResult& study) {
   return measured;
 }
 
-Gate described(Gate gate, const char* quantity) {
-  gate.quantity = quantity;
-  return gate;
-}
-
 }  // namespace
 
 std::vector<CaseGate> undeclared_gates(const StudyResult& study) {
   const std::string id = study.plan.id;
   std::vector<CaseGate> gates{
-      study_gate(
-          id,
-          described(declare(id + "/errors", {{}, 3.0}, Origin::theory,
-                            "what is at most twice as large as its reference is at most three of its sizes away"),
-                    "largest error over the size of its reference"),
-          largest_error),
-      study_gate(id,
-                 described(declare(id + "/step", {{}, far_above}, Origin::theory,
-                                   "explicit methods lose stability at Courant numbers below 3"),
-                           "Courant number"),
-                 courant_number)};
+      gate(id + "/errors", number_of("largest error over the size of its reference", largest_error), at_most(3.0),
+           theory("what is at most twice as large as its reference is at most three of its sizes away")),
+      gate(id + "/step", number_of("Courant number", largest_courant_number), at_most(far_above),
+           theory("explicit methods lose stability at Courant numbers below 3"))};
   if (const Measured of_start = error_over_start(study); of_start.value) {
-    gates.push_back(study_gate(
-        id,
-        described(declare(id + "/computed", {{}, 1 - 1e-6}, Origin::theory,
-                          "some field is nearer to its reference than the start is, or nothing was computed"),
-                  "least error of a field over that of the start"),
-        [of_start](const StudyResult&) { return of_start; }));
+    gates.push_back(gate(
+        id + "/computed",
+        number_of("least error of a field over that of the start", [of_start](const StudyResult&) { return of_start; }),
+        at_most(1 - 1e-6), theory("some field is nearer to its reference than the start is, or nothing was computed")));
   }
   return gates;
 }

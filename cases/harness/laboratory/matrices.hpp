@@ -1,4 +1,4 @@
-// Functions of dense matrices: Eigen's headers for them take ten seconds to compile, and are included in one source.
+// Functions of dense matrices: Eigen's headers for them take seconds to compile, and are included in one source.
 #pragma once
 
 #include <Eigen/Core>

@@ -230,14 +230,14 @@ Json catalog_entry(const Case& entry) {
                           {"allowed", key.allowed()},
                           {"description", key.description}});
   }
-  for (const StudyPlan& plan : entry.studies()) {
+  for (const StudyPlan& plan : entry.studies) {
     studies.push_back({{"id", plan.id},
                        {"title", plan.title},
                        {"why", plan.why},
                        {"scheme", plan.scheme},
                        {"vary", name(plan.vary)},
                        {"values", numbers(plan.values)}});
-    for (const CaseGate& gate : entry.gates()) {
+    for (const CaseGate& gate : entry.gates) {
       if (gate.study == plan.id) gates.push_back(declared_gate(entry, plan, gate));
     }
   }
@@ -258,7 +258,7 @@ Json catalog_entry(const Case& entry) {
                 {"known_limits", s.known_limits},
                 {"gates", gates},
                 {"regenerate", "plumbline verify " + s.name + " --tier quick"}};
-  if (const auto undefined = entry.may_be_undefined(); !undefined.empty()) document["may_be_undefined"] = undefined;
+  if (const auto undefined = entry.may_be_undefined; !undefined.empty()) document["may_be_undefined"] = undefined;
   return document;
 }
 

@@ -80,7 +80,7 @@ bool is_told(const std::string& own) {
 
 std::string fingerprint_of_file(const std::string& own) {
   std::set<std::string> registering;
-  for (const Case* entry : cases()) registering.insert(below_cases(source_file(*entry)));
+  for (const Case* entry : cases()) registering.insert(below_cases(entry->source_file));
   const std::set<std::string> folders = reached_from(folder_of(own));
   return hash_of([&](const ObjectHash& object) {
     if (is_common(object.source) || object.source == own) return true;
@@ -115,7 +115,7 @@ std::string code_fingerprint() {
 
 std::string fingerprint(const Case& entry) {
   if (code().objects.empty()) return {};
-  const std::string own = below_cases(source_file(entry));
+  const std::string own = below_cases(entry.source_file);
   std::string& known = found()[own];
   if (known.empty() && is_told(own)) known = fingerprint_of_file(own);
   return known;

@@ -40,7 +40,7 @@ void write_comparator(Hdf5Writer& file, const Comparator& comparator) {
 // Of a study in cells of the default scheme as it is; other studies would repeat the same table.
 std::vector<Comparator> comparators_of(const StudyResult& study) {
   const bool main = study.plan.vary == Vary::cells && study.plan.scheme == "default" && study.plan.overrides.empty();
-  if (!main || study.levels.empty()) return {};
+  if (!main || study.levels.empty() || !study.entry->comparators) return {};
   std::vector<double> cells;
   for (const StudyLevel& at : study.levels) cells.push_back(at.value);
   return study.entry->comparators(study.levels.front().run.settings, cells);
@@ -64,14 +64,15 @@ ResultsFolder::ResultsFolder(std::string path) : path_(std::move(path)) {
 std::string ResultsFolder::run_name(const RunResult& run) { return run_name(run.case_name, run.scheme, run.settings); }
 
 std::string ResultsFolder::run_name(const std::string& case_name, const std::string& scheme, const Settings& settings) {
-  return fmt::format("{}-{}-{}-{}.h5", case_name, scheme, settings.integer("cells"),
+  const std::string which = settings.has("cells") ? std::to_string(settings.integer("cells")) : settings.text("trial");
+  return fmt::format("{}-{}-{}-{}.h5", case_name, scheme, which,
                      short_hash(case_name + "\n" + scheme + "\n" + settings.canonical()));
 }
 
 std::string ResultsFolder::study_name(const StudyResult& study) {
-  std::string content = study.entry->name() + "\n" + study.scheme + "\n" + study.plan.id + "\n";
+  std::string content = study.entry->name + "\n" + study.scheme + "\n" + study.plan.id + "\n";
   for (const StudyLevel& at : study.levels) content += at.run.settings.canonical();
-  return fmt::format("study-{}-{}-{}-{}.h5", study.entry->name(), study.scheme, name(study.plan.vary),
+  return fmt::format("study-{}-{}-{}-{}.h5", study.entry->name, study.scheme, name(study.plan.vary),
                      short_hash(content));
 }
 
@@ -138,7 +139,7 @@ void ResultsFolder::write_study(StudyResult& study, const std::vector<JudgedGate
   Hdf5Writer file(path_ + "/" + study.file);
   begin(file, "study", provenance);
   Json document = study_document(study, gates, provenance);
-  document["case"] = study.entry->name();
+  document["case"] = study.entry->name;
   file.text("/study", json_text(document));
   file.text("/fit", json_text(document["measures"]));
   file.text("/gates", json_text(document["gates"]));
@@ -152,8 +153,8 @@ void ResultsFolder::write_verdicts(const Json& document, const std::vector<const
   Json catalog = Json::object();
   std::string names;
   for (const Case* entry : entries) {
-    catalog[entry->name()] = catalog_entry(*entry);
-    names += entry->name() + "\n";
+    catalog[entry->name] = catalog_entry(*entry);
+    names += entry->name + "\n";
   }
   Hdf5Writer file(fmt::format("{}/verdicts-{}-{}.h5", path_, tier, short_hash(names)));
   begin(file, "verdicts", provenance);

@@ -37,8 +37,8 @@ constexpr double small_cells = 256, small_ppc = 32;
 constexpr double coarse = 8, fine = 16, few = 2, more = 4;
 
 SceneSize size_at(const Case& entry, Settings settings, double cells, double ppc) {
-  settings.set("cells", cells, entry.name());
-  settings.set("ppc", ppc, entry.name());
+  settings.set("cells", cells, entry.name);
+  settings.set("ppc", ppc, entry.name);
   return size_of(entry.problem(settings)->scene());
 }
 

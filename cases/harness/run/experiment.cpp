@@ -170,15 +170,32 @@ StepControl step_control(const Settings& settings) {
   return control;
 }
 
+namespace {
+
+RunResult make_trial(const Case& entry, const std::string& scheme, const Settings& settings) {
+  RunResult result(entry.name, scheme, settings);
+  result.dim = 0;
+  const auto start = std::chrono::steady_clock::now();
+  Findings found = entry.trial(settings).find();
+  result.wall_s = seconds_since(start);
+  result.measures = std::move(found.measures);
+  result.profile = std::move(found.profile);
+  result.finished = true;
+  return result;
+}
+
+}  // namespace
+
 RunResult run_experiment(const Case& entry, const std::string& scheme, const Settings& settings, int threads,
                          const FrameRequest& frames, const RunStates& states) {
+  if (!entry.trials.empty()) return make_trial(entry, scheme, settings);
   require_memory(foreseen_size(entry, settings), settings);  // a problem may fill its bodies as soon as it is made
   const auto problem = entry.problem(settings);
   if (settings.is_set("dt")) require_steps(problem->end_time(), settings.number("dt"), settings);
   Scene scene = problem->scene();
   throw_if_interrupted();
   require_memory(size_of(scene), settings);
-  RunResult result(entry.name(), scheme, settings);
+  RunResult result(entry.name, scheme, settings);
   result.dim = scene.grid.dim;
   result.axisymmetric = scene.grid.axisymmetric;
   result.h = scene.grid.h;

@@ -38,7 +38,7 @@ struct RunResult {
 
   std::string case_name, scheme;
   Settings settings;
-  int dim = 1;
+  int dim = 1;  // 0 of a trial, which has neither points nor steps
   bool axisymmetric = false;
   double h = 0;        // cell size, m
   double dt = 0;       // mean step, s
@@ -80,7 +80,7 @@ struct RunStates {
 // The step control that the settings ask for; one of dt and cfl is set.
 StepControl step_control(const Settings& settings);
 
-// Runs it, the loops over points on `threads` threads. A stop on an inadmissible state is a result; throws Interrupted if
+// Runs it, or makes the trial; the loops over points on `threads` threads. A stop on an inadmissible state is a result; throws Interrupted if
 // a signal arrives, ArchiveError if it cannot go on from the state given. No number depends on the frames and states that
 // are asked for.
 RunResult run_experiment(const Case& entry, const std::string& scheme, const Settings& settings, int threads = 1,

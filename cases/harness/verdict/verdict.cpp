@@ -180,6 +180,12 @@ bool Range::contains(double value) const {
   return has_end(*this) && !std::isnan(value) && (!low || value >= *low) && (!high || value <= *high);
 }
 
+Measured Measured::of(double value) {
+  Measured measured;
+  measured.value = value;
+  return measured;
+}
+
 Measured measured_order(const OrderFit& fit) {
   Measured measured;
   measured.invalid = fit.invalid;

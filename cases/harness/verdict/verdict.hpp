@@ -82,6 +82,8 @@ struct Measured {
   bool inconclusive = false;   // too little data to judge; `note` says why
   std::string note;
   std::optional<Stop> stopped;  // the run ended early
+
+  static Measured of(double value);  // a number without more
 };
 
 struct Judgement {

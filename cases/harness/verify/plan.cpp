@@ -15,7 +15,7 @@ namespace plumbline {
 
 PlanRun planned_run(const Case& entry, const std::string& scheme, Settings settings, FrameRequest frames) {
   const std::string shown = result_scheme(entry, scheme, settings);
-  const std::string file = ResultsFolder::run_name(entry.name(), shown, settings);
+  const std::string file = ResultsFolder::run_name(entry.name, shown, settings);
   return {&entry, scheme, {}, std::move(settings), frames, file};
 }
 
@@ -71,7 +71,6 @@ struct Weighed {
 };
 
 Weighed weighed(PlanRun run, const KnownTime& known) {
-  constexpr double of_trial = 1;  // what a laboratory looks at is no scene, so its steps tell nothing
   RunEstimate estimate;
   try {
     estimate = estimate_run(*run.entry, run.settings);
@@ -80,7 +79,6 @@ Weighed weighed(PlanRun run, const KnownTime& known) {
   } catch (const MisbehavingIntegrator&) {
     estimate.steps = 1;
   }
-  if (run.settings.has("trial")) estimate.seconds = of_trial;
   const double measured = known ? known(run) : -1;
   return {std::move(run), measured >= 0 ? measured : estimate.seconds, estimate.bytes / 1e6};
 }
@@ -137,9 +135,9 @@ Json identifying(const PlanRun& run) {
 }
 
 Json to_json(const PlanRun& run) {
-  Json document{{"case", run.entry->name()}, {"scheme", run.scheme},         {"study", run.study},
-                {"cells", nullptr},          {"settings", identifying(run)}, {"file", run.file}};
-  document["cells"] = run.settings.integer("cells");
+  Json document{{"case", run.entry->name}, {"scheme", run.scheme},         {"study", run.study},
+                {"cells", nullptr},        {"settings", identifying(run)}, {"file", run.file}};
+  if (run.settings.has("cells")) document["cells"] = run.settings.integer("cells");
   document["frames"] = run.frames.count == 0
                            ? Json(nullptr)
                            : Json{{"count", run.frames.count}, {"most_points", run.frames.most_points}};

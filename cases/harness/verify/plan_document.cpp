@@ -101,7 +101,7 @@ PlanRun run_from(const std::string& place, const Json& run) {
   const Json settings = run.value("settings", Json::object());
   if (!settings.is_object()) throw fault(place + ".settings", settings, "an object of keys and values");
   Choices choices;
-  if (run.contains("cells")) {
+  if (run.contains("cells") && !run["cells"].is_null()) {
     choices.add(place + ".cells", "cells", run["cells"]);
     if (settings.contains("cells") && settings["cells"] != run["cells"])
       throw fault(place + ".settings.cells", settings["cells"], "the same as cells, or left out");

@@ -106,7 +106,7 @@ RestartDifference restart_difference(const Case& entry, const std::string& schem
       if (!written) {
         write_checkpoint(
             file.path(),
-            {entry.name(), scheme, settings.canonical(), fingerprint(entry), build_in_words(), {}, 0, state});
+            {entry.name, scheme, settings.canonical(), fingerprint(entry), build_in_words(), {}, 0, state});
         written = true;
       }
       if (reached(state.time, 1)) ended.state = state.numbers;
@@ -129,31 +129,24 @@ RestartDifference restart_difference(const Case& entry, const std::string& schem
 
 CaseGate restart_gate(const std::string& study, const std::string& what, std::vector<Override> overrides,
                       const std::string& suffix) {
-  Gate gate = declare(study + "/restart" + suffix, {0.0, 0.0}, Origin::identity,
-                      "a run is a function of its state: stopped half-way, written to a file and taken up again, " +
-                          what + " end with the same bits");
-  gate.quantity = "numbers that a restart changes";
-  return study_gate(study, std::move(gate), [overrides = std::move(overrides)](const StudyResult& s) {
-    Measured measured;
-    if (s.levels.empty() || s.levels.front().run.steps == 0) {
-      measured.invalid = true;
-      measured.note = "there are no steps to be taken up again";
-      return measured;
-    }
+  const auto differing = [overrides = std::move(overrides)](const StudyResult& s) {
+    if (s.levels.empty() || s.levels.front().run.steps == 0)
+      throw std::runtime_error("there are no steps to be taken up again");
     Settings settings = s.levels.front().run.settings;
-    for (const auto& [key, value] : overrides) settings.set(key, value, s.entry->name());
+    for (const auto& [key, value] : overrides) settings.set(key, value, s.entry->name);
     const RestartDifference difference = restart_difference(*s.entry, s.plan.scheme, settings, 0.5);
     if (difference.compared == 0) {
-      measured.invalid = true;
-      measured.note = "the run ended before the half of its time: there is nothing to be taken up again";
-      return measured;
+      throw std::runtime_error("the run ended before the half of its time: there is nothing to be taken up again");
     }
-    measured.value = static_cast<double>(difference.numbers);
+    Measured measured = Measured::of(static_cast<double>(difference.numbers));
     measured.note = difference.first.empty()
                         ? fmt::format("{} numbers compared", difference.compared)
                         : fmt::format("of {}, the first in {}", difference.compared, difference.first);
     return measured;
-  });
+  };
+  return gate(study + "/restart" + suffix, number_of("numbers that a restart changes", differing), exactly(0),
+              identity("a run is a function of its state: stopped half-way, written to a file and taken up again, " +
+                       what + " end with the same bits"));
 }
 
 }  // namespace plumbline

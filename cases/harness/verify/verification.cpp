@@ -15,6 +15,7 @@ namespace {
 
 // Rough cost for the order of starting: points times steps both grow with cells and with the inverse step.
 double cost(const PlannedRun& run) {
+  if (!run.settings.has("cells")) return 0;
   const double cells = run.settings.number("cells"), ppc = run.settings.number("ppc");
   const double step = run.settings.is_set("dt") ? run.settings.number("dt") : run.settings.number("cfl") / cells;
   return cells * ppc / step;
@@ -35,7 +36,7 @@ StudyResult run_study(const Case& entry, const StudyPlan& plan, const std::vecto
   };
   for (std::size_t k = 0; k < planned.size(); ++k) {
     const std::string scheme = result_scheme(entry, plan.scheme, planned[k].settings);
-    const std::string file = ResultsFolder::run_name(entry.name(), scheme, planned[k].settings);
+    const std::string file = ResultsFolder::run_name(entry.name, scheme, planned[k].settings);
     if (store) results[k] = store->take(entry, file, planned[k].frames);
     if (!results[k]) missing.push_back(k);
     if (results[k]) report(*results[k]);
@@ -65,7 +66,7 @@ std::string integrator_scheme(const Case& entry, const std::string& integrator) 
 }
 
 std::string result_scheme(const Case& entry, const std::string& scheme, const Settings& settings) {
-  return scheme == "default" ? integrator_scheme(entry, settings.text("integrator")) : scheme;
+  return scheme == "default" && entry.trials.empty() ? integrator_scheme(entry, settings.text("integrator")) : scheme;
 }
 
 namespace {
@@ -87,7 +88,7 @@ StudyPlan integrator_plan(const Case& entry, const std::string& integrator) {
                  .title = "default scheme with integrator " + integrator,
                  .why = "No expectation: identities only.",
                  .overrides = {{"integrator", integrator}},
-                 .values = {entry.default_levels().front()}};
+                 .values = {entry.levels.front()}};
   const IntegratorEntry* found = find_integrator(integrator);
   if (!found) return plan;  // settings() will name the nearest
   std::vector<Lack> missing = lacks_of(entry, *found, plan);
@@ -97,7 +98,7 @@ StudyPlan integrator_plan(const Case& entry, const std::string& integrator) {
   unfiltered.overrides.emplace_back("transfer", "flip");
   if (entry.settings("default", {}).has("split")) unfiltered.overrides.emplace_back("split", 0.0);
   if (lacks_of(entry, *found, unfiltered).empty()) return unfiltered;
-  throw MissingTraits("integrator", integrator, "another integrator", "case=" + entry.name(), std::move(missing));
+  throw MissingTraits("integrator", integrator, "another integrator", "case=" + entry.name, std::move(missing));
 }
 
 namespace {
@@ -116,12 +117,13 @@ Plans selected_plans(const Case& entry, Tier tier, const Selection& selection) {
     return std::find(selection.schemes.begin(), selection.schemes.end(), plan.scheme) != selection.schemes.end();
   };
   for (const std::string& scheme : selection.schemes) entry.settings(scheme, {});
-  for (StudyPlan& plan : entry.studies()) {
+  for (StudyPlan plan : entry.studies) {
     if (in_tier(plan.tier, tier) && wanted(plan)) plans.all.push_back(std::move(plan));
   }
   plans.own = plans.all.size();
+  if (!entry.trials.empty()) return plans;
   std::vector<std::string> chosen = selection.integrators;
-  if (chosen.empty() && selection.schemes.empty() && entry.any_integrator()) {
+  if (chosen.empty() && selection.schemes.empty() && entry.any_integrator) {
     for (const IntegratorEntry& integrator : integrators()) chosen.push_back(integrator.name);
   }
   for (const std::string& integrator : chosen) {
@@ -129,7 +131,7 @@ Plans selected_plans(const Case& entry, Tier tier, const Selection& selection) {
       plans.all.push_back(integrator_plan(entry, integrator));
     } catch (const MissingTraits& parts) {
       if (selection.by_name) throw;
-      plans.not_applicable.push_back({entry.name(), integrator, parts.lacks});
+      plans.not_applicable.push_back({entry.name, integrator, parts.lacks});
     }
   }
   return plans;
@@ -137,6 +139,7 @@ Plans selected_plans(const Case& entry, Tier tier, const Selection& selection) {
 
 // Dimension, and whether it is axisymmetric. Of a study that failed, those of its first scene, which may be what failed.
 std::pair<int, bool> geometry_of(const StudyResult& study) {
+  if (!study.entry->trials.empty()) return {0, false};
   if (!study.levels.empty()) return {study.levels.front().run.dim, study.levels.front().run.axisymmetric};
   try {
     const PlannedRun first = planned_runs(*study.entry, study.plan, Tier::quick).front();
@@ -213,10 +216,10 @@ std::vector<RecordedValue::Key> lost_gates(const Case& entry, Tier tier, const S
     const bool selected = selection.everything() || std::any_of(studies.begin(), studies.end(), [&](const auto& study) {
                             return study.plan.id == gate.study;
                           });
-    if (selected) wanted.emplace(entry.name(), gate.study, gate.gate.id, tier_name(tier));
+    if (selected) wanted.emplace(entry.name, gate.study, gate.gate.id, tier_name(tier));
   }
   if (selection.recorded && selection.everything()) {
-    for (const RecordedValue::Key& key : selection.recorded->of_case(entry.name(), tier_name(tier))) wanted.insert(key);
+    for (const RecordedValue::Key& key : selection.recorded->of_case(entry.name, tier_name(tier))) wanted.insert(key);
   }
   std::vector<RecordedValue::Key> lost;
   std::set_difference(wanted.begin(), wanted.end(), executed.begin(), executed.end(), std::back_inserter(lost));
@@ -242,7 +245,7 @@ void verify_case(const Case& entry, Tier tier, const Selection& selection, int t
   for (std::size_t k = 0; k < plans.all.size(); ++k)
     studies.push_back(run_or_fail(entry, plans.all[k], planned[k], threads, progress, store));
   std::vector<CaseGate> declared;
-  for (CaseGate& gate : entry.gates()) {
+  for (CaseGate gate : entry.gates) {
     if (in_tier(gate.tier, tier) && selection.settings.empty()) declared.push_back(std::move(gate));
   }
   std::set<RecordedValue::Key> executed;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cases/harness/description/case.hpp"
+#include "cases/harness/description/prose.hpp"
 #include "cases/harness/judge/gates.hpp"
 #include "kernel/materials/uniaxial_membrane.hpp"
 
@@ -22,7 +23,7 @@ struct Toy {
   int dim = 1;
   double dt = 1e-3, end = 1e-2;        // s
   std::vector<Override> choices = {};  // beside the step
-  std::function<void(Settings&)> derive = {};
+  std::function<Override(const Settings&)> york_step = {};
   std::function<void(Scene&)> change = {};
   std::function<void(const Simulation&)> observe = {};
   std::function<std::vector<Measure>(const Settings&, const Simulation&)> measures = {};
@@ -73,48 +74,32 @@ class ToyProblem final : public Problem {
   }
 
  private:
-  const Toy& toy_;
+  Toy toy_;
   Settings settings_;
 };
 
-class ToyCase final : public Case {
- public:
-  explicit ToyCase(Toy toy = {}) : toy_(std::move(toy)) {}
+// What it says in words.
+inline const RegisterProse toy_prose{
+    "toy",
+    "# toy\n\n## Source\nnone\n\n## Claim\nnone\n\n## Physics\nnone\n\n## Cells\nnone\n\n"
+    "## Reference: none\nnone\n\n## Bound of the reference\nnone\n",
+    "<svg/>"};
 
-  std::string name() const override { return toy_.name; }
-  Statement statement() const override {
-    Statement statement;
-    statement.name = toy_.name;
-    return statement;
-  }
-  Kind kind() const override { return toy_.kind; }
-  std::vector<Key> keys() const override {
-    return {{.name = "weight", .value = 1.0, .unit = "kg", .low = 0, .low_open = true, .description = "of nothing"}};
-  }
-  std::vector<Override> points_and_end(const std::string&) const override {
-    std::vector<Override> all{{"dt", toy_.dt}};
-    all.insert(all.end(), toy_.choices.begin(), toy_.choices.end());
-    return all;
-  }
-  void derive(Settings& settings, const std::string&) const override {
-    if (toy_.derive) toy_.derive(settings);
-  }
-  std::unique_ptr<Problem> problem(const Settings& settings) const override {
-    return std::make_unique<ToyProblem>(toy_, settings);
-  }
-  std::vector<StudyPlan> studies() const override { return toy_.studies; }
-  std::vector<CaseGate> gates() const override { return toy_.gates; }
-  std::map<std::string, std::string> may_be_undefined() const override { return toy_.may_be_undefined; }
-  bool any_integrator() const override { return toy_.any_integrator; }
-  std::vector<double> default_levels() const override { return toy_.levels; }
-  std::vector<Comparator> comparators(const Settings& settings, const std::vector<double>& cells) const override {
-    return toy_.comparators ? toy_.comparators(settings, cells) : std::vector<Comparator>{};
-  }
+inline Case toy_case(const Toy& toy = {}) {
+  Case made{.name = toy.name, .kind = toy.kind, .sets = {{"dt", toy.dt}}, .york_step = toy.york_step};
+  made.keys = {positive_key("weight", 1, "kg", "of nothing")};
+  made.sets.insert(made.sets.end(), toy.choices.begin(), toy.choices.end());
+  made.problem = [toy](const Settings& settings) { return std::make_unique<ToyProblem>(toy, settings); };
+  made.studies = toy.studies;
+  made.gates = toy.gates;
+  made.levels = toy.levels;
+  made.any_integrator = toy.any_integrator;
+  made.may_be_undefined = toy.may_be_undefined;
+  made.comparators = toy.comparators;
+  return made;
+}
 
- private:
-  Toy toy_;
-};
-
+// A declaration without a number that it judges.
 inline Gate toy_gate(std::string id, Range expected) {
   Gate gate;
   gate.id = std::move(id);
@@ -123,6 +108,8 @@ inline Gate toy_gate(std::string id, Range expected) {
   gate.reason = "the test wants it";
   return gate;
 }
+
+inline const Because wanted_by_test = requirement("the test wants it");
 
 // A measure "error" of exactly constant h^order, whatever the simulation did.
 inline std::vector<Measure> power_law_error(double h, double constant, double order) {

@@ -45,7 +45,7 @@ TEST_P(GasCases, SayWhatTheyAre) {
 }
 
 TEST_P(GasCases, DeclareValidGates) {
-  for (const CaseGate& gate : find_case(GetParam()).gates()) {
+  for (const CaseGate& gate : find_case(GetParam()).gates) {
     EXPECT_NO_THROW(validate(gate.gate));
     EXPECT_NE(gate.gate.origin, Origin::regression);
   }
@@ -53,7 +53,7 @@ TEST_P(GasCases, DeclareValidGates) {
 
 // What may be missed: the moving tube at its own steps, beside a gate at equal ones that holds.
 TEST_P(GasCases, ExpectNoFailureButTheOneWithAReason) {
-  for (const CaseGate& gate : find_case(GetParam()).gates()) {
+  for (const CaseGate& gate : find_case(GetParam()).gates) {
     const bool named = GetParam() == "sod-moving" && gate.gate.id.rfind("default/invariance-", 0) == 0 &&
                        gate.gate.id.find("same-step") == std::string::npos;
     EXPECT_EQ(gate.gate.expected_failure.has_value(), named) << gate.gate.id;
@@ -62,7 +62,7 @@ TEST_P(GasCases, ExpectNoFailureButTheOneWithAReason) {
 
 TEST_P(GasCases, DriftOfEnergyIsGated) {
   int found = 0;
-  for (const CaseGate& gate : find_case(GetParam()).gates()) {
+  for (const CaseGate& gate : find_case(GetParam()).gates) {
     if (gate.gate.id != gate.study + "/drift") continue;
     EXPECT_EQ(gate.gate.expected.high, 1e-12);
     ++found;
@@ -158,10 +158,10 @@ TEST(Tubes, OrdersRequiredAreThoseThatTheFlowAllows) {
                                                {"toro-4", 0.8}, {"toro-5", 0.8}, {"lax", 0.8}};
   for (const auto& [name, order] : required) {
     std::map<std::string, double> low;
-    for (const CaseGate& gate : find_case(name).gates()) low[gate.gate.id] = gate.gate.expected.low.value_or(-1);
+    for (const CaseGate& gate : find_case(name).gates) low[gate.gate.id] = gate.gate.expected.low.value_or(-1);
     EXPECT_DOUBLE_EQ(low.at("default/density-order"), order) << name;
     EXPECT_DOUBLE_EQ(low.at("default/density-order-interval"), order - 0.1) << name;
-    for (const StudyPlan& study : find_case(name).studies())
+    for (const StudyPlan& study : find_case(name).studies)
       EXPECT_EQ(study.full_values, (std::vector<double>{100, 200, 400, 800, 1600}));
   }
 }
@@ -322,7 +322,7 @@ TEST(SodMoving, IsSodsTubeSeenFromATrain) {
 TEST(SodMoving, TheStudyAtRestHasTheStepsOfTheMovingOne) {
   const Case& entry = find_case("sod-moving");
   std::map<std::string, long> steps;
-  for (const StudyPlan& study : entry.studies()) {
+  for (const StudyPlan& study : entry.studies) {
     std::vector<Override> overrides = study.overrides;
     overrides.emplace_back("cells", 100.0);
     steps[study.id] = run_experiment(entry, study.scheme, entry.settings(study.scheme, overrides)).steps;

@@ -250,9 +250,9 @@ TEST(ShockTube, ProfileIsAnIdealGas) {
 }
 
 TEST(ShockTube, KeysCarryTheTubesOwnDefaults) {
-  ShockTube tube{{{3, 0.5, 4}, {2, -0.5, 1}, 1.3}, 0, 2, 0.75, 0.2};
-  const Settings settings(shock_tube_keys(tube));
-  const ShockTube back = shock_tube_from(settings, tube);
+  const ShockTube tube{{{3, 0.5, 4}, {2, -0.5, 1}, 1.3}, 0, 2, 0.75, 0.2};
+  const Settings settings(TubeParameters(tube).keys());
+  const ShockTube back = TubeParameters(tube, settings).tube;
   EXPECT_EQ(back.states.left.density, 3);
   EXPECT_EQ(back.states.left.velocity, 0.5);
   EXPECT_EQ(back.states.left.pressure, 4);

@@ -52,14 +52,14 @@ TEST(Sod, StatesOutOfRangeAreRefused) {
 // The diaphragm's place within its cell, the step alone, points per cell and the mesh are each refined somewhere.
 TEST(Sod, EveryRefinementHasAStudy) {
   std::vector<Vary> varied;
-  for (const StudyPlan& plan : sod().studies()) varied.push_back(plan.vary);
+  for (const StudyPlan& plan : sod().studies) varied.push_back(plan.vary);
   for (const Vary vary : {Vary::cells, Vary::dt, Vary::ppc, Vary::offset}) {
     EXPECT_NE(std::find(varied.begin(), varied.end(), vary), varied.end()) << name(vary);
   }
 }
 
 TEST(Sod, OffsetsOfTheStudyShiftTheGridAlone) {
-  for (const StudyPlan& plan : sod().studies()) {
+  for (const StudyPlan& plan : sod().studies) {
     if (plan.vary != Vary::offset) continue;
     for (const PlannedRun& run : planned_runs(sod(), plan, Tier::quick)) {
       const Scene scene = sod().problem(run.settings)->scene();

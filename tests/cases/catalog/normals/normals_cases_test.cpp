@@ -27,7 +27,7 @@ TEST_P(NormalsCases, SayWhatTheyAre) {
 }
 
 TEST_P(NormalsCases, DeclareValidGates) {
-  for (const CaseGate& gate : find_case(GetParam()).gates()) {
+  for (const CaseGate& gate : find_case(GetParam()).gates) {
     EXPECT_NO_THROW(validate(gate.gate));
   }
 }

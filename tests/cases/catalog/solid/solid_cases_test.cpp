@@ -28,7 +28,7 @@ TEST_P(SolidCases, SayWhatTheyAre) {
 }
 
 TEST_P(SolidCases, DeclareValidGates) {
-  for (const CaseGate& gate : find_case(GetParam()).gates()) {
+  for (const CaseGate& gate : find_case(GetParam()).gates) {
     EXPECT_NO_THROW(validate(gate.gate));
   }
 }

@@ -12,9 +12,7 @@ namespace {
 using ::testing::HasSubstr;
 
 Gate failing(Range band, const std::string& quantity = "error") {
-  Gate gate = expected_failure(toy_gate("s/error", {{}, 1e-6}), "known", band);
-  gate.quantity = quantity;
-  return gate;
+  return gate("s/error", {quantity, {}}, at_most(1e-6), wanted_by_test).fails("known", band).gate;
 }
 
 Ensemble of(std::vector<double> values) { return {"toy", "s", "s/error", std::move(values), {}}; }
@@ -55,8 +53,8 @@ TEST(TooWide, RunsThatStoppedAreExpectedToStop) {
 
 TEST(WideBands, NamesGatesAndEnsemblesOfNoGate) {
   Toy toy;
-  toy.gates = {error_gate("s", "error", 4, failing({1.0, 2.0}))};
-  const ToyCase entry(toy);
+  toy.gates = {gate("s/error", error_at("error", 4), at_most(1e-6), wanted_by_test).fails("known", {1.0, 2.0})};
+  const Case entry = toy_case(toy);
   const std::vector<const Case*> one{&entry};
   ASSERT_EQ(wide_bands(one, {}).size(), 1u);
   EXPECT_THAT(wide_bands(one, {})[0].message, HasSubstr("gate s/error of toy"));

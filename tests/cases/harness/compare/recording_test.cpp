@@ -89,9 +89,9 @@ TEST(RecordedFrom, RefusesOtherResults) {
 TEST(Unrecorded, NamesGatesWithWhatToCallAndValuesOfNoStudy) {
   Toy toy;
   toy.studies = {{.id = "s", .title = {}, .why = {}, .values = {4}}};
-  toy.gates = {error_gate("s", "error", 4, toy_gate("s/error", {{}, 1})),
-               error_gate("s", "error", 4, toy_gate("s/late", {{}, 1}), Tier::full)};
-  const ToyCase entry(toy);
+  toy.gates = {gate("s/error", error_at("error", 4), at_most(1), wanted_by_test),
+               gate("s/late", error_at("error", 4), at_most(1), wanted_by_test).in(Tier::full)};
+  const Case entry = toy_case(toy);
   std::vector<RecordedValue> values;
   for (const char* id : {"s/finite", "s/mass", "s/momentum", "s/ledger"}) {
     values.push_back({"toy", "s", id, "quick", 0, {}, "2026-11-23 5825b24", {}});

@@ -13,7 +13,7 @@ using ::testing::HasSubstr;
 LedgerLine line(const std::string& id, std::optional<double> low, std::optional<double> high) {
   CaseGate gate;
   gate.study = "cells";
-  gate.gate = declare(id, {low, high}, Origin::requirement, "first order from a coarse mesh");
+  gate.gate = plumbline::gate(id, {"a number", {}}, {low, high}, requirement("first order from a coarse mesh")).gate;
   return declared_line("toy", gate, "2026-11-22");
 }
 
@@ -29,8 +29,9 @@ TEST(DeclaredLine, CarriesAllThatLetsAGatePass) {
   CaseGate declared;
   declared.study = "cells";
   declared.tier = Tier::full;
-  declared.gate = expected_failure(declare("a", {{}, 0.1}, Origin::theory, "why"), "a known cause", {0.2, 0.3},
-                                   "2026-11-21 abcdef0");
+  declared.gate = gate("a", {"a number", {}}, at_most(0.1), theory("why"))
+                      .fails("a known cause", {0.2, 0.3}, "2026-11-21 abcdef0")
+                      .gate;
   declared.gate.order = true;
   declared.gate.expected_failure->stops = StopBand{3, 9, "density"};
   const LedgerLine l = declared_line("toy", declared, "2026-11-22");
@@ -63,9 +64,7 @@ TEST(Ledger, ReadsBackEveryBit) {
 // The name of an origin until 0.8: it is no other origin, so that nothing is to be recorded.
 TEST(Ledger, ReadsTheOriginNamesOfThePreviousVersion) {
   const TemporaryFolder folder;
-  CaseGate declared;
-  declared.study = "cells";
-  declared.gate = regression("a", 2, 0.1, "2026-11-21 abcdef0", "as it was");
+  const CaseGate declared = recorded("cells/a", {"a number", {}}, 2, 0.1, "2026-11-21 abcdef0", "as it was");
   const LedgerLine now = declared_line("toy", declared, "2026-11-22");
   EXPECT_EQ(now.origin, "regression");
   LedgerLine before = now;

@@ -108,6 +108,8 @@ TEST(StatementOfProse, NamesALineThatHasNoPlace) {
   EXPECT_THROW(read(replaced("    p =", "p =")), std::invalid_argument);
   EXPECT_THROW(read(replaced("- One", "One")), std::invalid_argument);
   EXPECT_THROW(read(replaced(" of order 1/2", "")), std::invalid_argument);
+  for (const char* number : {"", "two", "2x", "1/0", "1/", "/2", "1/2/3"})
+    EXPECT_THROW(read(replaced("of order 1/2", std::string("of order ") + number)), std::invalid_argument) << number;
   EXPECT_THROW(read(replaced("{{shared}}", "{{other}}")), std::invalid_argument);
   EXPECT_THROW(read("before\n" + whole), std::invalid_argument);
 }
@@ -115,7 +117,7 @@ TEST(StatementOfProse, NamesALineThatHasNoPlace) {
 TEST(WrittenProse, IsThereForEveryCase) {
   for (const Case* entry : cases()) {
     const Statement s = entry->statement();
-    EXPECT_EQ(s.name, entry->name());
+    EXPECT_EQ(s.name, entry->name);
     EXPECT_THAT(s.sketch, HasSubstr("<svg")) << s.name;
   }
   for (const StabilityProblem* problem : stability_problems()) EXPECT_EQ(problem->statement().name, problem->name());

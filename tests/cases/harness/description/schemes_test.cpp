@@ -9,6 +9,7 @@
 #include <set>
 
 #include "cases/harness/files/errors.hpp"
+#include "tests/cases/harness/scene_cases.hpp"
 #include "tests/cases/harness/toy_case.hpp"
 
 namespace plumbline {
@@ -24,7 +25,7 @@ bool free_to_choose(const std::string& key) {
 std::map<std::string, std::string> numerics(const Case& entry, const std::string& scheme) {
   std::map<std::string, std::string> chosen;
   const Settings settings = entry.settings(scheme, {});
-  for (const Key& key : kind_keys(entry.kind())) {
+  for (const Key& key : kind_keys(entry.kind)) {
     if (!free_to_choose(key.name)) chosen[key.name] = to_text(settings[key.name]);
   }
   return chosen;
@@ -40,10 +41,10 @@ std::map<std::string, std::string> definition(Kind kind) {
 }
 
 TEST(Schemes, DefaultIsOneDefinitionPerKindInEveryCase) {
-  ASSERT_FALSE(cases().empty());
-  for (const Case* entry : cases()) {
-    EXPECT_EQ(numerics(*entry, "default"), definition(entry->kind()))
-        << entry->name() << " changes a numerical choice of default";
+  ASSERT_FALSE(scene_cases().empty());
+  for (const Case* entry : scene_cases()) {
+    EXPECT_EQ(numerics(*entry, "default"), definition(entry->kind))
+        << entry->name << " changes a numerical choice of default";
   }
 }
 
@@ -51,15 +52,14 @@ TEST(Schemes, DefaultIsOneDefinitionPerKindInEveryCase) {
 TEST(Schemes, ACaseThatChangesANumberOfDefaultIsSeen) {
   Toy toy;
   toy.choices = {{"dt", std::monostate{}}};
-  EXPECT_EQ(numerics(ToyCase(toy), "default"), definition(Kind::membrane));
+  EXPECT_EQ(numerics(toy_case(toy), "default"), definition(Kind::membrane));
   toy.choices = {{"dt", std::monostate{}}, {"cells", 7.0}, {"ppc", 2.0}};
-  EXPECT_EQ(numerics(ToyCase(toy), "default"), definition(Kind::membrane));
+  EXPECT_EQ(numerics(toy_case(toy), "default"), definition(Kind::membrane));
   toy.choices = {{"dt", std::monostate{}}, {"cfl", 0.4}};
-  EXPECT_NE(numerics(ToyCase(toy), "default"), definition(Kind::membrane));
-  toy.choices = {{"dt", std::monostate{}}};
-  toy.derive = [](Settings& settings) { settings.set("transfer", "flip", "toy"); };
-  EXPECT_NE(numerics(ToyCase(toy), "default"), definition(Kind::membrane));
-  EXPECT_NE(numerics(ToyCase(), "default"), definition(Kind::membrane)) << "a fixed step is numerical, too";
+  EXPECT_NE(numerics(toy_case(toy), "default"), definition(Kind::membrane));
+  toy.choices = {{"dt", std::monostate{}}, {"transfer", "flip"}};
+  EXPECT_NE(numerics(toy_case(toy), "default"), definition(Kind::membrane));
+  EXPECT_NE(numerics(toy_case(), "default"), definition(Kind::membrane)) << "a fixed step is numerical, too";
 }
 
 // The energy-conserving leapfrog on cubic B-splines with sharpened APIC for gas; a symplectic step for membranes.
@@ -123,29 +123,29 @@ TEST(Schemes, DefaultOfMembranes) {
 
 // [York chapter 3]: linear shapes, FLIP, the momentum form with a second map. Sections 4.1 and 5.5 fix the steps.
 TEST(Schemes, York1997IsYorks) {
-  for (const Case* entry : cases()) {
+  for (const Case* entry : scene_cases()) {
     const Settings settings = entry->settings("york1997", {});
-    EXPECT_EQ(settings.text("shape"), "linear") << entry->name();
-    EXPECT_EQ(settings.text("transfer"), "flip") << entry->name();
-    EXPECT_EQ(settings.text("integrator"), "musl") << entry->name();
+    EXPECT_EQ(settings.text("shape"), "linear") << entry->name;
+    EXPECT_EQ(settings.text("transfer"), "flip") << entry->name;
+    EXPECT_EQ(settings.text("integrator"), "musl") << entry->name;
     const std::set<std::string> published{"sod", "two-bar", "two-disks", "ball-net"};
     const std::set<std::string> at_rest{"normals-cell", "normals-first-step"};  // one step, in which nothing moves
-    const bool his_own = published.count(entry->name()) ||                      // their steps are given
-                         (entry->kind() == Kind::membrane && !at_rest.count(entry->name()));
-    EXPECT_NE(settings.is_set("dt"), settings.is_set("cfl")) << entry->name();
-    EXPECT_TRUE(entry->kind() == Kind::coupled || settings.is_set("dt") == his_own) << entry->name();
-    if (entry->kind() == Kind::coupled) {
-      EXPECT_EQ(settings.text("membrane.loss"), "booked") << entry->name();
-      EXPECT_EQ(settings.number("membrane.relaxation"), 0) << entry->name();
-      EXPECT_EQ(settings.number("viscosity.quadratic"), 0) << entry->name();
+    const bool his_own = published.count(entry->name) ||                        // their steps are given
+                         (entry->kind == Kind::membrane && !at_rest.count(entry->name));
+    EXPECT_NE(settings.is_set("dt"), settings.is_set("cfl")) << entry->name;
+    EXPECT_TRUE(entry->kind == Kind::coupled || settings.is_set("dt") == his_own) << entry->name;
+    if (entry->kind == Kind::coupled) {
+      EXPECT_EQ(settings.text("membrane.loss"), "booked") << entry->name;
+      EXPECT_EQ(settings.number("membrane.relaxation"), 0) << entry->name;
+      EXPECT_EQ(settings.number("viscosity.quadratic"), 0) << entry->name;
     }
-    if (entry->kind() != Kind::gas) continue;
-    EXPECT_EQ(settings.number("sharpening"), 0) << entry->name();
-    EXPECT_EQ(settings.number("heat_exchange"), 0) << entry->name();
-    EXPECT_EQ(settings.text("density"), "quadratic") << entry->name();
-    EXPECT_EQ(settings.text("points"), "equal-volume") << entry->name();
-    EXPECT_EQ(settings.number("viscosity.linear"), 1) << entry->name();
-    EXPECT_EQ(settings.number("viscosity.quadratic"), 1) << entry->name();
+    if (entry->kind != Kind::gas) continue;
+    EXPECT_EQ(settings.number("sharpening"), 0) << entry->name;
+    EXPECT_EQ(settings.number("heat_exchange"), 0) << entry->name;
+    EXPECT_EQ(settings.text("density"), "quadratic") << entry->name;
+    EXPECT_EQ(settings.text("points"), "equal-volume") << entry->name;
+    EXPECT_EQ(settings.number("viscosity.linear"), 1) << entry->name;
+    EXPECT_EQ(settings.number("viscosity.quadratic"), 1) << entry->name;
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "cases/harness/run/experiment.hpp"
 #include "kernel/materials/parameters.hpp"
+#include "tests/cases/harness/scene_cases.hpp"
 
 namespace plumbline {
 namespace {
@@ -50,13 +51,13 @@ int points_of(const Scene& scene) {
 bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 Settings coarse(const Case& entry) {
-  const std::vector<double> levels = entry.default_levels();
+  const std::vector<double> levels = entry.levels;
   return entry.settings("default", {{"cells", *std::min_element(levels.begin(), levels.end())}});
 }
 
 TEST(FinalState, MeasuresThatNeedNoWayAreTheSameForAProblemThatSawNone) {
   int judged = 0;
-  for (const Case* entry : cases()) {
+  for (const Case* entry : scene_cases()) {
     const Settings settings = coarse(*entry);
     if (!why_not_scored(*entry, settings).empty()) continue;
     if (points_of(entry->problem(settings)->scene()) > 5000) continue;  // the same classes as on a line, at more cost
@@ -65,11 +66,11 @@ TEST(FinalState, MeasuresThatNeedNoWayAreTheSameForAProblemThatSawNone) {
     const auto fresh = entry->problem(settings);
     fresh->scene();
     const auto seen = measures_at_end(*run.problem, *run.simulation), blind = measures_at_end(*fresh, *run.simulation);
-    ASSERT_EQ(seen.size(), blind.size()) << entry->name();
-    EXPECT_FALSE(seen.empty()) << entry->name();
+    ASSERT_EQ(seen.size(), blind.size()) << entry->name;
+    EXPECT_FALSE(seen.empty()) << entry->name;
     for (std::size_t k = 0; k < seen.size(); ++k) {
       EXPECT_EQ(seen[k].name, blind[k].name);
-      EXPECT_TRUE(same(seen[k].error, blind[k].error)) << entry->name() << " " << seen[k].name;
+      EXPECT_TRUE(same(seen[k].error, blind[k].error)) << entry->name << " " << seen[k].name;
     }
   }
   EXPECT_GT(judged, 20);
@@ -79,7 +80,7 @@ TEST(FinalState, MeasuresThatNeedNoWayAreTheSameForAProblemThatSawNone) {
 // judged, so that doing nothing is seen.
 TEST(FinalState, TheStartIsNoEnd) {
   constexpr double far = 0.3;  // of the field's size
-  for (const Case* entry : cases()) {
+  for (const Case* entry : scene_cases()) {
     const Settings settings = coarse(*entry);
     if (!why_not_scored(*entry, settings).empty()) continue;
     double furthest = 0;
@@ -87,7 +88,7 @@ TEST(FinalState, TheStartIsNoEnd) {
       if (!m.name.ends_with(".L1") || m.scale <= m.reference_bound) continue;
       furthest = std::isfinite(m.error) ? std::max(furthest, m.error / m.scale) : HUGE_VAL;
     }
-    EXPECT_GT(furthest, far) << entry->name();
+    EXPECT_GT(furthest, far) << entry->name;
   }
 }
 
@@ -148,9 +149,9 @@ TEST(FinalState, CasesJudgedOnTheWayAreRefused) {
 
 // Whoever exports a scene writes its materials down.
 TEST(Exchange, EveryMaterialOfEveryCaseStatesItsParameters) {
-  for (const Case* entry : cases()) {
+  for (const Case* entry : scene_cases()) {
     for (const Body& body : entry->problem(coarse(*entry))->scene().bodies) {
-      EXPECT_NO_THROW(EXPECT_FALSE(parameters_of(*body.material).empty())) << entry->name();
+      EXPECT_NO_THROW(EXPECT_FALSE(parameters_of(*body.material).empty())) << entry->name;
     }
   }
 }

@@ -13,7 +13,7 @@ namespace {
 FailureOf of(const std::string& scheme, std::vector<Override> overrides = {}, Kind kind = Kind::membrane) {
   Toy toy;
   toy.kind = kind;
-  return failure_of(ToyCase(toy),
+  return failure_of(toy_case(toy),
                     {.id = "s", .title = {}, .why = {}, .scheme = scheme, .overrides = std::move(overrides)},
                     toy_gate("s/error", {{}, 1}));
 }
@@ -41,7 +41,7 @@ TEST(FailureOf, ChoicesOfASchemeMakeAnother) {
 TEST(FailureOf, OwnKeysThatAreChoicesElsewhereCount) {
   const Case& entry = find_case("string-slack");
   const auto of_study = [&](const std::string& id) {
-    for (const StudyPlan& plan : entry.studies()) {
+    for (const StudyPlan& plan : entry.studies) {
       if (plan.id == id) return failure_of(entry, plan, toy_gate(id + "/time", {{}, 1}));
     }
     throw std::out_of_range(id);

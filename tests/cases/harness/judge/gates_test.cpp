@@ -15,7 +15,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-const ToyCase toy;
+const Case toy = toy_case();
 
 // A run that conserved everything, of these masses and energies.
 struct Spoilt {
@@ -74,13 +74,13 @@ JudgedGate judged(const CaseGate& gate, const StudyResult& on) {
 }
 Verdict verdict(const CaseGate& gate, const StudyResult& on) { return judged(gate, on).judgement.verdict; }
 
-Gate at_most(double high) { return toy_gate("s/gate", {{}, high}); }
-Gate at_least(double low) { return toy_gate("s/gate", {low, {}}); }
+// A gate on the study `s`.
+CaseGate on_s(Number number, Range expected) { return gate("s/gate", std::move(number), expected, wanted_by_test); }
 
 // --- numbers of one level ---------------------------------------------------------------------------------------------
 
 TEST(Gates, AnEarlierMeasurementMayDriftByItsShareAndNoFurther) {
-  const Gate gate = regression("drift", -4, 0.1, "2026-11-21 a1b2c3d", "as it was");
+  const Gate gate = recorded("s/drift", energy_drift(), -4, 0.1, "2026-11-21 a1b2c3d", "as it was").gate;
   EXPECT_NEAR(*gate.expected.low, -4.4, 1e-15);
   EXPECT_NEAR(*gate.expected.high, -3.6, 1e-15);
   EXPECT_EQ(gate.origin, Origin::regression);
@@ -89,7 +89,7 @@ TEST(Gates, AnEarlierMeasurementMayDriftByItsShareAndNoFurther) {
 
 TEST(ErrorGate, ReadsTheErrorOfItsLevel) {
   const StudyResult on = study({{10, finished_run(errors(0.5))}, {20, finished_run(errors(0.25))}});
-  const JudgedGate gate = judged(error_gate("s", "error", 20, at_most(0.3)), on);
+  const JudgedGate gate = judged(on_s(error_at("error", 20), at_most(0.3)), on);
   EXPECT_EQ(gate.measured.value, 0.25);
   EXPECT_EQ(gate.judgement.verdict, Verdict::pass);
   EXPECT_EQ(gate.gate.quantity, "error at 20");
@@ -97,52 +97,52 @@ TEST(ErrorGate, ReadsTheErrorOfItsLevel) {
   EXPECT_EQ(gate.case_name, "toy");
   EXPECT_EQ(gate.scheme, "default");
   EXPECT_EQ(gate.study, "s");
-  EXPECT_EQ(verdict(error_gate("s", "error", 10, at_most(0.3)), on), Verdict::fail);
+  EXPECT_EQ(verdict(on_s(error_at("error", 10), at_most(0.3)), on), Verdict::fail);
 }
 
 // It is the error, not the relative error: a scale that is not 1 must not change it.
 TEST(ErrorGate, ReadsNotTheRelativeError) {
   RunResult run = finished_run(errors(0.5));
   run.measures[0].scale = 10;
-  EXPECT_EQ(judged(error_gate("s", "error", 10, at_most(1)), study({{10, run}})).measured.value, 0.5);
+  EXPECT_EQ(judged(on_s(error_at("error", 10), at_most(1)), study({{10, run}})).measured.value, 0.5);
 }
 
 TEST(ErrorGate, AReferenceThatIsNotGoodEnoughIsInvalid) {
-  EXPECT_EQ(verdict(error_gate("s", "error", 10, at_most(1)), study({{10, finished_run(errors(0.5, 0.009))}})),
+  EXPECT_EQ(verdict(on_s(error_at("error", 10), at_most(1)), study({{10, finished_run(errors(0.5, 0.009))}})),
             Verdict::pass);
-  EXPECT_EQ(verdict(error_gate("s", "error", 10, at_most(1)), study({{10, finished_run(errors(0.5, 0.011))}})),
+  EXPECT_EQ(verdict(on_s(error_at("error", 10), at_most(1)), study({{10, finished_run(errors(0.5, 0.011))}})),
             Verdict::invalid);
-  EXPECT_EQ(verdict(error_gate("s", "error", 10, at_most(1)), study({{10, finished_run(errors(0.5, nan))}})),
+  EXPECT_EQ(verdict(on_s(error_at("error", 10), at_most(1)), study({{10, finished_run(errors(0.5, nan))}})),
             Verdict::invalid);
 }
 
 TEST(ValueGate, ReadsTheValueOfItsLevel) {
   const StudyResult on = study({{10, finished_run({scalar_measure("coverage", 0.985, 1, 0, "1"), errors(1)[0]})}});
-  EXPECT_EQ(judged(value_gate("s", "coverage", 10, toy_gate("g", {0.98, 1.02})), on).measured.value, 0.985);
-  EXPECT_EQ(verdict(value_gate("s", "coverage", 10, toy_gate("g", {0.98, 1.02})), on), Verdict::pass);
-  EXPECT_EQ(verdict(value_gate("s", "coverage", 10, toy_gate("g", {0.99, 1.01})), on), Verdict::fail);
-  EXPECT_EQ(verdict(value_gate("s", "error", 10, at_most(9)), on), Verdict::invalid) << "a norm has no value";
+  EXPECT_EQ(judged(on_s(value_at("coverage", 10), between(0.98, 1.02)), on).measured.value, 0.985);
+  EXPECT_EQ(verdict(on_s(value_at("coverage", 10), between(0.98, 1.02)), on), Verdict::pass);
+  EXPECT_EQ(verdict(on_s(value_at("coverage", 10), between(0.99, 1.01)), on), Verdict::fail);
+  EXPECT_EQ(verdict(on_s(value_at("error", 10), at_most(9)), on), Verdict::invalid) << "a norm has no value";
 }
 
 TEST(RatioGate, IsTheFirstLevelOverTheSecond) {
   const StudyResult on = study({{400, finished_run(errors(0.2))}, {800, finished_run(errors(0.3))}});
-  const JudgedGate gate = judged(ratio_gate("s", "error", 800, 400, at_least(1.3)), on);
+  const JudgedGate gate = judged(on_s(ratio_of("error", 800, 400), at_least(1.3)), on);
   EXPECT_DOUBLE_EQ(*gate.measured.value, 1.5);
   EXPECT_EQ(gate.judgement.verdict, Verdict::pass);
   EXPECT_EQ(gate.run_ids.size(), 2u);
-  EXPECT_EQ(verdict(ratio_gate("s", "error", 400, 800, at_least(1.3)), on), Verdict::fail);
+  EXPECT_EQ(verdict(on_s(ratio_of("error", 400, 800), at_least(1.3)), on), Verdict::fail);
 }
 
 TEST(RatioGate, CarriesTheReferencesBoundOfBoth) {
   const StudyResult on = study({{1, finished_run(errors(0.2, 0.001))}, {2, finished_run(errors(0.4, 0.002))}});
   // (0.002 + 2 * 0.001) / 0.2
-  EXPECT_DOUBLE_EQ(judged(ratio_gate("s", "error", 2, 1, at_least(1)), on).measured.reference_bound, 0.02);
+  EXPECT_DOUBLE_EQ(judged(on_s(ratio_of("error", 2, 1), at_least(1)), on).measured.reference_bound, 0.02);
 }
 
 TEST(RatioGate, OverAnErrorOfNothingIsNoNumber) {
   const StudyResult on = study({{1, finished_run(errors(0))}, {2, finished_run(errors(0.4))}});
-  EXPECT_EQ(verdict(ratio_gate("s", "error", 2, 1, at_least(1)), on), Verdict::invalid);
-  EXPECT_EQ(verdict(ratio_gate("s", "error", 1, 1, at_least(1)), on), Verdict::invalid);
+  EXPECT_EQ(verdict(on_s(ratio_of("error", 2, 1), at_least(1)), on), Verdict::invalid);
+  EXPECT_EQ(verdict(on_s(ratio_of("error", 1, 1), at_least(1)), on), Verdict::invalid);
 }
 
 TEST(MeasureGate, ReadsWhatItIsTold) {
@@ -151,32 +151,36 @@ TEST(MeasureGate, ReadsWhatItIsTold) {
     measured.value = 2 * m.error;
     return measured;
   };
-  const CaseGate gate = measure_gate("s", at_most(1), "error", 10, twice);
+  const CaseGate gate = on_s(number_at("twice the error", "error", 10, twice), at_most(1));
   EXPECT_EQ(judged(gate, study({{10, finished_run(errors(0.25))}})).measured.value, 0.5);
   EXPECT_EQ(verdict(gate, study({{10, finished_run()}})), Verdict::invalid);
   EXPECT_EQ(verdict(gate, study({{10, stopped_run(7, "energy")}})), Verdict::fail);
 }
 
 // Every gate that reads one level, on a study that lacks what it needs.
-std::vector<CaseGate> level_gates(Gate gate) {
-  return {error_gate("s", "error", 10, gate), value_gate("s", "error", 10, gate),
-          ratio_gate("s", "error", 10, 20, gate), ratio_gate("s", "error", 20, 10, gate)};
+std::vector<CaseGate> level_gates() {
+  return {on_s(error_at("error", 10), at_most(1)), on_s(value_at("error", 10), at_most(1)),
+          on_s(ratio_of("error", 10, 20), at_most(1)), on_s(ratio_of("error", 20, 10), at_most(1))};
+}
+
+CaseGate stopping(CaseGate gate, StopBand stops) {
+  return std::move(gate).fails("it had to", {}).or_stops(std::move(stops));
 }
 
 TEST(LevelGates, AreNotJudgedWithoutTheirLevel) {
-  for (const CaseGate& gate : level_gates(at_most(1))) {
+  for (const CaseGate& gate : level_gates()) {
     EXPECT_TRUE(judge_gates({gate}, study({{40, finished_run(errors(0.5))}})).empty());
   }
 }
 
 TEST(LevelGates, WithoutTheirMeasureAreInvalid) {
-  for (const CaseGate& gate : level_gates(at_most(1))) {
+  for (const CaseGate& gate : level_gates()) {
     EXPECT_EQ(verdict(gate, study({{10, finished_run()}, {20, finished_run()}})), Verdict::invalid);
   }
 }
 
 TEST(LevelGates, OfANanAreInvalid) {
-  for (const CaseGate& gate : level_gates(at_most(1))) {
+  for (const CaseGate& gate : level_gates()) {
     EXPECT_EQ(verdict(gate, study({{10, finished_run(errors(nan))}, {20, finished_run(errors(nan))}})),
               Verdict::invalid);
   }
@@ -184,13 +188,11 @@ TEST(LevelGates, OfANanAreInvalid) {
 
 TEST(LevelGates, OfAStoppedRunFailUnlessTheBandNamesTheStop) {
   const StudyResult on = study({{10, stopped_run(77, "energy")}, {20, finished_run(errors(0.5))}});
-  for (const CaseGate& gate : level_gates(at_most(1))) EXPECT_EQ(verdict(gate, on), Verdict::fail);
-  Gate expected = at_most(1);
-  expected.expected_failure = ExpectedFailure{"it had to", {}, StopBand{70, 80, "energy"}, {}};
-  for (const CaseGate& gate : level_gates(expected)) EXPECT_EQ(verdict(gate, on), Verdict::xfail);
-  for (const StopBand& other : {StopBand{78, 90, "energy"}, StopBand{70, 80, "position"}}) {
-    expected.expected_failure->stops = other;
-    for (const CaseGate& gate : level_gates(expected)) EXPECT_EQ(verdict(gate, on), Verdict::fail);
+  for (const CaseGate& gate : level_gates()) EXPECT_EQ(verdict(gate, on), Verdict::fail);
+  for (const CaseGate& gate : level_gates()) {
+    EXPECT_EQ(verdict(stopping(gate, {70, 80, "energy"}), on), Verdict::xfail);
+    EXPECT_EQ(verdict(stopping(gate, {78, 90, "energy"}), on), Verdict::fail);
+    EXPECT_EQ(verdict(stopping(gate, {70, 80, "position"}), on), Verdict::fail);
   }
 }
 
@@ -214,46 +216,43 @@ StudyResult power_law(double order, double perturbation = 0) {
 }
 
 TEST(OrderGate, JudgesTheIntervalAndNotTheEstimate) {
-  EXPECT_EQ(verdict(order_gate("s", "error", at_least(0.9)), power_law(1)), Verdict::pass);
-  EXPECT_EQ(verdict(order_gate("s", "error", at_least(1.1)), power_law(1)), Verdict::fail);
-  EXPECT_EQ(verdict(order_gate("s", "error", at_least(0.95)), power_law(1, 0.1)), Verdict::inconclusive);
-  const JudgedGate gate = judged(order_gate("s", "error", at_least(0.9)), power_law(1));
+  EXPECT_EQ(verdict(on_s(order_of("error"), at_least(0.9)), power_law(1)), Verdict::pass);
+  EXPECT_EQ(verdict(on_s(order_of("error"), at_least(1.1)), power_law(1)), Verdict::fail);
+  EXPECT_EQ(verdict(on_s(order_of("error"), at_least(0.95)), power_law(1, 0.1)), Verdict::inconclusive);
+  const JudgedGate gate = judged(on_s(order_of("error"), at_least(0.9)), power_law(1));
   EXPECT_TRUE(gate.gate.order);
   EXPECT_TRUE(gate.measured.interval);
   EXPECT_EQ(gate.run_ids.size(), 5u);
 }
 
 TEST(FittedOrderGate, JudgesTheEstimate) {
-  EXPECT_EQ(verdict(fitted_order_gate("s", "error", at_least(0.95)), power_law(1, 0.1)), Verdict::pass);
-  EXPECT_EQ(verdict(fitted_order_gate("s", "error", at_least(1.05)), power_law(1, 0.1)), Verdict::fail);
+  EXPECT_EQ(verdict(on_s(fitted_order_of("error"), at_least(0.95)), power_law(1, 0.1)), Verdict::pass);
+  EXPECT_EQ(verdict(on_s(fitted_order_of("error"), at_least(1.05)), power_law(1, 0.1)), Verdict::fail);
 }
 
 TEST(OrderGates, NeedEnoughLevels) {
   StudyResult few = power_law(1);
   few.fits[0].second = fit_order(std::vector<Level>{{0.1, 0.1, 0, 0, {}, {}}, {0.05, 0.05, 0, 0, {}, {}}},
                                  Weighting::equal);
-  EXPECT_EQ(verdict(order_gate("s", "error", at_least(0.9)), few), Verdict::inconclusive);
-  EXPECT_EQ(verdict(fitted_order_gate("s", "error", at_least(0.9)), few), Verdict::inconclusive);
+  EXPECT_EQ(verdict(on_s(order_of("error"), at_least(0.9)), few), Verdict::inconclusive);
+  EXPECT_EQ(verdict(on_s(fitted_order_of("error"), at_least(0.9)), few), Verdict::inconclusive);
 }
 
 TEST(OrderGates, WithoutAFitAreInvalid) {
   StudyResult spoilt = power_law(1);
   spoilt.fits[0].second = fit_order(std::vector<Level>{}, Weighting::equal);
   for (const StudyResult& on : {study({{10, finished_run()}}), spoilt}) {
-    EXPECT_EQ(verdict(order_gate("s", "error", at_least(0.9)), on), Verdict::invalid);
-    EXPECT_EQ(verdict(fitted_order_gate("s", "error", at_least(0.9)), on), Verdict::invalid);
+    EXPECT_EQ(verdict(on_s(order_of("error"), at_least(0.9)), on), Verdict::invalid);
+    EXPECT_EQ(verdict(on_s(fitted_order_of("error"), at_least(0.9)), on), Verdict::invalid);
   }
 }
 
 TEST(OrderGates, OfAStudyWithAStopFailUnlessTheBandNamesIt) {
   StudyResult on = power_law(1);
   on.levels[2].run = stopped_run(77, "energy");
-  Gate expected = at_least(0.9);
-  for (const bool announced : {false, true}) {
-    const Verdict wanted = announced ? Verdict::xfail : Verdict::fail;
-    if (announced) expected.expected_failure = ExpectedFailure{"it had to", {}, StopBand{70, 80, "energy"}, {}};
-    EXPECT_EQ(verdict(order_gate("s", "error", expected), on), wanted);
-    EXPECT_EQ(verdict(fitted_order_gate("s", "error", expected), on), wanted);
+  for (const CaseGate& gate : {on_s(order_of("error"), at_least(0.9)), on_s(fitted_order_of("error"), at_least(0.9))}) {
+    EXPECT_EQ(verdict(gate, on), Verdict::fail);
+    EXPECT_EQ(verdict(stopping(gate, {70, 80, "energy"}), on), Verdict::xfail);
   }
 }
 
@@ -262,17 +261,17 @@ TEST(OrderGates, OfAStudyWithAStopFailUnlessTheBandNamesIt) {
 TEST(DriftGate, IsTheLargestOfAllLevels) {
   const StudyResult on = study(
       {{1, finished_run({}, {.energy = 1 + 1e-13})}, {2, finished_run({}, {.energy = 1 - 1e-9})}, {3, finished_run()}});
-  const JudgedGate gate = judged(drift_gate("s", at_most(1e-12)), on);
+  const JudgedGate gate = judged(on_s(energy_drift(), at_most(1e-12)), on);
   EXPECT_NEAR(*gate.measured.value, 1e-9, 1e-15);
   EXPECT_EQ(gate.judgement.verdict, Verdict::fail);
-  EXPECT_EQ(verdict(drift_gate("s", at_most(1e-8)), on), Verdict::pass);
+  EXPECT_EQ(verdict(on_s(energy_drift(), at_most(1e-8)), on), Verdict::pass);
 }
 
 TEST(DriftGate, OfANanIsInvalidWhereverItStands) {
   for (int bad = 0; bad < 3; ++bad) {
     StudyResult on = study({{1, finished_run()}, {2, finished_run()}, {3, finished_run()}});
     on.levels[static_cast<std::size_t>(bad)].run.ledger = ledger({.energy = nan});
-    EXPECT_EQ(verdict(drift_gate("s", at_most(1)), on), Verdict::invalid) << bad;
+    EXPECT_EQ(verdict(on_s(energy_drift(), at_most(1)), on), Verdict::invalid) << bad;
   }
 }
 
@@ -387,40 +386,35 @@ TEST(GenericGates, OfNothingAreInvalid) {
   const auto gates = judge_gates(generic_gates("s", 1), study({}));
   ASSERT_EQ(gates.size(), 4u);
   for (const JudgedGate& gate : gates) EXPECT_EQ(gate.judgement.verdict, Verdict::invalid) << gate.gate.id;
-  EXPECT_EQ(verdict(drift_gate("s", at_most(1)), study({})), Verdict::invalid);
+  EXPECT_EQ(verdict(on_s(energy_drift(), at_most(1)), study({})), Verdict::invalid);
 }
 
 // --- judging ----------------------------------------------------------------------------------------------------------
 
 TEST(JudgeGates, AGateThatThrowsIsInvalid) {
-  const CaseGate gate = study_gate("s", at_most(1),
-                                   [](const StudyResult&) -> Measured { throw std::runtime_error("no idea"); });
+  const CaseGate gate = on_s(
+      number_of("no number", [](const StudyResult&) -> Measured { throw std::runtime_error("no idea"); }), at_most(1));
   const JudgedGate result = judged(gate, study({{1, finished_run()}}));
   EXPECT_EQ(result.judgement.verdict, Verdict::invalid);
   EXPECT_EQ(result.measured.note, "no idea");
 }
 
 TEST(JudgeGates, AGateThatMeasuresNothingIsInvalid) {
-  const CaseGate gate = study_gate("s", at_most(1), [](const StudyResult&) { return Measured{}; });
+  const CaseGate gate = on_s(number_of("nothing", [](const StudyResult&) { return Measured{}; }), at_most(1));
   EXPECT_EQ(verdict(gate, study({{1, finished_run()}})), Verdict::invalid);
 }
 
 TEST(JudgeGates, AGateOnAnInfiniteNumberIsNotGreen) {
-  const CaseGate gate = study_gate("s", at_least(1), [](const StudyResult&) {
-    Measured measured;
-    measured.value = infinity;
-    return measured;
-  });
+  const CaseGate gate = on_s(number_of("infinity", [](const StudyResult&) { return Measured::of(infinity); }),
+                             at_least(1));
   EXPECT_EQ(verdict(gate, study({{1, finished_run()}})), Verdict::invalid);
 }
 
 TEST(JudgeGates, WaitsForTheStudiesThatItComparesWith) {
-  CaseGate gate = study_gate("s", at_most(1), [](const StudyResult& s) {
-    Measured measured;
-    measured.value = s.sibling("other")->levels.front().run.measures.front().error;
-    return measured;
-  });
-  gate.also = {"other"};
+  const auto others_error = [](const StudyResult& s) {
+    return Measured::of(s.sibling("other")->levels.front().run.measures.front().error);
+  };
+  const CaseGate gate = on_s(number_of("error of the other", others_error), at_most(1)).beside({"other"});
   StudySet set{study({{1, finished_run()}})};
   set[0].siblings = &set;
   EXPECT_TRUE(judge_gates({gate}, set[0]).empty());

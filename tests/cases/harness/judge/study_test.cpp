@@ -20,7 +20,7 @@ std::vector<double> values_of(const std::vector<PlannedRun>& planned, const std:
 using Numbers = std::vector<double>;
 
 TEST(PlannedRuns, OfCells) {
-  const ToyCase entry;
+  const Case entry = toy_case();
   const StudyPlan plan{
       .id = "s", .title = {}, .why = {}, .overrides = {{"ppc", 2.0}}, .values = {4, 8}, .full_values = {4, 8, 16}};
   const auto quick = planned_runs(entry, plan, Tier::quick), full = planned_runs(entry, plan, Tier::full);
@@ -32,7 +32,7 @@ TEST(PlannedRuns, OfCells) {
 }
 
 TEST(PlannedRuns, TypedSettingsHoldForEveryRun) {
-  const ToyCase entry;
+  const Case entry = toy_case();
   const StudyPlan plan{.id = "s", .title = {}, .why = {}, .values = {4, 8}};
   EXPECT_EQ(values_of(planned_runs(entry, plan, Tier::quick, {"weight=3"}), "weight"), (Numbers{3, 3}));
 }
@@ -40,7 +40,7 @@ TEST(PlannedRuns, TypedSettingsHoldForEveryRun) {
 TEST(PlannedRuns, OffsetsInTheFullTierOnly) {
   Toy toy;
   toy.kind = Kind::gas;
-  const ToyCase entry(toy);
+  const Case entry = toy_case(toy);
   const StudyPlan plan{.id = "s", .title = {}, .why = {}, .values = {4, 8}, .offsets_in_full = true};
   EXPECT_EQ(planned_runs(entry, plan, Tier::quick).size(), 2u);
   const auto full = planned_runs(entry, plan, Tier::full);
@@ -51,7 +51,7 @@ TEST(PlannedRuns, OffsetsInTheFullTierOnly) {
 
 // The finest level is measured against one more run, with half its step.
 TEST(PlannedRuns, OfTheStepHaveOneMore) {
-  const ToyCase entry;
+  const Case entry = toy_case();
   const StudyPlan plan{.id = "s", .title = {}, .why = {}, .vary = Vary::dt, .values = {1, 0.5, 0.25}};
   const auto planned = planned_runs(entry, plan, Tier::quick);
   EXPECT_EQ(values_of(planned, "dt"), (Numbers{1e-3, 5e-4, 2.5e-4, 1.25e-4}));
@@ -64,7 +64,7 @@ TEST(PlannedRuns, OfTheStepHaveOneMore) {
 TEST(PlannedRuns, OfPointsAndOffsets) {
   Toy toy;
   toy.kind = Kind::gas;
-  const ToyCase entry(toy);
+  const Case entry = toy_case(toy);
   const StudyPlan points{.id = "s", .title = {}, .why = {}, .vary = Vary::ppc, .values = {8, 16}};
   EXPECT_EQ(values_of(planned_runs(entry, points, Tier::quick), "ppc"), (Numbers{8, 16}));
   const StudyPlan offsets{.id = "s", .title = {}, .why = {}, .vary = Vary::offset, .values = {0, 0.5}};
@@ -73,7 +73,7 @@ TEST(PlannedRuns, OfPointsAndOffsets) {
 
 // --- assembling -----------------------------------------------------------------------------------------------------
 
-const ToyCase toy;
+const Case toy = toy_case();
 
 RunResult made_run(double h, double dt, std::vector<Measure> measures) {
   RunResult run("toy", "default", toy.settings("default", {}));
@@ -250,7 +250,7 @@ TEST(RunStudy, OfASyntheticCaseGivesItsOrderOnAnyNumberOfThreads) {
   described.measures = [](const Settings& s, const Simulation&) {
     return power_law_error(1 / s.number("cells"), 3, 2);
   };
-  const ToyCase entry(described);
+  const Case entry = toy_case(described);
   const StudyPlan plan{.id = "s", .title = {}, .why = {}, .values = {4, 8, 16, 32, 64}};
   const auto planned = planned_runs(entry, plan, Tier::quick);
   std::vector<std::size_t> seen;
@@ -273,7 +273,7 @@ TEST(RunStudy, OfASyntheticCaseGivesItsOrderOnAnyNumberOfThreads) {
 }
 
 TEST(RunStudy, NamesTheSchemeAfterTheIntegrator) {
-  const ToyCase entry;
+  const Case entry = toy_case();
   const auto scheme_of = [&](const StudyPlan& plan) {
     return run_study(entry, plan, planned_runs(entry, plan, Tier::quick), 1).scheme;
   };

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-const ToyCase toy;
+const Case toy = toy_case();
 
 RunResult finished_run() {
   RunResult run("toy", "default", toy.settings("default", {}));
@@ -221,12 +221,12 @@ TEST(Documents, TheCatalogHasEveryGateWithItsReason) {
   for (const Case* entry : cases()) {
     const Json d = catalog_entry(*entry);
     std::size_t in_plans = 0;
-    for (const CaseGate& gate : entry->gates()) in_plans += gate.study.rfind("integrator/", 0) != 0;
-    EXPECT_EQ(d["gates"].size(), in_plans) << entry->name();
-    EXPECT_EQ(d["studies"].size(), entry->studies().size()) << entry->name();
+    for (const CaseGate& gate : entry->gates) in_plans += gate.study.rfind("integrator/", 0) != 0;
+    EXPECT_EQ(d["gates"].size(), in_plans) << entry->name;
+    EXPECT_EQ(d["studies"].size(), entry->studies.size()) << entry->name;
     for (const Json& gate : d["gates"]) EXPECT_FALSE(gate["reason"].get<std::string>().empty());
     expect_finite(d);
-    EXPECT_EQ(d.contains("may_be_undefined"), !entry->may_be_undefined().empty()) << entry->name();
+    EXPECT_EQ(d.contains("may_be_undefined"), !entry->may_be_undefined.empty()) << entry->name;
   }
 }
 

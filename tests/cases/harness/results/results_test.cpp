@@ -14,7 +14,7 @@
 namespace plumbline {
 namespace {
 
-const ToyCase toy;
+const Case toy = toy_case();
 
 RunResult toy_run(const std::vector<Override>& overrides = {}) {
   RunResult run = run_experiment(toy, "default", toy.settings("default", overrides));
@@ -83,14 +83,14 @@ Value another(const Key& key) {
 TEST(RunName, ChangesWithEverySettingCaseAndScheme) {
   for (const Case* entry : cases()) {
     const Settings before = entry->settings("default", {});
-    RunResult run(entry->name(), "default", before);
+    RunResult run(entry->name, "default", before);
     std::set<std::string> names{ResultsFolder::run_name(run)};
     std::size_t changes = 1;
     for (const Key& key : before.keys()) {
       if (key.choices.size() == 1) continue;
       const Value other = another(key);
       run.settings = before;
-      run.settings.set(key.name, other, entry->name());
+      run.settings.set(key.name, other, entry->name);
       names.insert(ResultsFolder::run_name(run));
       ++changes;
     }
@@ -100,7 +100,7 @@ TEST(RunName, ChangesWithEverySettingCaseAndScheme) {
     run.scheme = "default";
     run.case_name = "other";
     names.insert(ResultsFolder::run_name(run));
-    EXPECT_EQ(names.size(), changes + 2) << entry->name();
+    EXPECT_EQ(names.size(), changes + 2) << entry->name;
   }
 }
 
@@ -172,7 +172,7 @@ TEST(StudyFile, HasTheComparatorsTable) {
     stick.levels.back().errors[0].second += settings.number("weight");
     return std::vector<Comparator>{stick};
   };
-  const ToyCase entry(with);
+  const Case entry = toy_case(with);
   StudyResult study = toy_study();
   study.entry = &entry;
   study.levels.push_back({8, 0.125, toy_run({{"cells", 8.0}}), {}});

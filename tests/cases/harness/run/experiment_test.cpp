@@ -17,7 +17,7 @@
 namespace plumbline {
 namespace {
 
-RunResult run(const ToyCase& entry, const std::vector<Override>& overrides = {{"cells", 8.0}}) {
+RunResult run(const Case& entry, const std::vector<Override>& overrides = {{"cells", 8.0}}) {
   return run_experiment(entry, "default", entry.settings("default", overrides));
 }
 
@@ -33,7 +33,7 @@ TEST(Experiment, RunsToItsEndAndSaysWhatItDid) {
   };
   long observed = 0;
   toy.observe = [&](const Simulation&) { ++observed; };
-  const RunResult result = run(ToyCase(toy));
+  const RunResult result = run(toy_case(toy));
   EXPECT_TRUE(result.finished);
   EXPECT_FALSE(result.stop);
   EXPECT_EQ(result.case_name, "toy");
@@ -80,7 +80,7 @@ TEST(Experiment, ARunWhoseStepsBecomeTooShortEnds) {
 }
 
 TEST(Experiment, TakesTheStepFromTheSettings) {
-  const ToyCase entry;
+  const Case entry = toy_case();
   const auto control = [&](const std::vector<std::string>& typed) {
     return step_control(entry.settings("default", {}, typed));
   };
@@ -99,7 +99,7 @@ TEST(Experiment, WallTimeIsThatOfStepping) {
     return std::vector<Measure>{};
   };
   toy.change = [&](Scene&) { pause(); };
-  const RunResult result = run(ToyCase(toy));
+  const RunResult result = run(toy_case(toy));
   EXPECT_GT(result.wall_s, 0);
   EXPECT_LT(result.wall_s, 0.05);
   EXPECT_DOUBLE_EQ(result.point_steps_per_s(), 30 / result.wall_s);
@@ -113,7 +113,7 @@ TEST(Experiment, AStopIsRecordedWithStepPointAndField) {
     scene.bodies[0].points(column::velocity)[2] = 10;
   };
   toy.measures = [](const Settings&, const Simulation&) { return std::vector{scalar_measure("time", 1, 0, 0, "s")}; };
-  const RunResult result = run(ToyCase(toy), {{"cells", 50.0}});
+  const RunResult result = run(toy_case(toy), {{"cells", 50.0}});
   EXPECT_FALSE(result.finished);
   ASSERT_TRUE(result.stop);
   EXPECT_EQ(result.stop->step, 41);
@@ -133,7 +133,7 @@ TEST(Experiment, ANanStopsTheRunAtOnce) {
   toy.change = [](Scene& scene) {
     scene.bodies[0].points(column::velocity)[1] = std::numeric_limits<double>::quiet_NaN();
   };
-  const RunResult result = run(ToyCase(toy));
+  const RunResult result = run(toy_case(toy));
   ASSERT_TRUE(result.stop);
   EXPECT_EQ(result.stop->step, 1);
   EXPECT_FALSE(result.finished);
@@ -142,7 +142,7 @@ TEST(Experiment, ANanStopsTheRunAtOnce) {
 TEST(Experiment, AnInadmissibleStartIsAStopToo) {
   Toy toy;
   toy.change = [](Scene& scene) { scene.bodies[0].points(column::position)[1] = -0.5; };
-  const RunResult result = run(ToyCase(toy));
+  const RunResult result = run(toy_case(toy));
   ASSERT_TRUE(result.stop);
   EXPECT_EQ(result.stop->field, "position");
   EXPECT_FALSE(result.finished);
@@ -173,7 +173,7 @@ TEST_P(History, IsEvenlySpacedAndHoldsTheExtremeAndTheLastRow) {
   Toy toy;
   toy.dt = 1e-5;
   toy.end = 1e-5 * GetParam();
-  const RunResult result = run(ToyCase(toy));
+  const RunResult result = run(toy_case(toy));
   ASSERT_EQ(result.steps, GetParam());
   const LedgerHistory& history = result.history;
   ASSERT_FALSE(history.step.empty());
@@ -192,7 +192,7 @@ TEST_P(History, IsEvenlySpacedAndHoldsTheExtremeAndTheLastRow) {
 }
 
 TEST(Experiment, HistoryOfALine) {
-  const LedgerHistory history = run(ToyCase()).history;
+  const LedgerHistory history = run(toy_case()).history;
   std::set<std::string> quantities;
   for (const auto& one : history.series) quantities.insert(one.quantity);
   EXPECT_EQ(quantities, (std::set<std::string>{"mass", "momentum_x", "energy"}));
@@ -205,14 +205,14 @@ TEST(Experiment, HistoryOfALine) {
 TEST(Experiment, HistoryOfAPlaneHasAngularMomentum) {
   Toy toy;
   toy.dim = 2;
-  const LedgerHistory history = run(ToyCase(toy)).history;
+  const LedgerHistory history = run(toy_case(toy)).history;
   EXPECT_EQ(series(history, "momentum_y", "store").size(), 10u);
   EXPECT_EQ(series(history, "angular_momentum", "residual").size(), 10u);
 }
 
 // The rows are the ledger's own numbers: store and stores agree, and identity holds in each row.
 TEST(Experiment, RowsOfTheHistoryAreTheLedgersNumbers) {
-  const RunResult result = run(ToyCase());
+  const RunResult result = run(toy_case());
   const LedgerHistory& history = result.history;
   for (std::size_t k = 0; k < history.step.size(); ++k) {
     const double store = series(history, "energy", "store")[k];
@@ -236,7 +236,7 @@ int status_after(int signal_number) {
   };
   end_runs_on_signals();
   try {
-    run(ToyCase(toy));
+    run(toy_case(toy));
   } catch (const Interrupted& error) {
     return error.signal;
   }

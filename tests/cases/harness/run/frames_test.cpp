@@ -31,14 +31,14 @@ std::string numbers_of(RunResult run) {
   return all;
 }
 
-TEST(Frames, NoneUnlessAskedFor) { EXPECT_TRUE(run(ToyCase(), {}).frames.frames.empty()); }
+TEST(Frames, NoneUnlessAskedFor) { EXPECT_TRUE(run(toy_case(), {}).frames.frames.empty()); }
 
 class FrameCount : public ::testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Counts, FrameCount, ::testing::Values(2, 3, 4, 7, 11));
 
 TEST_P(FrameCount, IsEvenlySpacedFromTheFirstInstantToTheLast) {
   const int count = GetParam();
-  const FrameSet set = run(ToyCase(), {count, 0}).frames;
+  const FrameSet set = run(toy_case(), {count, 0}).frames;
   ASSERT_EQ(set.frames.size(), static_cast<std::size_t>(count));
   EXPECT_EQ(set.frames.front().time, 0);
   for (int k = 0; k < count; ++k) {
@@ -50,7 +50,7 @@ TEST_P(FrameCount, IsEvenlySpacedFromTheFirstInstantToTheLast) {
 }
 
 TEST(Frames, ARunOfFewStepsHasOneAStep) {
-  const FrameSet set = run(ToyCase(), {1000, 0}).frames;
+  const FrameSet set = run(toy_case(), {1000, 0}).frames;
   ASSERT_EQ(set.frames.size(), 11u);  // ten steps and the start
   std::set<double> times;
   for (const Frame& frame : set.frames) times.insert(frame.time);
@@ -76,7 +76,7 @@ TEST(Frames, HoldThePointsAsTheyAre) {
     vx.assign(points(column::velocity), points(column::velocity) + 3);
     return std::vector<Measure>{};
   };
-  const FrameSet set = run(ToyCase(toy), {2, 0}).frames;
+  const FrameSet set = run(toy_case(toy), {2, 0}).frames;
   ASSERT_EQ(set.bodies.size(), 1u);
   EXPECT_EQ(set.bodies[0].name, "toy");
   EXPECT_EQ(set.bodies[0].kind, "membrane");
@@ -226,12 +226,12 @@ TEST(Frames, AStudyAsksForThemAtItsLastLevelOrTheOneNamed) {
 
 TEST(Frames, StudiesOfCasesAskForASensibleNumber) {
   for (const Case* entry : cases()) {
-    for (const StudyPlan& plan : entry->studies()) {
-      EXPECT_TRUE(plan.frames == 0 || (plan.frames >= 2 && plan.frames <= 100)) << entry->name() << " " << plan.id;
+    for (const StudyPlan& plan : entry->studies) {
+      EXPECT_TRUE(plan.frames == 0 || (plan.frames >= 2 && plan.frames <= 100)) << entry->name << " " << plan.id;
       const auto& values = plan.values;
       if (!plan.frames_at) continue;
       EXPECT_TRUE(std::find(values.begin(), values.end(), *plan.frames_at) != values.end())
-          << entry->name() << " " << plan.id << ": no level of that value";
+          << entry->name << " " << plan.id << ": no level of that value";
     }
   }
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "tests/cases/harness/scene_cases.hpp"
 #include "tests/cases/harness/toy_case.hpp"
 
 namespace plumbline {
@@ -34,56 +35,39 @@ class EndsEarly final : public Problem {
   bool forgetful_;
 };
 
-class Shortened final : public Case {
- public:
-  Shortened(const Case& whole, long steps, bool forgetful = false)
-      : whole_(whole),
-        steps_(steps),
-        forgetful_(forgetful) {}
-  std::string name() const override { return whole_.name(); }
-  Kind kind() const override { return whole_.kind(); }
-  std::vector<Key> keys() const override { return whole_.keys(); }
-  std::vector<Override> points_and_end(const std::string& scheme) const override {
-    return whole_.points_and_end(scheme);
-  }
-  std::unique_ptr<Problem> problem(const Settings& settings) const override {
-    auto problem = whole_.problem(settings);
-    const double end = std::min(problem->end_time(), static_cast<double>(steps_) * first_step(*problem, settings));
-    return std::make_unique<EndsEarly>(std::move(problem), end, forgetful_);
-  }
-  void derive(Settings& settings, const std::string& scheme) const override { whole_.derive(settings, scheme); }
-  std::vector<StudyPlan> studies() const override { return {}; }
-  std::vector<CaseGate> gates() const override { return {}; }
-  std::vector<double> default_levels() const override { return whole_.default_levels(); }
+double first_step(const Problem& problem, const Settings& settings) {
+  Simulation run(problem.scene(), settings.text("integrator"), step_control(settings));
+  run.step(problem.end_time());
+  return run.last_dt();
+}
 
- private:
-  static double first_step(const Problem& problem, const Settings& settings) {
-    Simulation run(problem.scene(), settings.text("integrator"), step_control(settings));
-    run.step(problem.end_time());
-    return run.last_dt();
-  }
-  const Case& whole_;
-  long steps_;
-  bool forgetful_;
-};
+Case shortened(const Case& whole, long steps, bool forgetful = false) {
+  Case made = whole;
+  made.problem = [=, of_whole = whole.problem](const Settings& settings) -> std::unique_ptr<Problem> {
+    auto problem = of_whole(settings);
+    const double end = std::min(problem->end_time(), static_cast<double>(steps) * first_step(*problem, settings));
+    return std::make_unique<EndsEarly>(std::move(problem), end, forgetful);
+  };
+  return made;
+}
 
 // What is averaged over the last part of a run begins with an end of its own.
 Settings settings_for(const Case& entry) {
-  const double coarsest = entry.default_levels().front();
+  const double coarsest = entry.levels.front();
   Settings settings = entry.settings("default", {{"cells", coarsest}});
   constexpr double steps = 40;
   if (!settings.has("t_end")) return settings;
   const auto problem = entry.problem(settings);
   Simulation run(problem->scene(), settings.text("integrator"), step_control(settings));
   run.step(problem->end_time());
-  if (run.last_dt() * steps < problem->end_time()) settings.set("t_end", run.last_dt() * steps, entry.name());
+  if (run.last_dt() * steps < problem->end_time()) settings.set("t_end", run.last_dt() * steps, entry.name);
   return settings;
 }
 
 class EachCase : public testing::TestWithParam<const Case*> {};
 
 TEST_P(EachCase, GoesOnToTheSameBits) {
-  const Shortened entry(*GetParam(), 40);
+  const Case entry = shortened(*GetParam(), 40);
   const Settings settings = settings_for(*GetParam());
   for (const double share : {0.0, 0.5, 1.0}) {
     const RestartDifference difference = restart_difference(entry, "default", settings, share);
@@ -92,8 +76,8 @@ TEST_P(EachCase, GoesOnToTheSameBits) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EachCase, testing::ValuesIn(cases()), [](const auto& about) {
-  std::string name = about.param->name();
+INSTANTIATE_TEST_SUITE_P(All, EachCase, testing::ValuesIn(scene_cases()), [](const auto& about) {
+  std::string name = about.param->name;
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });
@@ -104,13 +88,13 @@ JudgedGate judged(const Case& entry, const CaseGate& gate, std::int64_t steps) {
   StudyResult study;
   study.entry = &entry;
   study.plan = {.id = "default", .title = {}, .why = {}};
-  study.levels.push_back({10, 0, RunResult(entry.name(), "default", settings_for(entry)), {}});
+  study.levels.push_back({10, 0, RunResult(entry.name, "default", settings_for(entry)), {}});
   study.levels.front().run.steps = steps;
   return judge_gates({gate}, study).at(0);
 }
 
 TEST(RestartGate, ComparesEveryNumberOfARun) {
-  const Shortened entry(find_case("string-vibration"), 40);
+  const Case entry = shortened(find_case("string-vibration"), 40);
   const JudgedGate gate = judged(entry, restart_gate("default", "runs of a membrane"), 40);
   EXPECT_EQ(gate.gate.id, "default/restart");
   EXPECT_EQ(gate.judgement.verdict, Verdict::pass) << gate.measured.note;
@@ -119,7 +103,7 @@ TEST(RestartGate, ComparesEveryNumberOfARun) {
 
 TEST(RestartGate, IsRedWhereAProblemDoesNotNameWhatItHasSeen) {
   for (const char* name : {"two-bar", "mms-bar", "ring-at-rest"}) {
-    const Shortened entry(find_case(name), 40, true);
+    const Case entry = shortened(find_case(name), 40, true);
     const JudgedGate gate = judged(entry, restart_gate("default", "runs"), 40);
     EXPECT_EQ(gate.judgement.verdict, Verdict::fail) << name;
     EXPECT_GT(gate.measured.value.value_or(0), 0) << name;
@@ -128,7 +112,7 @@ TEST(RestartGate, IsRedWhereAProblemDoesNotNameWhatItHasSeen) {
 }
 
 TEST(RestartGate, TakesOverridesAndASuffix) {
-  const Shortened entry(find_case("bar-vibration"), 40);
+  const Case entry = shortened(find_case("bar-vibration"), 40);
   const CaseGate gate = restart_gate("default", "runs", {{"integrator", "generalized-alpha"}, {"transfer", "flip"}},
                                      "-x");
   EXPECT_EQ(gate.gate.id, "default/restart-x");
@@ -137,7 +121,7 @@ TEST(RestartGate, TakesOverridesAndASuffix) {
 
 // The final state of another program has no steps: nothing can be said of it.
 TEST(RestartGate, SaysNothingOfAFinalState) {
-  const Shortened entry(find_case("sod"), 40);
+  const Case entry = shortened(find_case("sod"), 40);
   EXPECT_TRUE(judged(entry, restart_gate("default", "runs"), 0).measured.invalid);
 }
 

@@ -77,7 +77,7 @@ class Restored : public testing::TestWithParam<Sample> {};
 std::vector<JudgedGate> judged(const StudyResult& study) {
   std::vector<CaseGate> gates = generic_gates(study.plan.id, study.levels.front().run.dim,
                                               study.levels.front().run.axisymmetric);
-  for (CaseGate& gate : study.entry->gates()) {
+  for (CaseGate gate : study.entry->gates) {
     if (gate.study == study.plan.id) gates.push_back(std::move(gate));
   }
   return judge_gates(gates, study);
@@ -118,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(
         Sample{"Membrane", "spring-mass", "default", {}, Vary::cells, {4}},
         Sample{"Stopped", "sod", "default", {{"cfl", 5.0}}, Vary::cells, {20, 40}},
         Sample{"Axisymmetric", "airbag-200", "default", {{"t_end", 5e-3}}, Vary::cells, {10}},
-        Sample{"Trial", "stability-york", "list-centres", {{"trial", std::string("list-centres")}}, Vary::cells, {8}}),
+        Sample{"Trial", "stability-york", "list-centres", {{"trial", std::string("list-centres")}}, Vary::cells, {trial_level}}),
     [](const auto& about) { return about.param.name; });
 
 // A run with numbers that JSON has no words for.

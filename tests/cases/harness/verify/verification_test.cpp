@@ -22,13 +22,13 @@ Toy described() {
   toy.studies = {{.id = "default", .title = {}, .why = {}, .values = {4, 8}},
                  {.id = "york", .title = {}, .why = {}, .scheme = "york1997", .values = {4}},
                  {.id = "late", .title = {}, .why = {}, .values = {4}, .tier = Tier::full}};
-  toy.gates = {error_gate("default", "error", 8, toy_gate("default/error", {{}, 0.2})),
-               error_gate("york", "error", 4, toy_gate("york/error", {{}, 0.2})),
-               error_gate("default", "error", 4, toy_gate("default/late", {{}, 1}), Tier::full)};
+  toy.gates = {gate("default/error", error_at("error", 8), at_most(0.2), wanted_by_test),
+               gate("york/error", error_at("error", 4), at_most(0.2), wanted_by_test),
+               gate("default/late", error_at("error", 4), at_most(1), wanted_by_test).in(Tier::full)};
   return toy;
 }
 
-Verification verified(const ToyCase& entry, Tier tier = Tier::quick, const Selection& selection = {}, int threads = 1) {
+Verification verified(const Case& entry, Tier tier = Tier::quick, const Selection& selection = {}, int threads = 1) {
   const TemporaryFolder folder;
   Verification verification;
   const ResultsFolder results(folder.path());
@@ -46,7 +46,7 @@ std::set<std::string> ids(const Verification& verification) {
 std::size_t executed(const Verification& verification) { return verification.gates.size(); }
 
 TEST(VerifyCase, JudgesEveryDeclaredGateAndTheGenericOnes) {
-  const Verification v = verified(ToyCase(described()));
+  const Verification v = verified(toy_case(described()));
   EXPECT_EQ(v.declared, 10);
   EXPECT_EQ(executed(v), 10u);
   EXPECT_EQ(ids(v), (std::set<std::string>{"default/error", "default/finite", "default/mass", "default/momentum",
@@ -60,7 +60,7 @@ TEST(VerifyCase, JudgesEveryDeclaredGateAndTheGenericOnes) {
 }
 
 TEST(VerifyCase, TheFullTierAddsItsStudiesAndGates) {
-  const Verification v = verified(ToyCase(described()), Tier::full);
+  const Verification v = verified(toy_case(described()), Tier::full);
   EXPECT_EQ(v.declared, 15);
   EXPECT_EQ(executed(v), 15u);
   EXPECT_TRUE(ids(v).count("default/late"));
@@ -87,7 +87,7 @@ Selection with(const Regressions& recorded, std::vector<std::string> schemes = {
 // Values of 0.125 and 0.25: the second has no recorded range.
 TEST(VerifyCase, RecordedValuesAreGatesOfTheirOwn) {
   const Regressions recorded = recorded_of_described();
-  const Verification v = verified(ToyCase(described()), Tier::quick, with(recorded));
+  const Verification v = verified(toy_case(described()), Tier::quick, with(recorded));
   EXPECT_EQ(v.declared, 11);
   EXPECT_EQ(v.regressions, 1);
   EXPECT_TRUE(complete(v));
@@ -103,11 +103,11 @@ TEST(VerifyCase, RecordedValuesAreGatesOfTheirOwn) {
 
 TEST(VerifyCase, OtherChoicesAndTiersAreNotComparedWithRecordedValues) {
   const Regressions recorded = recorded_of_described();
-  EXPECT_EQ(verified(ToyCase(described()), Tier::full, with(recorded)).regressions, 0);
-  const Verification v = verified(ToyCase(described()), Tier::quick, with(recorded, {}, {"weight=2"}));
+  EXPECT_EQ(verified(toy_case(described()), Tier::full, with(recorded)).regressions, 0);
+  const Verification v = verified(toy_case(described()), Tier::quick, with(recorded, {}, {"weight=2"}));
   EXPECT_EQ(v.regressions, 0);
   EXPECT_TRUE(v.unrecorded.empty());
-  EXPECT_TRUE(complete(verified(ToyCase(described()), Tier::quick, with(recorded, {"default"}))));
+  EXPECT_TRUE(complete(verified(toy_case(described()), Tier::quick, with(recorded, {"default"}))));
 }
 
 // A study that throws is invalid, with what was said; the other study of the case keeps its verdicts, and nothing is skipped.
@@ -117,7 +117,7 @@ TEST(VerifyCase, WhatThrowsFailsAlone) {
     if (s.number("cells") == 8) throw std::runtime_error("no root in [0, 1]");
     return power_law_error(1 / s.number("cells"), 1, 1);
   };
-  const Verification v = verified(ToyCase(toy));
+  const Verification v = verified(toy_case(toy));
   EXPECT_TRUE(complete(v));
   for (const JudgedGate& gate : v.gates) {
     const Verdict expected = gate.study == "default"        ? Verdict::invalid
@@ -141,16 +141,16 @@ TEST(VerifyCase, AMeasureThatIsNoNumberIsInvalid) {
                                     [](const JudgedGate& gate) { return gate.gate.id == "default/finite"; });
     return std::pair{found->judgement.verdict, found->measured.note};
   };
-  EXPECT_EQ(finite(verified(ToyCase(toy))),
+  EXPECT_EQ(finite(verified(toy_case(toy))),
             (std::pair{Verdict::invalid, std::string("front is not a number at 8 cells")}));
   toy.may_be_undefined = {{"front", "no front is found on few cells"}};
-  EXPECT_EQ(finite(verified(ToyCase(toy))).first, Verdict::pass);
+  EXPECT_EQ(finite(verified(toy_case(toy))).first, Verdict::pass);
 }
 
 // Whatever keeps a gate from being judged, it is named: a misspelt study, a level that is not run, a line of the record.
 TEST(VerifyCase, WhatIsNotExecutedIsLost) {
   const auto lost = [](const Toy& toy, const Selection& selection = {}) {
-    const Verification v = verified(ToyCase(toy), Tier::quick, selection);
+    const Verification v = verified(toy_case(toy), Tier::quick, selection);
     EXPECT_EQ(complete(v), v.lost.empty());
     std::vector<std::string> ids;
     for (const auto& [case_name, study, id, tier] : v.lost) ids.push_back(id);
@@ -179,7 +179,7 @@ TEST(VerifyCase, WritesEveryRunAndStudy) {
   Verification verification;
   const ResultsFolder results(folder.path());
   RunStore store(results, Provenance{}, false);
-  verify_case(ToyCase(described()), Tier::quick, {}, 1, store, {}, verification);
+  verify_case(toy_case(described()), Tier::quick, {}, 1, store, {}, verification);
   const auto names = folder.names();
   EXPECT_EQ(
       std::count_if(names.begin(), names.end(), [](const std::string& n) { return n.rfind("study-toy", 0) == 0; }), 2);
@@ -190,7 +190,7 @@ TEST(VerifyCase, WritesEveryRunAndStudy) {
 }
 
 TEST(VerifyCase, DoesNotDependOnTheNumberOfThreads) {
-  const Verification one = verified(ToyCase(described())), three = verified(ToyCase(described()), Tier::quick, {}, 3);
+  const Verification one = verified(toy_case(described())), three = verified(toy_case(described()), Tier::quick, {}, 3);
   ASSERT_EQ(executed(one), executed(three));
   for (std::size_t k = 0; k < one.gates.size(); ++k) {
     EXPECT_EQ(one.gates[k].gate.id, three.gates[k].gate.id);
@@ -201,12 +201,9 @@ TEST(VerifyCase, DoesNotDependOnTheNumberOfThreads) {
 // A generic gate that the case declares itself, as expected to fail, stands once.
 TEST(VerifyCase, ADeclaredGenericGateReplacesTheOther) {
   Toy toy = described();
-  toy.gates.push_back(study_gate("york", toy_gate("york/finite", {{}, 5}), [](const StudyResult&) {
-    Measured measured;
-    measured.value = 4;
-    return measured;
-  }));
-  const Verification v = verified(ToyCase(toy));
+  toy.gates.push_back(gate("york/finite", number_of("four", [](const StudyResult&) { return Measured::of(4); }),
+                           at_most(5), wanted_by_test));
+  const Verification v = verified(toy_case(toy));
   EXPECT_EQ(executed(v), 10u);
   const auto own = std::find_if(v.gates.begin(), v.gates.end(),
                                 [](const JudgedGate& g) { return g.gate.id == "york/finite"; });
@@ -217,7 +214,7 @@ TEST(VerifyCase, ADeclaredGenericGateReplacesTheOther) {
 TEST(VerifyCase, AStoppedRunIsRed) {
   Toy toy = described();
   toy.change = [](Scene& scene) { scene.bodies[0].points(column::position)[1] = -0.5; };
-  for (const JudgedGate& gate : verified(ToyCase(toy)).gates) {
+  for (const JudgedGate& gate : verified(toy_case(toy)).gates) {
     if (gate.gate.id == "default/finite" || gate.gate.id == "default/error") {
       EXPECT_EQ(gate.judgement.verdict, Verdict::fail) << gate.gate.id;
     }
@@ -249,7 +246,7 @@ TEST(VerifyCase, EveryRegisteredIntegratorAppearsWithGenericGates) {
   register_coasting();
   Toy toy = described();
   toy.any_integrator = true;
-  const Verification v = verified(ToyCase(toy));
+  const Verification v = verified(toy_case(toy));
   for (const IntegratorEntry& integrator : integrators()) {
     for (const char* gate : {"finite", "mass", "momentum", "ledger"}) {
       EXPECT_TRUE(ids(v).count("integrator/" + integrator.name + "/" + gate)) << integrator.name << "/" << gate;
@@ -267,12 +264,12 @@ TEST(VerifyCase, EveryRegisteredIntegratorAppearsWithGenericGates) {
 
 TEST(VerifyCase, WithoutAnyIntegratorNoneAppears) {
   register_coasting();
-  for (const std::string& id : ids(verified(ToyCase(described()))))
+  for (const std::string& id : ids(verified(toy_case(described()))))
     EXPECT_EQ(id.find("integrator/"), std::string::npos);
 }
 
 TEST(IntegratorPlan, IsTheDefaultSchemeAtTheCoarsestLevel) {
-  const ToyCase entry(described());
+  const Case entry = toy_case(described());
   const StudyPlan plan = integrator_plan(entry, "usl");
   EXPECT_EQ(plan.id, "integrator/usl");
   EXPECT_EQ(plan.scheme, "default");
@@ -287,14 +284,14 @@ TEST(IntegratorPlan, IsTheDefaultSchemeAtTheCoarsestLevel) {
 TEST(Selection, OfASchemeJudgesItsStudies) {
   Toy toy = described();
   toy.any_integrator = true;
-  const Verification v = verified(ToyCase(toy), Tier::quick,
+  const Verification v = verified(toy_case(toy), Tier::quick,
                                   {.schemes = {"york1997"}, .integrators = {}, .settings = {}});
   EXPECT_EQ(ids(v), (std::set<std::string>{"york/error", "york/finite", "york/mass", "york/momentum", "york/ledger"}));
   EXPECT_EQ(v.declared, 5);
 }
 
 TEST(Selection, OfAnIntegratorJudgesItByGenericGates) {
-  const Verification v = verified(ToyCase(described()), Tier::quick,
+  const Verification v = verified(toy_case(described()), Tier::quick,
                                   {.schemes = {}, .integrators = {"usl"}, .settings = {}});
   EXPECT_EQ(ids(v), (std::set<std::string>{"integrator/usl/finite", "integrator/usl/mass", "integrator/usl/momentum",
                                            "integrator/usl/ledger"}));
@@ -303,7 +300,7 @@ TEST(Selection, OfAnIntegratorJudgesItByGenericGates) {
 
 // The declared numbers hold for the declared choices.
 TEST(Selection, OfKeysLeavesTheGenericGates) {
-  const Verification v = verified(ToyCase(described()), Tier::quick,
+  const Verification v = verified(toy_case(described()), Tier::quick,
                                   {.schemes = {}, .integrators = {}, .settings = {"weight=2"}});
   EXPECT_EQ(executed(v), 8u);
   EXPECT_EQ(v.declared, 8);
@@ -314,7 +311,7 @@ TEST(Selection, UnknownNamesAreRefusedBeforeAnythingRuns) {
   Toy toy = described();
   int runs = 0;
   toy.change = [&](Scene&) { ++runs; };
-  const ToyCase entry(toy);
+  const Case entry = toy_case(toy);
   EXPECT_THROW(verified(entry, Tier::quick, {.schemes = {"york1998"}, .integrators = {}, .settings = {}}), UsageError);
   EXPECT_THROW(verified(entry, Tier::quick, {.schemes = {"default"}, .integrators = {"uls"}, .settings = {}}),
                UsageError);
