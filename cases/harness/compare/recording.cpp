@@ -163,8 +163,9 @@ std::vector<Discrepancy> unrecorded(const std::vector<const Case*>& entries, con
     }
     for (const StudyPlan& plan : entry->studies) {
       studies.emplace(name, plan.id);
-      for (const char* generic : {"/finite", "/mass", "/momentum", "/ledger"}) {
-        if (plan.tier == Tier::quick && failing.count(plan.id + generic) == 0) demand(plan.id, plan.id + generic);
+      if (plan.tier != Tier::quick) continue;
+      for (const CaseGate& generic : generic_gates(plan.id, entry->trials.empty() ? 1 : 0)) {
+        if (failing.count(generic.gate.id) == 0) demand(plan.id, generic.gate.id);
       }
     }
   }

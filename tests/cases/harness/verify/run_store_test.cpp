@@ -112,13 +112,17 @@ TEST_P(Restored, RunsAndGatesAreTheSameToTheLastBit) {
 
 INSTANTIATE_TEST_SUITE_P(
     Cases, Restored,
-    testing::Values(
-        Sample{"Gas", "sod", "default", {{"ppc", 4.0}}, Vary::cells, {20, 40, 80}},
-        Sample{"Steps", "sod", "step", {{"cells", 20.0}}, Vary::dt, {1, 0.5, 0.25}},
-        Sample{"Membrane", "spring-mass", "default", {}, Vary::cells, {4}},
-        Sample{"Stopped", "sod", "default", {{"cfl", 5.0}}, Vary::cells, {20, 40}},
-        Sample{"Axisymmetric", "airbag-200", "default", {{"t_end", 5e-3}}, Vary::cells, {10}},
-        Sample{"Trial", "stability-york", "list-centres", {{"trial", std::string("list-centres")}}, Vary::cells, {trial_level}}),
+    testing::Values(Sample{"Gas", "sod", "default", {{"ppc", 4.0}}, Vary::cells, {20, 40, 80}},
+                    Sample{"Steps", "sod", "step", {{"cells", 20.0}}, Vary::dt, {1, 0.5, 0.25}},
+                    Sample{"Membrane", "spring-mass", "default", {}, Vary::cells, {4}},
+                    Sample{"Stopped", "sod", "default", {{"cfl", 5.0}}, Vary::cells, {20, 40}},
+                    Sample{"Axisymmetric", "airbag-200", "default", {{"t_end", 5e-3}}, Vary::cells, {10}},
+                    Sample{"Trial",
+                           "stability-york",
+                           "list-centres",
+                           {{"trial", std::string("list-centres")}},
+                           Vary::cells,
+                           {trial_level}}),
     [](const auto& about) { return about.param.name; });
 
 // A run with numbers that JSON has no words for.
