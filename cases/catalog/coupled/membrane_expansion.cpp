@@ -1,4 +1,5 @@
-// York's membrane expansion: a dog-bone bag that gas blows up to a cylinder.
+// York's membrane expansion: a dog-bone bag that gas blows up to a cylinder. Long for its gates: two levels and two schemes of
+// the whole of his chapter 7, each with what was printed beside what a closed bag must do.
 #include <algorithm>
 #include <array>
 #include <cmath>

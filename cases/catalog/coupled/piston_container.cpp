@@ -1,4 +1,5 @@
-// A piston between a spring of membrane points and a closed column of gas. [York section 6.1]
+// A piston between a spring of membrane points and a closed column of gas. [York section 6.1] Long for three bodies in one
+// scene and a history of each.
 #include <algorithm>
 #include <array>
 #include <cmath>

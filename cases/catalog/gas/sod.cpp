@@ -131,23 +131,23 @@ std::vector<CaseGate> gates() {
       "errors of linear shapes on a bar do (mms-bar: 1.3 to 1.9)";
   const std::string crossing =
       "points that cross cells of linear shapes feel jumps of force, clump at the head of the rarefaction, and more "
-      "cells "
-      "mean more crossings";
+      "cells mean more crossings";
   const std::string converging = "first order from his 0.010 at 100 cells";
   const Because covered = theory(
       "volumes of all points against the tube's; a kernel of three cells blurs each of three waves by less than 0.3 % "
-      "of "
-      "the tube at 100 cells");
+      "of the tube at 100 cells");
   const std::string density = "density.L1", velocity = "velocity.L1";
   return {
-      gate("default/density-100", error_at(density, 100), at_most(0.0060),
-           requirement(
-               "less than one and a half times the error of second-order finite volumes (MUSCL, HLLC) on the same "
-               "mesh, 0.0041")),
-      gate("default/density-1600", error_at(density, 1600), at_most(0.0005),
-           requirement(
-               "what is left of the 0.0060 required at 100 cells at order 0.9, the least that the interval of the "
-               "order may hold")),
+      gate(
+          "default/density-100", error_at(density, 100), at_most(0.0060),
+          requirement(
+              "less than one and a half times the error of second-order finite volumes (MUSCL, HLLC) on the same mesh, "
+              "0.0041")),
+      gate(
+          "default/density-1600", error_at(density, 1600), at_most(0.0005),
+          requirement(
+              "what is left of the 0.0060 required at 100 cells at order 0.9, the least that the interval of the order "
+              "may hold")),
       gate("default/order", fitted_order_of(density), at_least(0.95),
            requirement(
                "shock and contact allow 1; 0.95 leaves a twentieth for coarse meshes and nothing for what else may "
@@ -189,8 +189,7 @@ std::vector<CaseGate> gates() {
           .fails(crossing, {1.03, 1.15}, bands),
       gate("york1997/grows", ratio_of(density, 800, 400), at_least(1.3), requirement(grows))
           .fails("quadratic density sums the masses anew each step, so what crossings spoil does not accumulate in it; "
-                 "with "
-                 "the continuity density it does, and the same ratio is above 1.3",
+                 "with the continuity density it does, and the same ratio is above 1.3",
                  {1.03, 1.15}, bands),
       gate("york-continuity/grows", ratio_of(density, 800, 400), at_least(1.3), requirement(grows)),
       gate("york-cell/density", error_at(density, 100), between(0.041, 0.051),
@@ -210,12 +209,11 @@ std::vector<CaseGate> gates() {
 
       gate("step/order", fitted_order_of("density.step"), at_least(0.8),
            theory("the leapfrog is of second order in dt, a shock leaves one"))
-          .fails("APIC filters what is not affine once a step, whatever the step and the integrator: its diffusion "
-                 "grows as "
-                 "1/dt and the solution has no limit as dt alone goes to 0. Sharpening undoes the smoothing of forces, "
-                 "not "
-                 "that of velocities",
-                 {-0.5, -0.35}, bands),
+          .fails(
+              "APIC filters what is not affine once a step, whatever the step and the integrator: its diffusion "
+              "grows as 1/dt and the solution has no limit as dt alone goes to 0. Sharpening undoes the smoothing of "
+              "forces, not that of velocities",
+              {-0.5, -0.35}, bands),
       gate("york-step/order", fitted_order_of("density.step"), between(0.75, 1.35),
            theory(
                "explicit in time: order 1; FLIP filters nothing, and a quarter is left to points that change cells at "

@@ -1,4 +1,5 @@
-// What a point does to the forces when it crosses a cell side. [York section A.2]
+// What a point does to the forces when it crosses a cell side. [York section A.2] Long for its three scenes: his snapshot of
+// forces, the spring that it stands in, and points that drift.
 #include <array>
 #include <cmath>
 #include <memory>

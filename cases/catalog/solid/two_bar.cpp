@@ -1,4 +1,5 @@
-// Two bars that meet face to face and part again. [York appendix A.1]
+// Two bars that meet face to face and part again. [York appendix A.1] Long for its gates: each contact law of York's at two
+// speeds beside the default.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -134,7 +134,8 @@ RunChoice chosen_run(const Invocation& invocation, const RunOptions& options) {
   Settings settings = entry.settings(chosen[0].scheme, overrides, invocation.options.settings);
   if (!entry.trials.empty() && (options.frames || options.checkpoints.file || options.checkpoints.every)) {
     const char* key = options.frames ? "--frames" : "--checkpoint";
-    throw UsageError(key, entry.name, "a case of runs", {}, fmt::format("{}: {} has trials, without steps", key, entry.name));
+    throw UsageError(key, entry.name, "a case of runs", {},
+                     fmt::format("{}: {} has trials, without steps", key, entry.name));
   }
   return {&entry, chosen[0].scheme, std::move(settings), frames_of(options)};
 }

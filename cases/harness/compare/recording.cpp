@@ -10,6 +10,7 @@
 #include "cases/harness/files/input_file.hpp"
 #include "cases/harness/files/json_text.hpp"
 #include "cases/harness/files/text_file.hpp"
+#include "cases/harness/judge/gates.hpp"
 
 namespace plumbline {
 namespace {

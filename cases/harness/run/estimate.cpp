@@ -25,7 +25,7 @@ std::unique_ptr<Simulation> stepped_once(const Case& entry, const Settings& sett
 }  // namespace
 
 RunEstimate estimate_run(const Case& entry, const Settings& settings) {
-  if (!entry.trials.empty()) return {.seconds = 1};  // nothing is known of a trial before it is made
+  if (!entry.trials.empty()) return {.seconds = 1};          // nothing is known of a trial before it is made
   require_memory(foreseen_size(entry, settings), settings);  // a problem may fill its bodies as soon as it is made
   const auto problem = entry.problem(settings);
   if (settings.is_set("dt")) require_steps(problem->end_time(), settings.number("dt"), settings);
