@@ -202,8 +202,8 @@ class MembraneExpansionRun final : public Problem {
 std::vector<StudyPlan> studies() {
   const Override five_seconds{"t_end", 5.0}, accumulated{"membrane.strain", "accumulated"};
   return {study("default", "default, to 5 s",
-                "Gas and membrane meet inside cells: order 1 at least. "
-                "At 5 s all is as much at rest as at York's 8.5 s.",
+                "Gas and membrane meet inside cells: order 1 at least. At 5 s all is as much at rest as at "
+                "York's 8.5 s.",
                 {4, 6, 8, 12, 16})
               .with({five_seconds})
               .in_full({4, 6, 8, 12, 16, 24, 32})
@@ -265,16 +265,16 @@ std::vector<CaseGate> gates_at(double level) {
       relative("pressure", 0.015, required("1.5 % at h = 0.1, where York's pressure is 13 % low")),
       relative("hoop_stress", 0.015, required("1.5 % at h = 0.1, as of the pressure that it bears")),
       value("hoop_scatter", at_most(share * 0.1),
-            required("a tenth of the mean at h = 0.1; "
-                     "without relaxation single stresses scatter by more than their mean")),
+            required("a tenth of the mean at h = 0.1; without relaxation single stresses scatter by more than "
+                     "their mean")),
       value("volume_ratio", between(1 - share * 0.01, 1 + share * 0.01),
-            required("within 1 % at h = 0.1: nodal volumes sum to the enclosed one; "
-                     "by York's density they are 4 % too large")),
+            required("within 1 % at h = 0.1: nodal volumes sum to the enclosed one; by York's density they are 4 "
+                     "% too large")),
       value("hoop_from_pressure", between(1 - share * 0.015, 1 + share * 0.015),
             required("stress against pR/t, as close as either must be to its own reference")),
       value("hoop_from_radius", between(0.9, 1.1),
-            requirement("stress against the strain that the mean radius implies: a tenth of it is 4e-5 of the radius, "
-                        "1/1800 of a cell at 16 cells, and an inextensible bag would miss by all")),
+            requirement("stress against the strain that the mean radius implies: a tenth of it is 4e-5 of the "
+                        "radius, 1/1800 of a cell at 16 cells, and an inextensible bag would miss by all")),
       value("escaped_points", at_most(0), nothing_passes)};
   for (CaseGate& gate : all) gate.tier = first ? Tier::quick : Tier::full;
   return all;
@@ -298,13 +298,13 @@ std::vector<CaseGate> york_gates() {
   };
   const std::string stamp = "2026-11-21 6c78473";
   const std::string mean =
-      "his mean over interior grid points is not one over the gas: it counts cells alike, and what little gas stands "
-      "beside the membrane not at all; here energy over volume, the volumes too large";
+      "his mean over interior grid points is not one over the gas: it counts cells alike, and what little gas "
+      "stands beside the membrane not at all; here energy over volume, the volumes too large";
   // On 4 cells the second radius and the pressure are no property of the scheme: see the known limits.
   return {
       radius("radius_0", 4, 1.08)
-          .fails("a bag five cells long folds as its outline does, which is not his; "
-                 "and as roundings will, within 5 %",
+          .fails("a bag five cells long folds as its outline does, which is not his; and as roundings will, "
+                 "within 5 %",
                  {1.12, 1.26}, "2026-11-22 64431e8"),
       hoop(4, 394),
       radius("radius_0", 8, 1.335),
@@ -318,8 +318,8 @@ std::vector<CaseGate> york_gates() {
       radius("radius_0", 32, 1.394),
       radius("radius_90", 32, 1.396),
       pressure(32, 29.0),
-      hoop(32, 447).fails("first law and virial allow a mean of 432 Pa with nothing lost; "
-                          "this run loses 2 % of the energy",
+      hoop(32, 447).fails("first law and virial allow a mean of 432 Pa with nothing lost; this run loses 2 % of "
+                          "the energy",
                           {409, 426}, "2026-11-22 7c0a6a5"),
 
       judged("york1997", value_at, "hoop_scatter", 8, at_most(0.1),
@@ -329,8 +329,8 @@ std::vector<CaseGate> york_gates() {
                  {1.0, 11.0}, "2026-11-23 5825b24"),
       judged("york1997", value_at, "volume_ratio", 8, between(0.99, 1.01),
              requirement("within 1 %, as of the default scheme at h = 0.1"))
-          .fails("his quadratic density counts cells that the membrane cuts as full: "
-                 "low density, large volumes beside it",
+          .fails("his quadratic density counts cells that the membrane cuts as full: low density, large volumes "
+                 "beside it",
                  {1.08, 1.18}, stamp),
       judged("york1997", value_at, "virial", 8, between(0.99, 1.01),
              theory("an identity at rest; his bag still moves with 6 % of its energy"))};
@@ -362,8 +362,8 @@ std::vector<CaseGate> gates() {
   add(gates_at(16));
   add(gates_at(32));
   add({judged("default", value_at, "virial", 16, between(0.995, 1.005),
-              theory("an identity at rest, whatever the discretisation; "
-                     "the membrane still breathes by a few thousandths")),
+              theory("an identity at rest, whatever the discretisation; the membrane still breathes by a few "
+                     "thousandths")),
        closed_ledger_gate("default"),
        judged("default", value_at, "energy_lost", 16, at_most(1e-8),
               identity("all that maps take is given back as heat but for what waits at nodes without gas")),
@@ -371,8 +371,8 @@ std::vector<CaseGate> gates() {
             theory("order 1 is what a boundary inside cells allows; 0.1 for coarse meshes"))});
   add(york_gates());
   add({gate("booked/pressure-8", error_at("pressure", 8), at_most(0.3),
-            requirement("1 % of the pressure, below the 1.5 % without losses at h = 0.1: "
-                        "the reference has what the ledger booked taken off"))});
+            requirement("1 % of the pressure, below the 1.5 % without losses at h = 0.1: the reference has what "
+                        "the ledger booked taken off"))});
   add(modern_gates());
   return all;
 }

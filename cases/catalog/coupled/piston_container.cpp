@@ -273,8 +273,8 @@ std::vector<CaseGate> gates() {
       "within 0.1 % of (6.2), a spring without mass; this one has at most 0.2 % of the piston's");
   const Because order = theory("order 2; 0.2 for the coarse meshes and the interval");
   const Because constant = theory(
-      "inertia of the piston's kernel (15/19)^2 m s^2 h^2/3 and the step's (omega tau)^2/24; "
-      "3 % for the next order, h/L = 1/40");
+      "inertia of the piston's kernel (15/19)^2 m s^2 h^2/3 and the step's (omega tau)^2/24; 3 % for the next order, "
+      "h/L = 1/40");
   const Because reading = requirement(
       "within 1 % of what the exact motion of piston, gas and heavy spring reads between its extremes: about what the "
       "two digits that he prints can tell");

@@ -174,10 +174,10 @@ std::vector<CaseGate> gates() {
       gate("default/escaped-22", error_at("escaped_points", 22), exactly(0),
            identity("no gas point is outside the ring"))};
   for (const std::string study : {"default", "stiff", "whole", "accumulated", "york1997", "long"}) {
-    all.push_back(gate(study + "/angular-momentum", spin, at_most(1e-12),
-                       identity("the walls' torques are booked: "
-                                "exact but for rounding of that of one wall over the run"))
-                      .in(study == "long" ? Tier::full : Tier::quick));
+    all.push_back(
+        gate(study + "/angular-momentum", spin, at_most(1e-12),
+             identity("the walls' torques are booked: exact but for rounding of that of one wall over the run"))
+            .in(study == "long" ? Tier::full : Tier::quick));
   }
   return all;
 }

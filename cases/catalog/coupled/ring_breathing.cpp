@@ -112,8 +112,8 @@ std::vector<CaseGate> gates() {
        std::vector<std::pair<std::string, int>>{{"default", 1}, {"mode-2", 2}, {"mode-3", 3}}) {
     all.push_back(gate(study + "/omega-22", error_at("omega", 22),
                        at_most(0.01 * exact_omega(mode, reference::RingLaw::segments)),
-                       requirement("within 1 % of the exact frequency; "
-                                   "those of the ring alone and of the gas alone are further off")));
+                       requirement("within 1 % of the exact frequency; those of the ring alone and of the gas alone "
+                                   "are further off")));
     all.push_back(gate(study + "/omega-order", fitted_order_of("omega"), at_least(1.8),
                        theory("polygon, shapes and step are of second order; 0.2 for the coarse levels")));
     all.push_back(gate(study + "/damping-order", fitted_order_of("damping"), at_least(2.5),

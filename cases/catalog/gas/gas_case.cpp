@@ -51,9 +51,8 @@ CaseGate same_numbers_gate(const std::string& study, const std::string& as, doub
               number_of("largest relative difference of the errors' norms to those of " + as + " at " + at,
                         largest_difference, {level}),
               at_most(1e-10),
-              identity(
-                  "sums across the flow are one but for rounding, 1e-16 a step and point; steps carry it on and jumps "
-                  "sharpen it, 1e6 times at most"))
+              identity("sums across the flow are one but for rounding, 1e-16 a step and point; steps carry it on "
+                       "and jumps sharpen it, 1e6 times at most"))
       .beside({as});
 }
 
@@ -69,10 +68,9 @@ Number density_error_over(const std::string& other, const std::string& named, do
 }
 
 CaseGate coverage_gate(const std::string& study, double level) {
-  return gate(
-      study + "/coverage-" + to_text(level), value_at("coverage", level), between(0.99, 1.01),
-      theory("volumes of all points against their space; a kernel of three cells blurs each of three waves by less "
-             "than 0.3 % of the tube at 100 cells"));
+  return gate(study + "/coverage-" + to_text(level), value_at("coverage", level), between(0.99, 1.01),
+              theory("volumes of all points against their space; a kernel of three cells blurs each of three "
+                     "waves by less than 0.3 % of the tube at 100 cells"));
 }
 
 }  // namespace plumbline

@@ -56,9 +56,9 @@ std::vector<CaseGate> gates() {
       {required_order("default", "density.L1", 0.8, "the jump at the start allows 1; 0.8 as of the shock tubes"),
        {energy_gate("default"),
         no_heating_gate("default", 40)
-            .fails("sharpening undoes the maps' smoothing and overshoots beside the jump of the first steps: gas just "
-                   "inside the edge is squeezed by two hundredths before it expands; without it the rise is a tenth of "
-                   "that",
+            .fails("sharpening undoes the maps' smoothing and overshoots beside the jump of the first steps: gas "
+                   "just inside the edge is squeezed by two hundredths before it expands; without it the rise is a "
+                   "tenth of that",
                    {1.005, 1.011}, "2026-11-21 fbef8d3"),
         restart_gate("default", "runs that split points", {{"split", 0.2}})}});
 }

@@ -9,8 +9,8 @@ namespace plumbline {
 namespace {
 
 const std::string first_order =
-    "Shock and contact are jumps: a scheme of any order spreads them over a number of cells, so L1 errors fall at most "
-    "with h.";
+    "Shock and contact are jumps: a scheme of any order spreads them over a number of cells, so L1 errors fall "
+    "at most with h.";
 const std::vector<double> doubling{100, 200, 400, 800, 1600}, finer{100, 200, 400, 800, 1600, 3200},
     halved_steps{1, 0.5, 0.25, 0.125, 0.0625};
 
@@ -108,8 +108,8 @@ const Number spread = number_of("largest over smallest density.L1", [](const Stu
 // 2 % is a fifth of what shifting the grid below a cell may do, so only a change of scheme shows.
 CaseGate as_it_was(std::string id, Number number, double value, const std::string& commit) {
   return recorded(std::move(id), std::move(number), value, 0.02, "2026-11-21 " + commit,
-                  "own measurement; 2 % is a fifth of what shifting the grid below a cell may do, so only a change of "
-                  "scheme shows");
+                  "own measurement; 2 % is a fifth of what shifting the grid below a cell may do, so only a "
+                  "change of scheme shows");
 }
 
 std::vector<CaseGate> gates() {
@@ -118,112 +118,98 @@ std::vector<CaseGate> gates() {
   const std::string low_end = "the low end of the 95 % interval of the fit, 0.05 below what the estimate must reach";
   const std::string anywhere = "as with the diaphragm on a node line: where it stands in its cell must not matter";
   const std::string stick =
-      "the error of second-order finite volumes (MUSCL, HLLC) on the same mesh: the method that this flow would else "
-      "be "
-      "computed with";
+      "the error of second-order finite volumes (MUSCL, HLLC) on the same mesh: the method that this flow "
+      "would else be computed with";
   const std::string width =
-      "a cubic kernel reads a jump over four cells, and quadratic viscosity gives the shock three; a MUSCL scheme "
-      "holds "
-      "the shock in two cells. Order and constant are those of the width, so finer meshes do not close the gap";
+      "a cubic kernel reads a jump over four cells, and quadratic viscosity gives the shock three; a MUSCL "
+      "scheme holds the shock in two cells. Order and constant are those of the width, so finer meshes do not "
+      "close the gap";
   const std::string grows =
       "cell crossings make the error grow under refinement: at least by this factor when cells are halved, as "
-      "published "
-      "errors of linear shapes on a bar do (mms-bar: 1.3 to 1.9)";
+      "published errors of linear shapes on a bar do (mms-bar: 1.3 to 1.9)";
   const std::string crossing =
-      "points that cross cells of linear shapes feel jumps of force, clump at the head of the rarefaction, and more "
-      "cells mean more crossings";
+      "points that cross cells of linear shapes feel jumps of force, clump at the head of the rarefaction, and "
+      "more cells mean more crossings";
   const std::string converging = "first order from his 0.010 at 100 cells";
   const Because covered = theory(
-      "volumes of all points against the tube's; a kernel of three cells blurs each of three waves by less than 0.3 % "
-      "of the tube at 100 cells");
+      "volumes of all points against the tube's; a kernel of three cells blurs each of three waves by less "
+      "than 0.3 % of the tube at 100 cells");
   const std::string density = "density.L1", velocity = "velocity.L1";
-  return {
-      gate(
-          "default/density-100", error_at(density, 100), at_most(0.0060),
-          requirement(
-              "less than one and a half times the error of second-order finite volumes (MUSCL, HLLC) on the same mesh, "
-              "0.0041")),
-      gate(
-          "default/density-1600", error_at(density, 1600), at_most(0.0005),
-          requirement(
-              "what is left of the 0.0060 required at 100 cells at order 0.9, the least that the interval of the order "
-              "may hold")),
-      gate("default/order", fitted_order_of(density), at_least(0.95),
-           requirement(
-               "shock and contact allow 1; 0.95 leaves a twentieth for coarse meshes and nothing for what else may "
-               "limit")),
-      gate("default/order-interval", order_of(density), at_least(0.90), requirement(low_end)),
-      gate(
-          "default/velocity-order", order_of(velocity), at_least(0.85),
-          theory("shock and head of the rarefaction allow 1; the corner at the head approaches it from below on coarse "
-                 "meshes")),
-      energy_gate("default"), gate("default/coverage-100", value_at("coverage", 100), between(0.99, 1.01), covered),
-      gate("default/coverage-1600", value_at("coverage", 1600), between(0.99, 1.01), covered),
-      as_it_was("default/density-400", error_at(density, 400), 0.00140931, sharper),
-      as_it_was("default/velocity-400", error_at(velocity, 400), 0.00318103, sharper),
-      as_it_was("default/energy-400", error_at("energy.L1", 400), 0.00423429, sharper),
-      as_it_was("default/viscous-heat-400", viscous_heat(400), 0.00212304, sharper),
-      same_numbers_gate("plane", "default", 100),
-      gate("equal-volume/order", fitted_order_of(density), at_least(0.90),
-           theory("shock and contact allow 1; a tenth for the contact, where the mass of a point jumps")),
+  return {gate("default/density-100", error_at(density, 100), at_most(0.0060),
+               requirement("less than one and a half times the error of second-order finite volumes (MUSCL, HLLC) "
+                           "on the same mesh, 0.0041")),
+          gate("default/density-1600", error_at(density, 1600), at_most(0.0005),
+               requirement("what is left of the 0.0060 required at 100 cells at order 0.9, the least that the "
+                           "interval of the order may hold")),
+          gate("default/order", fitted_order_of(density), at_least(0.95),
+               requirement("shock and contact allow 1; 0.95 leaves a twentieth for coarse meshes and nothing for "
+                           "what else may limit")),
+          gate("default/order-interval", order_of(density), at_least(0.90), requirement(low_end)),
+          gate("default/velocity-order", order_of(velocity), at_least(0.85),
+               theory("shock and head of the rarefaction allow 1; the corner at the head approaches it from below "
+                      "on coarse meshes")),
+          energy_gate("default"), gate("default/coverage-100", value_at("coverage", 100), between(0.99, 1.01), covered),
+          gate("default/coverage-1600", value_at("coverage", 1600), between(0.99, 1.01), covered),
+          as_it_was("default/density-400", error_at(density, 400), 0.00140931, sharper),
+          as_it_was("default/velocity-400", error_at(velocity, 400), 0.00318103, sharper),
+          as_it_was("default/energy-400", error_at("energy.L1", 400), 0.00423429, sharper),
+          as_it_was("default/viscous-heat-400", viscous_heat(400), 0.00212304, sharper),
+          same_numbers_gate("plane", "default", 100),
+          gate("equal-volume/order", fitted_order_of(density), at_least(0.90),
+               theory("shock and contact allow 1; a tenth for the contact, where the mass of a point jumps")),
 
-      // What a gas dynamicist's scheme reaches on the same mesh.
-      gate("default/stick-density-100", error_at(density, 100), at_most(0.0041), requirement(stick))
-          .fails(width, {0.0053, 0.0060}, "2026-11-21 " + sharper),
-      gate("default/stick-velocity-100", error_at(velocity, 100), at_most(0.0080), requirement(stick))
-          .fails(width, {0.0115, 0.0135}, "2026-11-21 " + sharper),
+          // What a gas dynamicist's scheme reaches on the same mesh.
+          gate("default/stick-density-100", error_at(density, 100), at_most(0.0041), requirement(stick))
+              .fails(width, {0.0053, 0.0060}, "2026-11-21 " + sharper),
+          gate("default/stick-velocity-100", error_at(velocity, 100), at_most(0.0080), requirement(stick))
+              .fails(width, {0.0115, 0.0135}, "2026-11-21 " + sharper),
 
-      // The quick study has the diaphragm on a node line; here it stands anywhere.
-      gate("offsets-8/order", fitted_order_of(density), at_least(0.95), requirement(anywhere)).in(Tier::full),
-      gate("offsets-16/order", fitted_order_of(density), at_least(0.95), requirement(anywhere)).in(Tier::full),
-      gate("offsets-16/order-interval", order_of(density), at_least(0.90), requirement(low_end)).in(Tier::full),
+          // The quick study has the diaphragm on a node line; here it stands anywhere.
+          gate("offsets-8/order", fitted_order_of(density), at_least(0.95), requirement(anywhere)).in(Tier::full),
+          gate("offsets-16/order", fitted_order_of(density), at_least(0.95), requirement(anywhere)).in(Tier::full),
+          gate("offsets-16/order-interval", order_of(density), at_least(0.90), requirement(low_end)).in(Tier::full),
 
-      gate("york1997/density-100", error_at(density, 100), between(0.009, 0.011),
-           literature("York, Fig. 14, quadratic density with viscosity: 0.010, within 10 %")),
-      gate("york1997/coverage-100", value_at("coverage", 100), between(0.99, 1.01), covered),
-      gate("york1997/density-200", error_at(density, 200), at_most(0.0050), theory(converging))
-          .fails(crossing, {0.0060, 0.0074}, bands),
-      gate("york1997/density-400", error_at(density, 400), at_most(0.0025), theory(converging))
-          .fails(crossing, {0.0059, 0.0073}, bands),
-      gate("york1997/converges", ratio_of(density, 800, 400), at_most(0.6), theory("first order gives 0.5"))
-          .fails(crossing, {1.03, 1.15}, bands),
-      gate("york1997/grows", ratio_of(density, 800, 400), at_least(1.3), requirement(grows))
-          .fails("quadratic density sums the masses anew each step, so what crossings spoil does not accumulate in it; "
-                 "with the continuity density it does, and the same ratio is above 1.3",
-                 {1.03, 1.15}, bands),
-      gate("york-continuity/grows", ratio_of(density, 800, 400), at_least(1.3), requirement(grows)),
-      gate("york-cell/density", error_at(density, 100), between(0.041, 0.051),
-           requirement(
-               "cell density: about 0.046, within 10 %, four to five times the 0.010 of quadratic density; Fig. 13 "
-               "shows it very noisy")),
-      as_it_was("york1997/density-100-frozen", error_at(density, 100), 0.00982444, york),
-      as_it_was("york-continuity/density-100", error_at(density, 100), 0.0113644, york),
-      as_it_was("york1997/viscous-heat-100", viscous_heat(100), 0.00691660, york),
-      gate("york-cell/worst", worse_than_others, at_least(2.0),
-           literature("Fig. 13 shows cell density very noisy beside the other two: at least twice their error"))
-          .beside({"york1997", "york-continuity"}),
-      gate("york-inviscid/agree", apart_from_continuity, at_most(0.005),
-           literature("York, below Fig. 13: continuity and quadratic differ by less than 0.005"))
-          .on("york-inviscid-quadratic")
-          .beside({"york-inviscid-continuity"}),
+          gate("york1997/density-100", error_at(density, 100), between(0.009, 0.011),
+               literature("York, Fig. 14, quadratic density with viscosity: 0.010, within 10 %")),
+          gate("york1997/coverage-100", value_at("coverage", 100), between(0.99, 1.01), covered),
+          gate("york1997/density-200", error_at(density, 200), at_most(0.0050), theory(converging))
+              .fails(crossing, {0.0060, 0.0074}, bands),
+          gate("york1997/density-400", error_at(density, 400), at_most(0.0025), theory(converging))
+              .fails(crossing, {0.0059, 0.0073}, bands),
+          gate("york1997/converges", ratio_of(density, 800, 400), at_most(0.6), theory("first order gives 0.5"))
+              .fails(crossing, {1.03, 1.15}, bands),
+          gate("york1997/grows", ratio_of(density, 800, 400), at_least(1.3), requirement(grows))
+              .fails("quadratic density sums the masses anew each step, so what crossings spoil does not "
+                     "accumulate in it; with the continuity density it does, and the same ratio is above 1.3",
+                     {1.03, 1.15}, bands),
+          gate("york-continuity/grows", ratio_of(density, 800, 400), at_least(1.3), requirement(grows)),
+          gate("york-cell/density", error_at(density, 100), between(0.041, 0.051),
+               requirement("cell density: about 0.046, within 10 %, four to five times the 0.010 of quadratic "
+                           "density; Fig. 13 shows it very noisy")),
+          as_it_was("york1997/density-100-frozen", error_at(density, 100), 0.00982444, york),
+          as_it_was("york-continuity/density-100", error_at(density, 100), 0.0113644, york),
+          as_it_was("york1997/viscous-heat-100", viscous_heat(100), 0.00691660, york),
+          gate("york-cell/worst", worse_than_others, at_least(2.0),
+               literature("Fig. 13 shows cell density very noisy beside the other two: at least twice their error"))
+              .beside({"york1997", "york-continuity"}),
+          gate("york-inviscid/agree", apart_from_continuity, at_most(0.005),
+               literature("York, below Fig. 13: continuity and quadratic differ by less than 0.005"))
+              .on("york-inviscid-quadratic")
+              .beside({"york-inviscid-continuity"}),
 
-      gate("step/order", fitted_order_of("density.step"), at_least(0.8),
-           theory("the leapfrog is of second order in dt, a shock leaves one"))
-          .fails(
-              "APIC filters what is not affine once a step, whatever the step and the integrator: its diffusion "
-              "grows as 1/dt and the solution has no limit as dt alone goes to 0. Sharpening undoes the smoothing of "
-              "forces, not that of velocities",
-              {-0.5, -0.35}, bands),
-      gate("york-step/order", fitted_order_of("density.step"), between(0.75, 1.35),
-           theory(
-               "explicit in time: order 1; FLIP filters nothing, and a quarter is left to points that change cells at "
-               "another step")),
-      gate(
-          "offset/spread", spread, at_most(1.10),
-          theory(
-              "the error is that of jumps spread over several cells; where they fall within a cell is a detail of less "
-              "than a tenth")),
-      restart_gate("default", "runs of a gas")};
+          gate("step/order", fitted_order_of("density.step"), at_least(0.8),
+               theory("the leapfrog is of second order in dt, a shock leaves one"))
+              .fails("APIC filters what is not affine once a step, whatever the step and the integrator: its "
+                     "diffusion grows as 1/dt and the solution has no limit as dt alone goes to 0. Sharpening "
+                     "undoes the smoothing of forces, not that of velocities",
+                     {-0.5, -0.35}, bands),
+          gate("york-step/order", fitted_order_of("density.step"), between(0.75, 1.35),
+               theory("explicit in time: order 1; FLIP filters nothing, and a quarter is left to points that "
+                      "change cells at another step")),
+          gate("offset/spread", spread, at_most(1.10),
+               theory("the error is that of jumps spread over several cells; where they fall within a cell is a "
+                      "detail of less than a tenth")),
+          restart_gate("default", "runs of a gas")};
 }
 
 Case sod() {

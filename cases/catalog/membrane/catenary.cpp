@@ -195,8 +195,8 @@ std::vector<CaseGate> gates() {
   std::vector<CaseGate> all{
       gate("default/departure-40", error_at("departure", 40), at_most(1e-4), at_rest),
       gate("default/departure-order", fitted_order_of("departure"), at_least(1),
-           theory("sums over points miss the integrals by a share of the tension at each node, balanced by a bend over "
-                  "one cell: order 1 at least")),
+           theory("sums over points miss the integrals by a share of the tension at each node, balanced by a bend "
+                  "over one cell: order 1 at least")),
       gate("default/tension-order", fitted_order_of("tension.L1"), at_least(1.8),
            theory("chords of an arc: order 2 in the length of segments; 0.2 for the swing about the rest")),
       gate("default/support-40", error_at("support_tension", 40), at_most(1e-3 * 7.37),
@@ -204,13 +204,13 @@ std::vector<CaseGate> gates() {
       gate("accumulated/departure-40", error_at("departure", 40), at_most(1e-4), at_rest),
       gate("accumulated/tension-40", error_at("tension.L1", 40), at_most(1e-3 * mean),
            requirement("within 0.1 % of the exact tension in the mean, as at the support by default"))
-          .fails("nodes feel only what a cell's points pull together: strains of single points drift apart in patterns "
-                 "that no node sees, as far on fine meshes as on coarse ones",
+          .fails("nodes feel only what a cell's points pull together: strains of single points drift apart in "
+                 "patterns that no node sees, as far on fine meshes as on coarse ones",
                  {0.0235 * mean, 0.029 * mean}, "2026-11-23 5825b24")};
   for (const std::string study : {"default", "accumulated"}) {
     all.push_back(gate(study + "/momentum", momentum_residual, at_most(1e-12),
-                       identity("the walls' impulses are booked: exact but for rounding of the pull of a support over "
-                                "the run")));
+                       identity("the walls' impulses are booked: exact but for rounding of the pull of a support "
+                                "over the run")));
   }
   return all;
 }

@@ -244,8 +244,8 @@ std::vector<CaseGate> gates() {
            requirement("within 0.1 % of the exact tension in the mean over the points, as with segments")),
       gate("accumulated/departure-80", error_at("departure", 80), at_most(1e-4),
            requirement("at rest: no point leaves its place by more than 1e-4 of the height, as with segments"))
-          .fails("nodes feel only what a cell's points pull together: strains of single points drift apart in patterns "
-                 "that no node sees, and points with them",
+          .fails("nodes feel only what a cell's points pull together: strains of single points drift apart in "
+                 "patterns that no node sees, and points with them",
                  {4.3e-4, 5.3e-4}, "2026-11-23 5825b24"),
       gate("from-circle/departure-order", fitted_order_of("departure_at_end"), at_least(1),
            theory("a height of p0 h^2/8T at the end of the contact: order 2, 1 while it still lies down"))

@@ -20,8 +20,8 @@ struct Swing : Parameters {
   bool york_box = one_of("box", "wide", {"wide", "york"}, "walls out of the string's reach, or York's box") == "york";
   std::string layout = one_of(
       "layout", "ends", {"ends", "ppc", "york"},
-      "20, 40, 80, 320 points on York's meshes, half a segment's share at the ends; ppc points a cell; or York's, all "
-      "of them whole");
+      "20, 40, 80, 320 points on York's meshes, half a segment's share at the ends; ppc points a cell; or "
+      "York's, all of them whole");
   double end_time = positive("t_end", 1.3, "s", "end time");
 
   explicit Swing(Parameters given = {}) : Parameters(std::move(given)) {
@@ -259,27 +259,24 @@ std::vector<CaseGate> gates() {
     all.push_back(gate(study + "/loss-20", error_at("amplitude_loss", 20), at_most(1e-3),
                        requirement("at most 0.1 % in a whole swing: the amplitude would halve in seven hundred"))
                       .in(tier));
-    all.push_back(
-        gate(study + "/aligned-20", value_at("misalignment", 20), at_most(0.1 / 79),
-             requirement("points on the chord: York judges by eye, where points touch; a tenth of their spacing, L/79, "
-                         "is not seen"))
-            .in(tier));
+    all.push_back(gate(study + "/aligned-20", value_at("misalignment", 20), at_most(0.1 / 79),
+                       requirement("points on the chord: York judges by eye, where points touch; a tenth of "
+                                   "their spacing, L/79, is not seen"))
+                      .in(tier));
   }
   for (const std::string measure : {"period", "amplitude_loss"}) {
     for (const auto& [coarse, fine] : {std::pair{5.0, 10.0}, {10.0, 20.0}, {20.0, 40.0}}) {
-      all.push_back(
-          gate(
-              "default/" + measure + "-" + to_text(coarse) + "-" + to_text(fine), least_ratio(measure, coarse, fine),
-              at_least(std::pow(2, 1.5)),
-              theory("order 2 divides it by 4 at every halving of h; 2^1.5, half an order less, for coarse meshes. The "
-                     "bound of the reference counts against it"))
-              .in(fine == 40 ? Tier::full : Tier::quick));
+      all.push_back(gate("default/" + measure + "-" + to_text(coarse) + "-" + to_text(fine),
+                         least_ratio(measure, coarse, fine), at_least(std::pow(2, 1.5)),
+                         theory("order 2 divides it by 4 at every halving of h; 2^1.5, half an order less, for "
+                                "coarse meshes. The bound of the reference counts against it"))
+                        .in(fine == 40 ? Tier::full : Tier::quick));
     }
   }
   const std::vector<CaseGate> rows{
       gate("default/period-constant-20", period_constant, between(0.92, 1.08),
-           theory("the bob's kernel turns with the string and adds the inertia m h^2/4: too long by the share h^2/(8 "
-                  "L^2); 7 % for the next order, h/L, and 1 % for the bound of the reference")),
+           theory("the bob's kernel turns with the string and adds the inertia m h^2/4: too long by the share "
+                  "h^2/(8 L^2); 7 % for the next order, h/L, and 1 % for the bound of the reference")),
       gate("box/period-20", error_at("period", 20), at_most(tenth_percent),
            requirement("within 0.1 % of the elastic pendulum, as in the wide box: two cells to the wall"))
           .in(Tier::full),
@@ -289,8 +286,8 @@ std::vector<CaseGate> gates() {
                  {0.028, 0.0345}, bands)
           .in(Tier::full),
       gate("free/loss-10", value_at("amplitude_loss", 10), at_most(4e-3),
-           theory("the one-way law does not matter to the swing: at most four times what is required at half the cell, "
-                  "as at second order"))
+           theory("the one-way law does not matter to the swing: at most four times what is required at half "
+                  "the cell, as at second order"))
           .in(Tier::full)};
   all.insert(all.end(), rows.begin(), rows.end());
 
@@ -298,12 +295,12 @@ std::vector<CaseGate> gates() {
   const Because near_figure = literature(
       "Fig. 37 spans 1.8 s; York sees reasonable agreement: 3 % of a period can be told there");
   const Because unbroken = literature(
-      "Fig. 37 shows swings to 1.8 s, so the string is whole; it stretches by 0.001, and a hundredth of its length "
-      "cannot be seen there");
+      "Fig. 37 shows swings to 1.8 s, so the string is whole; it stretches by 0.001, and a hundredth of its "
+      "length cannot be seen there");
   const std::string torn =
-      "after a whole swing the noise of its light points has torn the string: the bob falls to the floor from 1.3 s "
-      "on, and lies there with a velocity that no node sees; some of the runs whose masses differ by 1e-14 of "
-      "themselves stop there";
+      "after a whole swing the noise of its light points has torn the string: the bob falls to the floor from "
+      "1.3 s on, and lies there with a velocity that no node sees; some of the runs whose masses differ by "
+      "1e-14 of themselves stop there";
   // Once the string has torn, a run is as roundings will: these bands hold what ensembles of runs show (ci/ensembles).
   const StopBand on_20{125000, 175000, "velocity"}, on_40{270000, 350000, "position"};
   const std::vector<CaseGate> york{
@@ -324,10 +321,10 @@ std::vector<CaseGate> gates() {
       gate("york1997/loss-20-40", ratio_of("amplitude_loss", 20, 40), at_least(1), figure).in(Tier::full),
       gate("york1997/loss-10-20", number_of("amplitude_loss at 10 over 20", loss_on_10_over_20, {10, 20}), at_least(1),
            figure)
-          .fails("on the way back it grows between h = 0.1 and 0.05: under FLIP and linear shapes the string's light "
-                 "points keep what noise each crossing of a cell's side gives them and leave the chord by a tenth of "
-                 "its length on both meshes; by how much is chance, and in eight of thirteen runs that differ by "
-                 "roundings alone it does shrink",
+          .fails("on the way back it grows between h = 0.1 and 0.05: under FLIP and linear shapes the string's "
+                 "light points keep what noise each crossing of a cell's side gives them and leave the chord "
+                 "by a tenth of its length on both meshes; by how much is chance, and in eight of thirteen "
+                 "runs that differ by roundings alone it does shrink",
                  {0.05, 0.99}, bands)
           .or_stops(on_20)
           .in(Tier::full)};

@@ -125,8 +125,8 @@ std::vector<StudyPlan> studies() {
           study("default", "default, small stretch",
                 "The mass is smeared over its kernel. With the affine transfer the kernel moves as v (x - wall)/L and "
                 "adds the inertia m D/L^2, D = h^2/4: the period is too long by the share h^2/(8 L^2), order 2. "
-                "Without it the mass would shift the spring's end by a share of h, order 1. Gravity is 1e-5 of "
-                "York's: at his the spring stretches by 1.7 %, which the linear reference does not know.",
+                "Without it the mass would shift the spring's end by a share of h, order 1. Gravity is 1e-5 of York's: "
+                "at his the spring stretches by 1.7 %, which the linear reference does not know.",
                 {10, 20, 40, 80, 160})
               .with({{"gravity", 0.0025}})
               .in_full({10, 20, 40, 80, 160, 320}),

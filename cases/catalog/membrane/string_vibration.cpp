@@ -106,8 +106,8 @@ std::vector<CaseGate> gates() {
                               "(kh)^2, 0.6 %, and the loss of amplitude shifts the zeros by less")));
     all.push_back(
         gate(study + "/loss-order", order_of("amplitude_loss"), at_least(2.8),
-             theory("the affine transfer loses (kh)^4 a step, steps follow h: order 3, and 0.2 for the coarse "
-                    "levels and the interval")));
+             theory("the affine transfer loses (kh)^4 a step, steps follow h: order 3, and 0.2 for the coarse levels "
+                    "and the interval")));
   }
   all.push_back(restart_gate("default", "runs of a membrane"));
   return all;

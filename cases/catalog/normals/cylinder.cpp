@@ -205,16 +205,15 @@ CaseGate held(const std::string& study) {
 }
 CaseGate bursts(const std::string& study, Range band) {
   return held(study).fails(
-      "the gradient of a smoothed colour is not normal to the membrane: its stress does not act along it, and it flies "
-      "on to the held sides (York's Figs. 73 to 75: 0.2 m and more)",
+      "the gradient of a smoothed colour is not normal to the membrane: its stress does not act along it, and "
+      "it flies on to the held sides (York's Figs. 73 to 75: 0.2 m and more)",
       band, "2026-11-23 5825b24");
 }
 
 CaseGate first(const std::string& study) {
-  return gate(
-      study + "/first", error_at("radius_change_first", york_cells), at_most(0.05 * 2 * way_to_rest()),
-      theory("5 % of twice the way to rest: (kh)^2/12 = 3 % for sound of the ring's frequency on this mesh, and "
-             "the strain, 0.9 %, and as much again for the ring's smeared mass"));
+  return gate(study + "/first", error_at("radius_change_first", york_cells), at_most(0.05 * 2 * way_to_rest()),
+              theory("5 % of twice the way to rest: (kh)^2/12 = 3 % for sound of the ring's frequency on this "
+                     "mesh, and the strain, 0.9 %, and as much again for the ring's smeared mass"));
 }
 CaseGate mean(const std::string& study) {
   return gate(study + "/mean", error_at("radius_change_mean", york_cells), at_most(0.02 * way_to_rest()),
@@ -263,8 +262,8 @@ std::vector<CaseGate> gates() {
            growths("difference of the mean radius from that with connectivity, over the way to rest", "connectivity",
                    [](double here, double there) { return std::abs(here - there) / way_to_rest(); }),
            at_most(0.005),
-           requirement("within 0.5 % of the way to rest of connectivity's radius, a quarter of what either may be off "
-                       "from the exact mean"))
+           requirement("within 0.5 % of the way to rest of connectivity's radius, a quarter of what either may "
+                       "be off from the exact mean"))
           .beside({"connectivity"}),
       gate("york-quadratic/worse-than-cubic",
            growths("mean growth of the radius over that with the cubic method", "york-cubic",

@@ -115,46 +115,45 @@ std::vector<CaseGate> gates() {
                                     measured.reference_bound = even.size() * mean.reference_bound;
                                     return measured;
                                   });
-  return {
-      angle("line-45", "modern", rounding, on_lines),
-      angle("line-80", "modern", rounding, on_lines),
-      angle("vertical", "modern", rounding, on_lines),
-      angle("single", "modern", rounding, on_lines),
-      angle("arc-45", "modern", 0.1, requirement(undrawn)),
-      angle("arc-60", "modern", 0.1, requirement(undrawn)),
-      angle("arc-75", "modern", 0.1, requirement(undrawn)),
-      angle("arc-90", "modern", 0.1, requirement(undrawn)),
+  return {angle("line-45", "modern", rounding, on_lines),
+          angle("line-80", "modern", rounding, on_lines),
+          angle("vertical", "modern", rounding, on_lines),
+          angle("single", "modern", rounding, on_lines),
+          angle("arc-45", "modern", 0.1, requirement(undrawn)),
+          angle("arc-60", "modern", 0.1, requirement(undrawn)),
+          angle("arc-75", "modern", 0.1, requirement(undrawn)),
+          angle("arc-90", "modern", 0.1, requirement(undrawn)),
 
-      angle("line-45", mass, rounding, literature("York: 90 degrees to machine precision")),
-      angle_gate("line-80", mass, block, 0.01, literature("York: on average within 0.01 degrees"), "mean"),
-      angle("hyperbola", mass, 1e-5 / radians(1),
-            literature("York: ends of the unit normals aligned to within the fifth decimal place")),
-      angle("vertical", mass, rounding,
-            theory("the least colours above the membrane's that vanish on the line x = c and not at the lower corner "
-                   "are (x - c)(1 - y): exact normals, where York's singular system failed")),
-      angle("single", mass, rounding,
-            theory("points of a line in the ghost cell determine bilinear colours up to their size")),
+          angle("line-45", mass, rounding, literature("York: 90 degrees to machine precision")),
+          angle_gate("line-80", mass, block, 0.01, literature("York: on average within 0.01 degrees"), "mean"),
+          angle("hyperbola", mass, 1e-5 / radians(1),
+                literature("York: ends of the unit normals aligned to within the fifth decimal place")),
+          angle("vertical", mass, rounding,
+                theory("the least colours above the membrane's that vanish on the line x = c and not at the lower "
+                       "corner are (x - c)(1 - y): exact normals, where York's singular system failed")),
+          angle("single", mass, rounding,
+                theory("points of a line in the ghost cell determine bilinear colours up to their size")),
 
-      angle("arc-45", mass, drawn, literature(as_drawn))
-          .fails(bilinear + ": several degrees off (York's Fig. 79)", {4.9, 6.1}, narrower),
-      angle("arc-60", mass, drawn, literature(as_drawn)).fails(bilinear, {12, 15}, measured_on),
-      angle("arc-75", mass, drawn, literature(as_drawn)).fails(bilinear, {43, 53}, measured_on),
-      angle("arc-90", mass, drawn, literature(as_drawn))
-          .fails("points of equal y have one x component where the exact ones are opposite [York 7.15-7.17]", {75, 90},
-                 measured_on),
-      angle("arc-45", nine, 0.1, on_exact),
-      angle("arc-60", nine, 0.1, on_exact),
-      angle("arc-75", nine, 0.1, on_exact),
-      angle("arc-90", nine, 0.1, on_exact),
+          angle("arc-45", mass, drawn, literature(as_drawn))
+              .fails(bilinear + ": several degrees off (York's Fig. 79)", {4.9, 6.1}, narrower),
+          angle("arc-60", mass, drawn, literature(as_drawn)).fails(bilinear, {12, 15}, measured_on),
+          angle("arc-75", mass, drawn, literature(as_drawn)).fails(bilinear, {43, 53}, measured_on),
+          angle("arc-90", mass, drawn, literature(as_drawn))
+              .fails("points of equal y have one x component where the exact ones are opposite [York 7.15-7.17]",
+                     {75, 90}, measured_on),
+          angle("arc-45", nine, 0.1, on_exact),
+          angle("arc-60", nine, 0.1, on_exact),
+          angle("arc-75", nine, 0.1, on_exact),
+          angle("arc-90", nine, 0.1, on_exact),
 
-      angle("perturbed", mass, drawn, literature(as_drawn))
-          .fails("the colours (x - 1/2)(y - y_p) hold all points and have no gradient along x at the one beside the "
-                 "line (York's Fig. 80 b)",
-                 {85, 90}),
-      gate("perturbed/york-mass-matrix-others", others, at_most(1e-8),
-           theory("(x - 1/2)(y - y_p) has exact normals at all points of the line (York: the points away from the "
-                  "centre have accurate normals); 1e-8 for the difference of sums of up to 90 degrees, over the "
-                  "smallest gradient"))};
+          angle("perturbed", mass, drawn, literature(as_drawn))
+              .fails("the colours (x - 1/2)(y - y_p) hold all points and have no gradient along x at the one "
+                     "beside the line (York's Fig. 80 b)",
+                     {85, 90}),
+          gate("perturbed/york-mass-matrix-others", others, at_most(1e-8),
+               theory("(x - 1/2)(y - y_p) has exact normals at all points of the line (York: the points away from "
+                      "the centre have accurate normals); 1e-8 for the difference of sums of up to 90 degrees, "
+                      "over the smallest gradient"))};
 }
 
 Case normals_cell() {

@@ -45,8 +45,8 @@ std::vector<StudyPlan> studies() {
   const std::string crossing =
       "Points that cross cells turn the sign of a force that does not fall with h: no convergence.";
   const std::string uneven =
-      "Points are samples of equal weight, and the sum over unevenly standing points is no integral: second order "
-      "until that error shows, which then grows.";
+      "Points are samples of equal weight, and the sum over unevenly standing points is no integral: second "
+      "order until that error shows, which then grows.";
   const std::vector<Override> small{{"amplitude", 1e-4}}, cubic{{"shape", "cubic"}};
   std::vector<StudyPlan> all{
       study("default", "default", second, meshes).in_full(all_meshes),
@@ -80,18 +80,18 @@ std::vector<StudyPlan> studies() {
 std::vector<CaseGate> gates() {
   const std::string worst = "displacement.worst";
   const std::string crossing =
-      "points that cross cell sides turn the sign of a force that does not fall with h (York, section 5.4.3): the "
-      "error grows under refinement";
+      "points that cross cell sides turn the sign of a force that does not fall with h (York, section 5.4.3): "
+      "the error grows under refinement";
   const std::string uneven =
-      "the sum over unevenly standing points of equal weight misses the integral by a share that does not fall with "
-      "h, and its gradient grows: a minimum near 64 cells";
+      "the sum over unevenly standing points of equal weight misses the integral by a share that does not fall "
+      "with h, and its gradient grows: a minimum near 64 cells";
   std::vector<CaseGate> all = displacement_orders({"default", "courant-0.2", "courant-0.9"}, 1.95,
                                                   "second order, whatever cells the points cross");
   const auto add = [&](const std::vector<CaseGate>& more) { all.insert(all.end(), more.begin(), more.end()); };
   add(displacement_orders({"small"}, 1.95, "second order, with points that stay in their cells"));
   add({missed_order("small-fine", fine_meshes, 1.95,
-                    "boxes whose ends start on node lines leave their cells in part, "
-                    "by a share u/h that grows as h falls",
+                    "boxes whose ends start on node lines leave their cells in part, by a share u/h that grows "
+                    "as h falls",
                     {1.8, 1.95})
            .in(Tier::full),
        missed_order("york1997", compared_meshes, 1.95, crossing, {-0.77, -0.61}),
@@ -106,20 +106,20 @@ std::vector<CaseGate> gates() {
   for (const auto& [cells, published] : {std::pair{32.0, 5.72e-7}, std::pair{128.0, 3.58e-8}}) {
     all.push_back(gate("york1997-small/published-" + to_text(cells), error_at(worst, cells),
                        between(0.98 * published, 1.02 * published),
-                       literature("as printed (de Vaucorbeil et al. 2020, linear shapes); 2 % for a stress updated "
-                                  "last with another map")));
+                       literature("as printed (de Vaucorbeil et al. 2020, linear shapes); 2 % for a stress "
+                                  "updated last with another map")));
   }
   // At the large step the same bound as at the small one.
   add({gate("courant-0.9/error-256", error_at(worst, 256), at_most(3.5e-6),
-            requirement("as at the Courant number 0.2: a fifth below the best published, "
-                        "4.45e-6, which is of that number"))
+            requirement("as at the Courant number 0.2: a fifth below the best published, 4.45e-6, which is of "
+                        "that number"))
            .fails("the midpoint step's own error grows with the square of the Courant number: 1.7e-6 of it at 0.9",
                   {4.4e-6, 5.4e-6}, "2026-11-21 a96ec71"),
        gate("default/error-256", error_at(worst, 256), at_most(4.45e-6),
             literature("the best published, of the total Lagrangian method at the Courant number 0.2")),
        gate("courant-0.2/error-256", error_at(worst, 256), at_most(3.5e-6),
-            requirement("a fifth below the best published at this Courant number, "
-                        "4.45e-6 of the total Lagrangian method"))});
+            requirement("a fifth below the best published at this Courant number, 4.45e-6 of the total "
+                        "Lagrangian method"))});
   return all;
 }
 

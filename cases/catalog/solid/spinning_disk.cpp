@@ -217,8 +217,8 @@ std::vector<CaseGate> gates() {
                requirement("within 5 % of (3 + nu')/8 rho omega^2 R^2, the mean over a sixteenth of the area: stresses "
                            "that the maps make up stay below 5e-6 of E")),
           gate("default/angular-momentum-4", value_at("angular_momentum_change", 4), at_most(1e-3),
-               requirement("a thousandth over a turn at four cells along the radius: "
-                           "the spin would halve in seven hundred turns")),
+               requirement("a thousandth over a turn at four cells along the radius: the spin would halve in seven "
+                           "hundred turns")),
           recorded("default/stress-4", value_at("stress.mean_error", 4), 0.11376, 0.1, "2026-11-21 a96ec71",
                    "how far the stress of single points scatters; nothing else should move it"),
           gate("default/angular-momentum-order", fitted_order_of("angular_momentum_change"), at_least(1.8),

@@ -143,8 +143,8 @@ class TwoBarMeeting final : public Problem {
 
 std::vector<StudyPlan> studies() {
   const std::string front =
-      "No order is derived: the front of the pressure wave is a jump, and each map takes of it what the grid cannot "
-      "hold. Finite elements show 0.6.";
+      "No order is derived: the front of the pressure wave is a jump, and each map takes of it what the grid "
+      "cannot hold. Finite elements show 0.6.";
   const std::string york = "York's mesh, as in Figs. 94-96.";
   return {
       study("default", "default at York's speed", front, {20, 40}).in_full({20, 40, 80}).pictured(25),
@@ -173,8 +173,9 @@ std::vector<StudyPlan> studies() {
           .over(Vary::dt)
           .in_full({1, 0.5, 0.25, 0.125, 0.0625}),
       study("york-offset", "York's run on shifted grids",
-            "Where the grid stands changes when nodes are shared, and with it which of his runs one sees. Left out are "
-            "shifts that put points on nodes: there the mass of some nodes is rounding, and the run blows up.",
+            "Where the grid stands changes when nodes are shared, and with it which of his runs one sees. Left "
+            "out are shifts that put points on nodes: there the mass of some nodes is rounding, and the run "
+            "blows up.",
             {0, 0.1, 0.3, 0.5, 0.7, 0.9})
           .of_york()
           .over(Vary::offset)};
@@ -211,39 +212,39 @@ CaseGate rising_gate(const std::string& study) {
       study + "/restitution-rises",
       number_of("least rise of the restitution from level to level, and what is left to the reference", rise_or_room),
       at_least(0),
-      theory("maps only take energy, and less on finer meshes: "
-             "restitution rises with refinement, and stays below the reference"));
+      theory("maps only take energy, and less on finer meshes: restitution rises with refinement, and stays "
+             "below the reference"));
 }
 
 std::vector<CaseGate> contact_gates() {
   const Because monotone = theory(
-      "no step of the midpoint rule raises the energy of a linear elastic body on shapes of constant inertia; sums "
-      "over points round at 1e-15");
+      "no step of the midpoint rule raises the energy of a linear elastic body on shapes of constant inertia; "
+      "sums over points round at 1e-15");
   const Because parts_fast = requirement(
       "at least 0.88 at h = 0.0625, where elasticity gives 0.952; York has 0.71 at h = 0.25");
-  return {
-      gate("small-step/energy-rise", value_at("energy_rise", 20), at_most(1e-13), monotone)
-          .fails("the affine inertia of a box varies between 0.17 and 0.23 h^2 with its place, and the energy of the "
-                 "affine velocity with it, both ways; at the usual step the loss of the maps covers it",
-                 {2.2e-4, 2.75e-4}, bands),
-      gate("quadratic-small-step/energy-rise", value_at("energy_rise", 20), at_most(1e-13), monotone),
-      rising_gate("default"),
-      rising_gate("fast"),
-      rising_gate("quadratic"),
-      gate("fast/restitution-80", value_at("restitution", 80), at_least(0.88), parts_fast),
-      gate("default/restitution-80", value_at("restitution", 80), at_least(0.88), parts_fast).in(Tier::full),
-      gate("default/parted", value_at("separation", 20), at_least(0.25),
-           requirement("the bars part: they end more than a cell apart")),
-      gate("none/sticks", value_at("separation", 20), at_most(0.5),
-           literature("York: without release the bars stick; here: they end no further apart than they began")),
-      gate("york-none/restitution", value_at("restitution", 20), between(-0.1, 0.1),
-           literature("York: without release the restitution is 0, but for the vibration of the pair"))};
+  return {gate("small-step/energy-rise", value_at("energy_rise", 20), at_most(1e-13), monotone)
+              .fails("the affine inertia of a box varies between 0.17 and 0.23 h^2 with its place, and the "
+                     "energy of the affine velocity with it, both ways; at the usual step the loss of the maps "
+                     "covers it",
+                     {2.2e-4, 2.75e-4}, bands),
+          gate("quadratic-small-step/energy-rise", value_at("energy_rise", 20), at_most(1e-13), monotone),
+          rising_gate("default"),
+          rising_gate("fast"),
+          rising_gate("quadratic"),
+          gate("fast/restitution-80", value_at("restitution", 80), at_least(0.88), parts_fast),
+          gate("default/restitution-80", value_at("restitution", 80), at_least(0.88), parts_fast).in(Tier::full),
+          gate("default/parted", value_at("separation", 20), at_least(0.25),
+               requirement("the bars part: they end more than a cell apart")),
+          gate("none/sticks", value_at("separation", 20), at_most(0.5),
+               literature("York: without release the bars stick; here: they end no further apart than they began")),
+          gate("york-none/restitution", value_at("restitution", 20), between(-0.1, 0.1),
+               literature("York: without release the restitution is 0, but for the vibration of the pair"))};
 }
 
 std::vector<CaseGate> york_gates() {
   const std::string creates =
-      "his step, C = 0.93 of the wave speed, is beyond the bound 1/sqrt 2 of linear shapes, and light nodes at the "
-      "edge of a bar take what the other gives as work";
+      "his step, C = 0.93 of the wave speed, is beyond the bound 1/sqrt 2 of linear shapes, and light nodes at "
+      "the edge of a bar take what the other gives as work";
   const Because creates_nothing = theory("no energy is created, but for 0.1 % of first-order stepping");
   const auto least_over_offsets = [](const StudyResult& s) {
     double least = HUGE_VAL;
@@ -256,16 +257,16 @@ std::vector<CaseGate> york_gates() {
   };
   return {gate("york1997/restitution", value_at("restitution", 20), between(0.66, 0.76),
                literature("York: 0.71; half a digit of what he reads off"))
-              .fails("not found again over steps, offsets and normals: "
-                     "at his step the run is chaotic and creates energy",
+              .fails("not found again over steps, offsets and normals: at his step the run is chaotic and "
+                     "creates energy",
                      {0.081, 0.101}, bands),
           gate("york1997/energy", value_at("highest_energy", 20), at_most(1.001), creates_nothing)
               .fails(creates, {1.105, 1.13}, bands),
           gate("york-step/energy-eighth", value_at("highest_energy", 0.125), at_most(1.01),
                theory("force and strain see the same field: what is created goes with the step")),
           gate("york-step/restitution-eighth", value_at("restitution", 0.125), between(0.81, 0.89),
-               literature("York: 0.82 and 0.81 at v = 20; "
-                          "the answer is linear in the speed but for when points cross cells")),
+               literature("York: 0.82 and 0.81 at v = 20; the answer is linear in the speed but for when points "
+                          "cross cells")),
           gate("york-offset/energy", number_of("least of the highest energies over the offsets", least_over_offsets),
                at_most(1.001), creates_nothing)
               .fails(creates, {1.09, 1.112}, bands),

@@ -57,8 +57,8 @@ std::vector<CaseGate> gates() {
           gate(trial + "/limit", error_of("observed.departure"), at_most(0.02), requirement(roughly_observed_limits))
               .in(tier));
       all.push_back(gate(trial + "/axis", value_of("axis_over_plane"), between(0.5, 1.0),
-                         theory("the hoop strain adds to the stiffness of the first node, at most as much again as "
-                                "the radial one: 1/2 to 1 even if it carried no more mass"))
+                         theory("the hoop strain adds to the stiffness of the first node, at most as much again as the "
+                                "radial one: 1/2 to 1 even if it carried no more mass"))
                         .in(tier));
     }
   }

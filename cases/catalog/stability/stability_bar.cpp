@@ -73,8 +73,7 @@ std::vector<CaseGate> gates() {
   for (const std::string& name : integrators) {
     all.push_back(
         gate(name + "-closed-form/limit", error_of("limit.departure"), at_most(1e-6),
-             theory("predicted limits equal the closed form; 1e-6 for finding the step at which a radius leaves "
-                    "1")));
+             theory("predicted limits equal the closed form; 1e-6 for finding the step at which a radius leaves 1")));
     all.push_back(
         gate(name + "-runs/limit", error_of("observed.departure"), at_most(0.01), requirement(observed_limits)));
     all.push_back(gate(name + "-runs/brackets", value_of("observed.brackets"), exactly(1),

@@ -234,15 +234,14 @@ std::vector<CaseGate> gates() {
           .in(Tier::full),
 
       gate("plane/york1997-rate", value_of("york1997.rate"), at_most(1e-5), at_rest)
-          .fails("the mixed derivative of bilinear shapes, but not their second ones, changes forces as points "
-                 "move: waves of shear grow",
+          .fails("the mixed derivative of bilinear shapes, but not their second ones, changes forces as points move: "
+                 "waves of shear grow",
                  {0.55, 0.7}),
       gate("plane/york1997-ratio", value_of("york1997.ratio"), between(1.9, 2.2),
-           theory("FLIP damps nothing: growth per time does not depend on the step, "
-                  "growth per step is in proportion")),
+           theory("FLIP damps nothing: growth per time does not depend on the step, growth per step is in proportion")),
       gate("plane/default-rate", value_of("default.rate"), at_most(1e-5), at_rest)
-          .fails("sums over points of second derivatives of shapes are not the integrals that vanish; APIC damps "
-                 "what that makes grow, once a step",
+          .fails("sums over points of second derivatives of shapes are not the integrals that vanish; APIC damps what "
+                 "that makes grow, once a step",
                  {0.0069, 0.0084}, "2026-11-23 5825b24"),
       gate("plane/default-ratio", value_of("default.ratio"), between(3.6, 4.2),
            theory("damped by a share a step, driven by Δt²: growth per step is in proportion to Δt²"))};

@@ -22,8 +22,8 @@ const std::vector<Member>& members() {
       {"musl", 1, 1, "symplectic Euler: strains take the velocities of the end"},
       {"usavg", 2, 2, "half a strain, a kick, half a strain: symmetric"},
       {"midpoint", 1, 1,
-       "the nodes' velocity of the midpoint is off from what the points' would map to by dt/2 (1 − P) a; of order dt "
-       "h²"},
+       "the nodes' velocity of the midpoint is off from what the points' would map to by dt/2 (1 − P) a; of "
+       "order dt h²"},
       {"central-difference", 2, 1, "strains as the leapfrog; velocities are those of half a step ago"},
       {"ssp-rk3", 3, 3, "a Runge-Kutta method of order three on the semi-discrete equations"},
       {"rk4", 4, 4, "a Runge-Kutta method of order four on the semi-discrete equations"},
