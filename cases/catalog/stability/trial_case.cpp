@@ -2,8 +2,18 @@
 
 namespace plumbline {
 
-Number error_of(const std::string& measure) { return error_at(measure, trial_level); }
-Number value_of(const std::string& measure) { return value_at(measure, trial_level); }
+namespace {
+
+// A trial has no level to be told.
+Number called(std::string quantity, Number number) {
+  number.quantity = std::move(quantity);
+  return number;
+}
+
+}  // namespace
+
+Number error_of(const std::string& measure) { return called(measure, error_at(measure, trial_level)); }
+Number value_of(const std::string& measure) { return called("value of " + measure, value_at(measure, trial_level)); }
 
 Measure finding(std::string name, double value, std::string unit) {
   Measure measure;

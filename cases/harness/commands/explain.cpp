@@ -8,8 +8,8 @@ void print(const Output& out, const Case& entry) {
   const Statement s = entry.statement();
   out.line("{}: {}\n{}\n\nClaim: {}\n\n{}\n", s.name, s.title, s.source, s.claim, s.physics);
   for (const std::string& equation : s.equations) out.line("    {}", equation);
-  out.line("\nReference `{}`: {}\n  Bound: {}\n\nKeys (cells count along {})", s.reference_name, s.reference_text,
-           s.reference_bound, s.cells_along);
+  out.line("\nReference `{}`: {}\n  Bound: {}\n\nKeys{}", s.reference_name, s.reference_text, s.reference_bound,
+           s.cells_along.empty() ? "" : " (cells count along " + s.cells_along + ")");
   const Settings settings = entry.settings("default", {});
   for (const Key& key : settings.keys()) {
     out.line("  {:22} {:12} {:34} {}", key.name, to_text(key.value), key.allowed(), key.description);
@@ -25,7 +25,8 @@ void print(const Output& out, const Case& entry) {
       if (g.gate.expected_failure) out.line("    expected to fail: {}", g.gate.expected_failure->cause);
     }
   }
-  out.line("\nEvery study also passes the generic gates: finite, mass, momentum, energy ledger.\nKnown limits");
+  out.line("\nEvery study also passes the generic gates: {}.\nKnown limits",
+           entry.trials.empty() ? "finite, mass, momentum, energy ledger" : "finite");
   for (const std::string& limit : s.known_limits) out.line("  {}", limit);
   const std::string why_not = why_not_scored(entry, settings);
   out.line("\nFinal states of other programs (`plumbline score`): {}",

@@ -42,7 +42,7 @@ Json case_entries() {
     list.push_back({{"name", s.name},
                     {"title", s.title},
                     {"source", s.source},
-                    {"cells_along", s.cells_along},
+                    {"cells_along", s.cells_along.empty() ? Json() : Json(s.cells_along)},
                     {"keys", keys},
                     {"kind", entry->trials.empty() ? name(entry->kind) : "trials"},
                     {"scored", why_not_scored(*entry, entry->settings("default", {})).empty()}});
@@ -85,8 +85,9 @@ void print(const Output& out, const Json& all) {
       if (e.contains("cells_along")) {
         std::string keys;
         for (const auto& key : e.at("keys")) keys += " " + key.get<std::string>();
-        out.line("  {:18} cells along {}; own keys:{}{}", "", e.at("cells_along").get<std::string>(), keys,
-                 e.at("scored").get<bool>() ? "; scored" : "");
+        const auto& along = e.at("cells_along");
+        out.line("  {:18} {}own keys:{}{}", "", along.is_null() ? "" : "cells along " + along.get<std::string>() + "; ",
+                 keys, e.at("scored").get<bool>() ? "; scored" : "");
       }
       if (e.contains("claims") && !e.at("claims").empty()) {
         std::string claims;

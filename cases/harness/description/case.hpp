@@ -28,7 +28,7 @@ struct Statement {
   std::string physics;                 // paragraphs separated by blank lines
   std::vector<std::string> equations;  // Unicode text
   std::string sketch;                  // inline SVG, currentColor
-  std::string cells_along;             // what `cells` counts
+  std::string cells_along;             // what `cells` counts; empty of trials
   std::string reference_name, reference_text, reference_bound;
   struct TheoryOrder {
     std::string measure;

@@ -167,7 +167,7 @@ Statement statement_of(const Prose& prose, std::string sketch) {
   s.physics = prose.paragraphs("Physics");
   s.equations = prose.code("Equations");
   s.sketch = std::move(sketch);
-  s.cells_along = prose.paragraphs("Cells");
+  if (prose.has("Cells")) s.cells_along = prose.paragraphs("Cells");
   const std::string reference = "Reference: ";
   s.reference_name = prose.rest_of_heading(reference);
   s.reference_text = prose.paragraphs(reference + s.reference_name);

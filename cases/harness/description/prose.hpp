@@ -47,7 +47,7 @@ class Prose {
 Prose written_prose(const std::string& name);
 std::string written_sketch(const std::string& name);
 
-// Sections: Source, Claim, Physics, [Equations] (code), Cells, Reference: NAME, Bound of the reference, [Orders] (items
+// Sections: Source, Claim, Physics, [Equations] (code), [Cells], Reference: NAME, Bound of the reference, [Orders] (items
 // `MEASURE, ... of order NUMBER: why`, the number as 2 or 4/3), [Known limits] (items).
 Statement statement_of(const Prose& prose, std::string sketch);
 

@@ -250,7 +250,7 @@ Json catalog_entry(const Case& entry) {
                 {"physics", s.physics},
                 {"equations", s.equations},
                 {"sketch", s.sketch},
-                {"cells_along", s.cells_along},
+                {"cells_along", s.cells_along.empty() ? Json() : Json(s.cells_along)},
                 {"parameters", parameters},
                 {"reference", {{"name", s.reference_name}, {"text", s.reference_text}, {"bound", s.reference_bound}}},
                 {"theory_order", orders},

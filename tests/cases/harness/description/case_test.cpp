@@ -100,11 +100,12 @@ INSTANTIATE_TEST_SUITE_P(Cases, EveryCase, ::testing::ValuesIn(cases()), [](cons
 
 TEST_P(EveryCase, SaysWhatItIs) {
   const Statement s = GetParam()->statement();
-  for (const std::string& text : {s.title, s.source, s.claim, s.physics, s.sketch, s.cells_along, s.reference_name,
-                                  s.reference_text, s.reference_bound}) {
+  for (const std::string& text :
+       {s.title, s.source, s.claim, s.physics, s.sketch, s.reference_name, s.reference_text, s.reference_bound}) {
     EXPECT_FALSE(text.empty());
   }
   EXPECT_FALSE(s.equations.empty());
+  EXPECT_EQ(s.cells_along.empty(), !GetParam()->trials.empty());
 }
 
 TEST_P(EveryCase, HasNoKeyTwice) {
