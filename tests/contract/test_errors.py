@@ -52,6 +52,19 @@ def test_scene_that_an_integrator_cannot_move_names_both(plumbline, more):
     assert (error["key"], error["value"]) == ("integrator", "musl") and error["allowed"]
 
 
+@pytest.mark.parametrize("arguments, key", [
+    (["run", "stability-bar", "--cells", 20], "cells"),
+    (["run", "stability-bar", "--set", "shape=linear"], "shape"),
+    (["run", "stability-bar", "--integrator", "musl"], "integrator"),
+    (["run", "stability-bar", "--frames", 3], "--frames"),
+    (["run", "stability-bar", "--checkpoint", "c.h5"], "--checkpoint"),
+    (["export", "stability-bar", "--output", "c.h5"], "case"),
+    (["converge", "stability-bar", "--cells", "10,20"], "case"),
+], ids=lambda value: "-".join(map(str, value)) if isinstance(value, list) else None)
+def test_trials_take_no_choices_of_runs(plumbline, arguments, key):
+    assert refused(plumbline, *arguments, says=["stability-bar"])["key"] == key
+
+
 @pytest.mark.parametrize("arguments, nearest", [
     (["run", "sodd"], "sod"),
     (["explain", "spring-mas"], "spring-mass"),

@@ -106,6 +106,10 @@ void print(const Output& out, const StudyResult& study, const std::vector<Judged
 int execute(const Invocation& invocation, const ConvergeOptions& options) {
   const Case& entry = find_case(options.case_name);
   const Vary vary = vary_from(options.vary);
+  if (!entry.trials.empty()) {
+    throw UsageError("case", entry.name, "a case of runs", {},
+                     "converge: " + entry.name + " has trials, in which nothing is refined");
+  }
   const CommonOptions& common = invocation.options;
   std::vector<ChosenPlan> plans;
   for (const SchemeChoice& choice : chosen_schemes(common))

@@ -50,9 +50,28 @@ std::vector<JudgedGate> judge_run(const Case& entry, const RunResult& run, const
   return judge_gates(gates, study);
 }
 
+void print_ledger(const Output& out, const Ledger& l) {
+  out.line(
+      "  ledger             energy {:.8g} -> {:.8g} J (kinetic {:.4g}, internal {:.4g}, elastic {:.4g}), relative "
+      "drift {:.1e}",
+      l.energy.initial(), l.energy.store(), l.stores.kinetic, l.stores.internal, l.stores.elastic,
+      l.energy.relative_drift(false));
+  for (int f = 0; f < flow_count; ++f) {
+    const double amount = l.energy.flow(static_cast<Flow>(f));
+    if (amount != 0) out.line("    {:16} {:+.6e} J", flow_names[static_cast<std::size_t>(f)], amount);
+  }
+  out.line("  momentum drift {:.1e}, mass drift {:.1e}", l.momentum[0].relative_drift(true),
+           l.mass.relative_drift(false));
+}
+
 void print(const Output& out, const RunResult& run, const std::vector<JudgedGate>& gates, bool expected) {
-  out.line("{} under {}: {} points, {} steps to t = {:.6g} s in {:.4g} s, {:.3g} point-steps/s", run.case_name,
-           run.scheme, run.points, run.steps, run.end_time, run.wall_s, run.point_steps_per_s());
+  const bool is_trial = run.dim == 0;
+  if (is_trial) {
+    out.line("{}, trial {}: {:.4g} s", run.case_name, run.settings.text("trial"), run.wall_s);
+  } else {
+    out.line("{} under {}: {} points, {} steps to t = {:.6g} s in {:.4g} s, {:.3g} point-steps/s", run.case_name,
+             run.scheme, run.points, run.steps, run.end_time, run.wall_s, run.point_steps_per_s());
+  }
   if (run.stop) {
     out.line("STOPPED at step {} (t = {:.6g} s): {}; point {}, field {}, value {:.6g}", run.stop->step, run.stop->time,
              run.stop->reason, run.stop->point, run.stop->field, run.stop->value);
@@ -66,18 +85,8 @@ void print(const Output& out, const RunResult& run, const std::vector<JudgedGate
                m.error / m.scale, m.reference_bound);
     }
   }
-  const Ledger& l = run.ledger;
-  out.line(
-      "  ledger             energy {:.8g} -> {:.8g} J (kinetic {:.4g}, internal {:.4g}, elastic {:.4g}), relative "
-      "drift {:.1e}",
-      l.energy.initial(), l.energy.store(), l.stores.kinetic, l.stores.internal, l.stores.elastic,
-      l.energy.relative_drift(false));
-  for (int f = 0; f < flow_count; ++f) {
-    const double amount = l.energy.flow(static_cast<Flow>(f));
-    if (amount != 0) out.line("    {:16} {:+.6e} J", flow_names[static_cast<std::size_t>(f)], amount);
-  }
-  out.line("  momentum drift {:.1e}, mass drift {:.1e}; expectation: {}", l.momentum[0].relative_drift(true),
-           l.mass.relative_drift(false), expected ? "declared" : "none");
+  if (!is_trial) print_ledger(out, run.ledger);
+  out.line("  expectation: {}", expected ? "declared" : "none");
   out.gates(gates);
 }
 
