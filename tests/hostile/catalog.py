@@ -27,6 +27,11 @@ class Catalog:
     def scored(self):
         return sorted(entry["name"] for entry in self.listing["cases"] if entry["scored"])
 
+    @functools.cached_property
+    def runs(self):
+        """Names of the cases that run scenes; the others have trials."""
+        return sorted(entry["name"] for entry in self.listing["cases"] if entry["kind"] != "trials")
+
     def schemes(self, case):
         return sorted(entry["name"] for entry in self.listing["schemes"] if case in entry["settings"])
 

@@ -42,7 +42,7 @@ def scored(dice, catalog):
 @kind(7)
 def planned(dice, catalog):
     """`--plan` of `--from`: the whole plan is checked, nothing runs; or a small one runs."""
-    case = dice.choice([name for name in catalog.names("cases") if not name.startswith("stability")])
+    case = dice.choice(catalog.runs)
     own = {"sweep": {"case": [case], "cells": [max(4, values.ends(catalog.parameters(case)[0])[0]), 6], "ppc": [2]}}
     plan = dice.choice((own, own, {"runs": [{"case": case, "scheme": "default", "settings": {"cells": 4}}]}, None))
     if plan is None:

@@ -181,7 +181,7 @@ class Listing:
 import json, sys
 parameters = {PARAMETERS!r}
 if sys.argv[1] == "list":
-    print(json.dumps({{"cases": [{{"name": "sod", "scored": False}}], "integrators": [{{"name": "usl"}}],
+    print(json.dumps({{"cases": [{{"name": "sod", "kind": "gas", "scored": False}}], "integrators": [{{"name": "usl"}}],
                       "schemes": [{{"name": "default", "settings": {{"sod": {{}}}}}}]}}))
 elif sys.argv[1] == "explain":
     print(json.dumps({{"parameters": parameters}}))
