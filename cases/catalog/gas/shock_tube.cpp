@@ -26,7 +26,6 @@ TubeParameters::TubeParameters(const ShockTube& defaults, Parameters given)
                            .low_open = true,
                            .high_open = true,
                            .description = "position of the diaphragm"});
-  tube.high = positive("length", tube.high, "m", "length of the tube");
   tube.end_time = positive("t_end", tube.end_time, "s", "end time");
   tube.dimension = integer({.name = "dimension",
                             .value = static_cast<double>(tube.dimension),
