@@ -148,8 +148,7 @@ std::vector<CaseGate> gates() {
           gate("default/velocity-order", order_of(velocity), at_least(0.85),
                theory("shock and head of the rarefaction allow 1; the corner at the head approaches it from below "
                       "on coarse meshes")),
-          gate("default/pressure-100", error_at("pressure.L1", 100), at_most(0.0070), requirement("as of the density")),
-      energy_gate("default"), gate("default/coverage-100", value_at("coverage", 100), between(0.99, 1.01), covered),
+          energy_gate("default"), gate("default/coverage-100", value_at("coverage", 100), between(0.99, 1.01), covered),
           gate("default/coverage-1600", value_at("coverage", 1600), between(0.99, 1.01), covered),
           as_it_was("default/density-400", error_at(density, 400), 0.00140931, sharper),
           as_it_was("default/velocity-400", error_at(velocity, 400), 0.00318103, sharper),
