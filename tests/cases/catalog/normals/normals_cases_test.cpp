@@ -15,31 +15,6 @@ namespace {
 
 class NormalsCases : public testing::TestWithParam<std::string> {};
 
-TEST_P(NormalsCases, SayWhatTheyAre) {
-  const Statement s = find_case(GetParam()).statement();
-  for (const std::string& text : {s.title, s.source, s.claim, s.physics, s.sketch, s.cells_along, s.reference_name,
-                                  s.reference_text, s.reference_bound})
-    EXPECT_FALSE(text.empty());
-  EXPECT_FALSE(s.equations.empty());
-  EXPECT_FALSE(s.theory_orders.empty());
-  EXPECT_FALSE(s.known_limits.empty());
-  EXPECT_NE(s.sketch.find("</svg>"), std::string::npos);
-}
-
-TEST_P(NormalsCases, DeclareValidGates) {
-  for (const CaseGate& gate : find_case(GetParam()).gates) {
-    EXPECT_NO_THROW(validate(gate.gate));
-  }
-}
-
-TEST_P(NormalsCases, DefaultIsWhatMembranesHave) {
-  const Settings settings = find_case(GetParam()).settings("default", {});
-  for (const Key& key : kind_keys(Kind::membrane)) {
-    if (key.name == "cells") continue;
-    EXPECT_EQ(settings[key.name], key.value) << key.name;
-  }
-}
-
 TEST_P(NormalsCases, NothingMoves) {
   const Case& entry = find_case(GetParam());
   for (const char* scheme : {"default", "york1997"}) {

@@ -1,4 +1,4 @@
-// What every case of a solid must have, and what single cases promise.
+// What single cases of solids promise.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,50 +10,6 @@
 
 namespace plumbline {
 namespace {
-
-const std::vector<std::string> names{"mms-bar",     "mms-axis-aligned", "mms-ring",      "mms-vortex",  "bar-vibration",
-                                     "bar-riemann", "cell-crossing",    "spinning-disk", "plane-stress"};
-
-class SolidCases : public testing::TestWithParam<std::string> {};
-
-TEST_P(SolidCases, SayWhatTheyAre) {
-  const Statement s = find_case(GetParam()).statement();
-  for (const std::string& text : {s.title, s.source, s.claim, s.physics, s.sketch, s.cells_along, s.reference_name,
-                                  s.reference_text, s.reference_bound})
-    EXPECT_FALSE(text.empty());
-  EXPECT_FALSE(s.equations.empty());
-  EXPECT_FALSE(s.theory_orders.empty());
-  EXPECT_FALSE(s.known_limits.empty());
-  EXPECT_NE(s.sketch.find("</svg>"), std::string::npos);
-}
-
-TEST_P(SolidCases, DeclareValidGates) {
-  for (const CaseGate& gate : find_case(GetParam()).gates) {
-    EXPECT_NO_THROW(validate(gate.gate));
-  }
-}
-
-// One definition for all solids: a study may differ in what it says, not the case.
-TEST_P(SolidCases, DefaultIsWhatSolidsHave) {
-  const Settings settings = find_case(GetParam()).settings("default", {});
-  for (const Key& key : kind_keys(Kind::solid)) {
-    if (key.name == "cells") continue;
-    EXPECT_EQ(settings[key.name], key.value) << key.name;
-  }
-}
-
-TEST_P(SolidCases, YorksSchemeHasAStep) {
-  const Settings settings = find_case(GetParam()).settings("york1997", {});
-  EXPECT_EQ(settings.text("shape"), "linear");
-  EXPECT_EQ(settings.text("transfer"), "flip");
-  EXPECT_TRUE(settings.is_set("cfl") || settings.is_set("dt"));
-}
-
-INSTANTIATE_TEST_SUITE_P(All, SolidCases, testing::ValuesIn(names), [](const auto& p) {
-  std::string name = p.param;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
 
 double value(const RunResult& run, const std::string& measure) {
   const Measure* found = run.find(measure);

@@ -105,6 +105,8 @@ TEST_P(EveryCase, SaysWhatItIs) {
     EXPECT_FALSE(text.empty());
   }
   EXPECT_FALSE(s.equations.empty());
+  for (const Statement::TheoryOrder& order : s.theory_orders) EXPECT_FALSE(order.why.empty());
+  EXPECT_NE(s.sketch.find("</svg>"), std::string::npos);
   EXPECT_EQ(s.cells_along.empty(), !GetParam()->trials.empty());
 }
 
