@@ -19,7 +19,10 @@ std::function<void()> act = [] {};  // in a step
 
 class GuardedIntegrator : public testing::Test {
  protected:
-  void TearDown() override { act = [] {}; }  // a registered integrator outlives its test
+  // A registered integrator outlives its test.
+  void TearDown() override {
+    act = [] {};
+  }
 };
 struct Odd {};
 
