@@ -107,6 +107,16 @@ void at_exit(int status, void*) {
   ::_exit(status);
 }
 
+// Each call of exit() takes a handler off the list: there is one for every thread that may call it while another is ending the
+// program, or that call would end it with its own status.
+bool register_at_exit() {
+  constexpr int threads = 1024;
+  bool registered = true;
+  for (int k = 0; k < threads && registered; ++k)
+    registered = ::on_exit(at_exit, nullptr) == 0 && std::at_quick_exit(give_up_at_exit) == 0;
+  return registered;
+}
+
 [[noreturn]] void at_terminate() {
   const WatchedCall* call = call_of_this_thread();
   const std::string did = std::current_exception() ? what_was_thrown() + " where nothing may be thrown"
@@ -182,7 +192,7 @@ struct PluginWatch::Watchman {
 
 PluginWatch::PluginWatch(std::optional<double> limit, bool json_on_stdout)
     : watchman_(std::make_unique<Watchman>(limit)) {
-  static const bool registered = ::on_exit(at_exit, nullptr) == 0 && std::at_quick_exit(give_up_at_exit) == 0;
+  static const bool registered = register_at_exit();
   json = json_on_stdout;
   armed = registered;
   terminate_before = std::set_terminate(at_terminate);
