@@ -59,17 +59,12 @@ class RingAtRestRun final : public Problem {
   }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {
-    const auto ratio = [](const char* name, double value) {
-      Measure m = scalar_measure(name, value, 0, 0, "1");
-      m.scale = 1;
-      return m;
-    };
     const Scene& scene = simulation.scene();
     const BagState now = look_at(scene.bodies[0], scene.bodies[1], ring_.material, centre());
-    return {ratio("hoop_drift", hoop_drift_),
-            ratio("hoop_drift_at_end", std::abs(last_drift_ / last_time_)),
-            ratio("radius_drift", radius_drift_),
-            ratio("hoop_scatter", hoop_scatter_),
+    return {share_measure("hoop_drift", hoop_drift_),
+            share_measure("hoop_drift_at_end", std::abs(last_drift_ / last_time_)),
+            share_measure("radius_drift", radius_drift_),
+            share_measure("hoop_scatter", hoop_scatter_),
             scalar_measure("pressure", now.pressure, at_.problem.pressure, 0, "Pa"),
             scalar_measure("escaped_points", now.escaped, 0, 0, "1")};
   }

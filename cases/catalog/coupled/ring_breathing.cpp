@@ -57,9 +57,8 @@ class RingBreathingRun final : public Problem {
     const reference::Bounded omega = exact_.omega(at_.mode);
     const auto wave = damped_wave(times_, shares_);
     const double none = std::nan("");
-    Measure damping = scalar_measure("damping", wave ? wave->damping : none, 0, 0, "1");
-    damping.scale = 1;
-    return {scalar_measure("omega", wave ? wave->omega : none, omega.value, omega.bound, "rad/s"), damping};
+    return {scalar_measure("omega", wave ? wave->omega : none, omega.value, omega.bound, "rad/s"),
+            share_measure("damping", wave ? wave->damping : none)};
   }
 
   Profile profile(const Simulation&) const override {

@@ -31,10 +31,7 @@ GasFlow pulse_flow(const Settings& settings) {
   GasFlow flow;
   flow.gamma = pulse.wave.gamma;
   flow.end_time = pulse.end_time;
-  flow.initial = [wave](double x) {
-    const reference::Sample at = wave->sample(x, 0);
-    return reference::GasState{at.density.value, at.velocity.value, at.pressure.value};
-  };
+  flow.initial = [wave](double x) { return state_of(wave->sample(x, 0)); };
   flow.exact = [wave](double x, double t) { return wave->sample(x, t); };
   return flow;
 }

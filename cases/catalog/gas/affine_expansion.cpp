@@ -1,6 +1,4 @@
 // A cylinder or sphere of gas that expands into a vacuum, every part of it in proportion.
-#include "reference/affine_expansion.hpp"
-
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -11,6 +9,7 @@
 #include "cases/harness/description/parameters.hpp"
 #include "cases/harness/files/errors.hpp"
 #include "cases/harness/verify/restart_gate.hpp"
+#include "reference/affine_expansion.hpp"
 
 namespace plumbline {
 namespace {

@@ -60,7 +60,7 @@ void over_interval(const Interval& over, Visit&& visit) {
   for (const auto& [place, weight] : gauss) visit(over.middle() + place * over.length(), weight * over.length());
 }
 
-// The part of the gas in a lattice cell: stations along all directions but the last, the exact interval inside along it.
+// The part of the gas in a lattice cell: stations along all directions but the last, along that the exact interval.
 class LatticeCell {
  public:
   LatticeCell(const GasBall& ball, double gamma, double size) : ball_(ball), gamma_(gamma), size_(size) {}
@@ -100,8 +100,8 @@ class LatticeCell {
   double gamma_, size_;
 };
 
-// Parts of less than a quarter of a cell are given to the next cell inwards: a sliver at the edge would be a point of next
-// to no mass, and where the gas ends in nothing, of next to no energy.
+// Parts of less than a quarter of a cell are given to the next cell inwards: a sliver at the edge would be a point of
+// next to no mass, and where the gas ends in nothing, of next to no energy.
 std::vector<Part> lattice(const GasBall& ball, double gamma, double size) {
   const LatticeCell cells(ball, gamma, size);
   const int count = whole(std::ceil(ball.radius / size));

@@ -21,10 +21,10 @@ struct GasBall {
 //                                  so that each has the mass of one at the centre; where that would leave less than
 //                                  `least` a cell along a direction, that many, and lighter ones.
 //   `spacing` given                the same shells with this distance of points, whatever masses come out
-// In a slice of rings: intervals along the radius as fill_gas() has them. Rings are per radian: with equal spacing their
-// masses go with the distance from the axis, in all layouts.
-// A point stands at the centre of mass of its part and has its mass and internal energy; so sums over the points are the
-// integrals over the gas.
+// In a slice of rings: intervals along the radius as fill_gas() has them. Rings are per radian: with equal spacing
+// their masses go with the distance from the axis, in all layouts.
+// A point stands at the centre of mass of its part and has its mass and internal energy; so sums over the points are
+// the integrals over the gas.
 Body fill_ball(std::shared_ptr<const IdealGas> gas, const GasBall& ball, const PointRule& rule, const GridSpec& grid);
 
 }  // namespace plumbline

@@ -15,8 +15,8 @@ struct ObliqueGas {
 };
 
 // The body: rows of points along n, intervals and lines across as fill_gas() has them for a box that is turned with the
-// gas, of which all points inside the grid are taken. So between its ends a row is the run on a line, whatever the angle;
-// at the grid's sides the gas is short of, or over, its mass by up to half a point a row.
+// gas, of which all points inside the grid are taken. So between its ends a row is the run on a line, whatever the
+// angle; at the grid's sides the gas is short of, or over, its mass by up to half a point a row.
 Body fill_oblique(std::shared_ptr<const IdealGas> gas, const ObliqueGas& oblique, const PointRule& rule,
                   const GridSpec& grid);
 

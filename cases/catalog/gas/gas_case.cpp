@@ -14,12 +14,6 @@ std::function<std::unique_ptr<Problem>(const Settings&)> gas_run(std::function<G
   return [flow_of = std::move(flow_of)](const Settings& settings) { return gas_problem(flow_of(settings), settings); };
 }
 
-std::vector<CaseGate> joined(std::initializer_list<std::vector<CaseGate>> lists) {
-  std::vector<CaseGate> all;
-  for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
-  return all;
-}
-
 std::vector<CaseGate> required_order(const std::string& study, const std::string& measure, double order,
                                      const std::string& reason) {
   const std::string id = study + "/" + measure.substr(0, measure.find('.'));
@@ -56,15 +50,19 @@ CaseGate same_numbers_gate(const std::string& study, const std::string& as, doub
       .beside({as});
 }
 
+double density_error(const StudyResult& s, double level) {
+  const StudyLevel* at = s.level(level);
+  const Measure* m = at ? at->run.find("density.L1") : nullptr;
+  if (!m) throw std::runtime_error("study " + s.plan.id + " has no density.L1 at " + to_text(level));
+  return m->error;
+}
+
 Number density_error_over(const std::string& other, const std::string& named, double level) {
-  const auto error = [level](const StudyResult& s) {
-    const StudyLevel* at = s.level(level);
-    const Measure* m = at ? at->run.find("density.L1") : nullptr;
-    if (!m) throw std::runtime_error("study " + s.plan.id + " has no density.L1 at " + to_text(level));
-    return m->error;
-  };
   return number_of("density.L1 over that of " + named + ", at " + to_text(level),
-                   [=](const StudyResult& s) { return Measured::of(error(s) / error(*s.sibling(other))); }, {level});
+                   [=](const StudyResult& s) {
+                     return Measured::of(density_error(s, level) / density_error(*s.sibling(other), level));
+                   },
+                   {level});
 }
 
 CaseGate coverage_gate(const std::string& study, double level) {

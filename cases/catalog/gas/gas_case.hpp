@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <initializer_list>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,8 +19,6 @@ Override york_step(const Settings& settings);
 // Case::problem of the flow that follows from the settings.
 std::function<std::unique_ptr<Problem>(const Settings&)> gas_run(std::function<GasFlow(const Settings&)> flow_of);
 
-std::vector<CaseGate> joined(std::initializer_list<std::vector<CaseGate>> lists);
-
 // The gates of a study in which a field's error falls: the estimate at least `order`, the low end of
 // its interval at least 0.1 below that.
 std::vector<CaseGate> required_order(const std::string& study, const std::string& measure, double order,
@@ -34,6 +31,8 @@ CaseGate coverage_gate(const std::string& study, double level);
 // errors in density, velocity, pressure and energy.
 CaseGate same_numbers_gate(const std::string& study, const std::string& as, double level);
 
+// The error of density.L1 at a level. Throws std::runtime_error where there is none.
+double density_error(const StudyResult& study, double level);
 // The error of density.L1 over that of another study of the case at the same level. `named`: that study in words.
 Number density_error_over(const std::string& other, const std::string& named, double level);
 

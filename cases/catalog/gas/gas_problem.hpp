@@ -15,6 +15,11 @@
 
 namespace plumbline {
 
+// A sample without its bounds.
+inline reference::GasState state_of(const reference::Sample& at) {
+  return {at.density.value, at.velocity.value, at.pressure.value};
+}
+
 // A point as the reference sees it, in the moving frame.
 struct GasSample {
   double coordinate, volume;           // m, m^3
@@ -73,8 +78,8 @@ struct GasFlow {
 // ends by less than a cell and the gas with them, so that the gas always ends on them.
 //
 // Measures: density, pressure, energy (per mass), and velocity: the length of the vector v_p - u n; each L1, L2, Linf
-// over the points judged, weighted with V_p = m_p / rho_p. `coverage`: volume of the points over that of the space where
-// they are judged; a point across the end of that space counts with its share inside, V_p^(1/dim) long.
+// over the points judged, weighted with V_p = m_p / rho_p. `coverage`: volume of the points over that of the space
+// where they are judged; a point across the end of that space counts with its share inside, V_p^(1/dim) long.
 class GasProblem final : public Problem, public JudgedAtEnd {
  public:
   GasProblem(GasFlow flow, Settings settings);

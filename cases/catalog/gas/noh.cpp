@@ -1,6 +1,4 @@
 // Noh's problem: cold gas runs against a wall, an axis, a centre; the last two in two geometries each.
-#include "reference/noh.hpp"
-
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -9,6 +7,7 @@
 #include "cases/catalog/gas/radial.hpp"
 #include "cases/catalog/gas/shock_front.hpp"
 #include "cases/harness/description/parameters.hpp"
+#include "reference/noh.hpp"
 
 namespace plumbline {
 namespace {

@@ -1,6 +1,4 @@
 // A piston pushed into gas at rest.
-#include "reference/piston_shock.hpp"
-
 #include <cmath>
 #include <memory>
 
@@ -9,6 +7,7 @@
 #include "cases/catalog/gas/shock_tube.hpp"
 #include "cases/harness/description/parameters.hpp"
 #include "cases/harness/verify/restart_gate.hpp"
+#include "reference/piston_shock.hpp"
 
 namespace plumbline {
 namespace {

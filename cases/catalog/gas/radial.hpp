@@ -32,8 +32,8 @@ Position radial_direction(const RadialGeometry& geometry, const Position& x);  /
 // Height of a slice: two cells, the fewest that walls on both sides allow.
 inline double slice_height(double h) { return 2 * h; }
 
-// Share of the scene in masses, energies and volumes of the whole flow, which references count: all round, per length of
-// a cylinder. Rings are counted per radian.
+// Share of the scene in masses, energies and volumes of the whole flow, which references count: all round, per length
+// of a cylinder. Rings are counted per radian.
 double share_of_whole(const RadialGeometry& geometry, double h);
 // Volume of the scene within the radius.
 double space_within(const RadialGeometry& geometry, double radius, double h);
@@ -44,8 +44,8 @@ double space_within(const RadialGeometry& geometry, double radius, double h);
 void set_geometry(GasFlow& flow, const RadialGeometry& geometry, double length, const Settings& settings);
 double cell_size(const GasFlow& flow, const Settings& settings);
 
-// coverage: volume of the points judged over that of the space within `radius`. Points are inside or outside as a whole,
-// a choice of about a cell's worth of them at the radius.
+// coverage: volume of the points judged over that of the space within `radius`. Points are inside or outside as a
+// whole, a choice of about a cell's worth of them at the radius.
 Measure coverage_within(const RadialGeometry& geometry, const std::vector<GasSample>& points, double radius, double h);
 
 // Two hundredths: half a percent for a lattice of squares cut by a circle some tens of points from the centre, and what

@@ -1,6 +1,4 @@
 // Sedov's blast: energy set free on an axis or at a point of cold gas.
-#include "reference/sedov.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -10,6 +8,7 @@
 #include "cases/catalog/gas/radial.hpp"
 #include "cases/catalog/gas/shock_front.hpp"
 #include "cases/harness/description/parameters.hpp"
+#include "reference/sedov.hpp"
 
 namespace plumbline {
 namespace {

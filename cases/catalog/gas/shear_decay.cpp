@@ -1,6 +1,4 @@
 // A shear flow that its own viscosity brings to rest.
-#include "reference/shear_decay.hpp"
-
 #include <cmath>
 #include <map>
 #include <memory>
@@ -8,6 +6,7 @@
 
 #include "cases/catalog/gas/gas_case.hpp"
 #include "cases/harness/description/parameters.hpp"
+#include "reference/shear_decay.hpp"
 
 namespace plumbline {
 namespace {
@@ -47,10 +46,7 @@ GasFlow shear_flow(const Settings& settings) {
   // The reference sums a series; many points stand at each x.
   flow.initial = [exact, known = std::make_shared<std::map<double, reference::GasState>>()](double x) {
     const auto [at, is_new] = known->try_emplace(x);
-    if (is_new) {
-      const reference::Sample start = exact->sample(x, 0);
-      at->second = {start.density.value, start.velocity.value, start.pressure.value};
-    }
+    if (is_new) at->second = state_of(exact->sample(x, 0));
     return at->second;
   };
   flow.exact = [exact](double x, double t) { return exact->sample(x, t); };

@@ -7,6 +7,12 @@
 #include "reference/gas_problem.hpp"
 
 namespace plumbline {
+namespace {
+
+constexpr int cells_across_tube = 4;
+
+}  // namespace
+
 TubeParameters::TubeParameters(const ShockTube& defaults, Parameters given)
     : Parameters(std::move(given)),
       tube(defaults) {

@@ -27,10 +27,11 @@ struct TubeParameters : Parameters {
   explicit TubeParameters(const ShockTube& defaults, Parameters given = {});
 };
 
-// Case::problem: cells are counted along the tube; across it there are a few, between mirrors, and points that stand alike on
-// every line along it: a run on a line, plane or solid. Case::comparators: finite volumes, ends left open.
-constexpr int cells_across_tube = 4;
+// Case::problem: cells are counted along the tube; across it there are a few, between mirrors, and points stand alike
+// on every line along it, whatever the dimension.
 std::function<std::unique_ptr<Problem>(const Settings&)> tube_run(const ShockTube& defaults);
+
+// Case::comparators: finite volumes on a line, ends left open.
 std::function<std::vector<Comparator>(const Settings&, const std::vector<double>&)> beside_finite_volumes(
     const ShockTube& defaults);
 

@@ -73,12 +73,6 @@ std::vector<StudyPlan> studies() {
               .with({{"cells", 100.0}})};
 }
 
-double density_error(const StudyResult& s) {
-  const StudyLevel* at = s.level(100);
-  const Measure* m = at ? at->run.find("density.L1") : nullptr;
-  return m ? m->error : std::nan("");
-}
-
 // The sum of a ledger's memo; errors hardly feel it.
 Number viscous_heat(double cells) {
   return number_at("heat by artificial viscosity at " + to_text(cells), "density.L1", cells,
@@ -87,25 +81,23 @@ Number viscous_heat(double cells) {
 
 const Number worse_than_others = number_of(
     "density.L1 over the larger of quadratic and continuity", [](const StudyResult& s) {
-      return Measured::of(density_error(s) /
-                          larger(density_error(*s.sibling("york1997")), density_error(*s.sibling("york-continuity"))));
+      return Measured::of(density_error(s, 100) / larger(density_error(*s.sibling("york1997"), 100),
+                                                         density_error(*s.sibling("york-continuity"), 100)));
     });
 const Number apart_from_continuity = number_of(
     "difference of density.L1 between continuity and quadratic", [](const StudyResult& s) {
-      return Measured::of(std::abs(density_error(s) - density_error(*s.sibling("york-inviscid-continuity"))));
+      return Measured::of(std::abs(density_error(s, 100) - density_error(*s.sibling("york-inviscid-continuity"), 100)));
     });
 const Number spread = number_of("largest over smallest density.L1", [](const StudyResult& s) {
   double least = HUGE_VAL, largest = 0;
   for (const StudyLevel& at : s.levels) {
-    const Measure* m = at.run.find("density.L1");
-    const double error = m ? m->error : std::nan("");
+    const double error = density_error(s, at.value);
     least = smaller(least, error);
     largest = larger(largest, error);
   }
   return Measured::of(largest / least);
 });
 
-// 2 % is a fifth of what shifting the grid below a cell may do, so only a change of scheme shows.
 CaseGate as_it_was(std::string id, Number number, double value, const std::string& commit) {
   return recorded(std::move(id), std::move(number), value, 0.02, "2026-11-21 " + commit,
                   "own measurement; 2 % is a fifth of what shifting the grid below a cell may do, so only a "

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "cases/catalog/gas/gas_problem.hpp"
 #include "reference/finite_volume.hpp"
 
 namespace plumbline {
@@ -14,10 +15,7 @@ Comparator finite_volume_stick(const reference::GasProblem& problem,
     const auto start = std::chrono::steady_clock::now();
     const auto solution = reference::solve_finite_volume(problem, static_cast<int>(n));
     const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const auto errors = reference::mean_errors(solution, [&](double x) {
-      const reference::Sample at = exact(x);
-      return reference::GasState{at.density.value, at.velocity.value, at.pressure.value};
-    });
+    const auto errors = reference::mean_errors(solution, [&](double x) { return state_of(exact(x)); });
     stick.levels.push_back({n,
                             solution.steps,
                             solution.cell_steps(),

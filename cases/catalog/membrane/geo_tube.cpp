@@ -215,9 +215,13 @@ std::vector<CaseGate> gates() {
   const reference::GeoTube tube(FilledTube().tube);
   const double tension = tube.tension().value, height = tube.height().value, width = tube.width().value,
                contact = tube.contact_width().value;
+  const auto required = [](std::string study, std::string measure, double level, double error, const char* why) {
+    return gate(study + "/" + measure + "-" + to_text(level), error_at(measure, level), at_most(error),
+                requirement(why));
+  };
   return {
-      gate("default/departure-80", error_at("departure", 80), at_most(1e-4),
-           requirement("at rest: no point leaves its place by more than 1e-4 of the height, 0.002 cells")),
+      required("default", "departure", 80, 1e-4,
+               "at rest: no point leaves its place by more than 1e-4 of the height, 0.002 cells"),
       gate("default/departure-order", fitted_order_of("departure"), at_least(1),
            theory("the jump of curvature at the end of the contact, spread over a cell, allows 1")),
       gate("default/tension-40", error_at("tension", 40), at_most(1e-3 * tension),
@@ -225,10 +229,10 @@ std::vector<CaseGate> gates() {
                   "the maps")),
       gate("default/tension-order", fitted_order_of("tension"), at_least(1.8),
            theory("chords of an arc: order 2; 0.2 for the swing about the rest")),
-      gate("default/height-80", error_at("height", 80), at_most(1e-4 * height),
-           requirement("within 0.01 % of the exact height, 0.002 cells, as its points at rest")),
-      gate("default/width-80", error_at("width", 80), at_most(1e-4 * width),
-           requirement("within 0.01 % of the exact width, a few thousandths of a cell, as its points at rest")),
+      required("default", "height", 80, 1e-4 * height,
+               "within 0.01 % of the exact height, 0.002 cells, as its points at rest"),
+      required("default", "width", 80, 1e-4 * width,
+               "within 0.01 % of the exact width, a few thousandths of a cell, as its points at rest"),
       gate("default/contact-80", error_at("contact_width", 80), at_most(1e-3 * contact),
            requirement("within 0.1 % of the exact width in contact, whose ends stand anywhere in a cell: 0.02 cells")),
       gate("from-circle/departure-56", error_at("departure_at_end", 56), at_most(3.1e-3),
@@ -236,14 +240,12 @@ std::vector<CaseGate> gates() {
                   "makes a height of p0 h^2/8T, 0.0031 of the tube's")),
       gate("from-circle/contact-56", error_at("contact_width", 56), at_most(2 * 4.0 / 56),
            theory("a cell at either end: the kernel feels the floor from there")),
-      gate("from-circle/tension-56", error_at("tension", 56), at_most(1e-3 * tension),
-           requirement("within 0.1 % of the exact tension, as at rest")),
-      gate("from-circle/height-56", error_at("height", 56), at_most(1e-3 * height),
-           requirement("within 0.1 % of the exact height, a hundredth of a cell")),
-      gate("accumulated/tension-80", error_at("tension", 80), at_most(1e-3 * tension),
-           requirement("within 0.1 % of the exact tension in the mean over the points, as with segments")),
-      gate("accumulated/departure-80", error_at("departure", 80), at_most(1e-4),
-           requirement("at rest: no point leaves its place by more than 1e-4 of the height, as with segments"))
+      required("from-circle", "tension", 56, 1e-3 * tension, "within 0.1 % of the exact tension, as at rest"),
+      required("from-circle", "height", 56, 1e-3 * height, "within 0.1 % of the exact height, a hundredth of a cell"),
+      required("accumulated", "tension", 80, 1e-3 * tension,
+               "within 0.1 % of the exact tension in the mean over the points, as with segments"),
+      required("accumulated", "departure", 80, 1e-4,
+               "at rest: no point leaves its place by more than 1e-4 of the height, as with segments")
           .fails("nodes feel only what a cell's points pull together: strains of single points drift apart in "
                  "patterns that no node sees, and points with them",
                  {4.3e-4, 5.3e-4}, "2026-11-23 5825b24"),

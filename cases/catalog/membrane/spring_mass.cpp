@@ -145,13 +145,6 @@ const Number period_constant = number_at(
       return Measured::of(period.error * 8 * length * length / (*period.reference * run.h * run.h));
     });
 
-const Number stopped_runs = number_of("runs that stopped", [](const StudyResult& s) {
-  const RunResult& run = s.levels.front().run;
-  Measured measured = Measured::of(run.finished ? 0.0 : 1.0);
-  if (run.stop) measured.stopped = Measured::Stop{run.stop->step, run.stop->field};
-  return measured;
-});
-
 std::vector<CaseGate> gates() {
   const std::string stamp = "2026-11-21 a97e456",
                     smooth = "own measurement of a smooth motion: nothing but a change of the step moves it";
@@ -173,7 +166,7 @@ std::vector<CaseGate> gates() {
       gate("step/drift-order", order_of("energy_drift"), at_least(0.8),
            theory("stress at one end of the step, strain over the step: order 1 in dt")),
       // The energy-conserving step holds its stress over the step.
-      gate("integrator/energy/finite", stopped_runs, exactly(0),
+      gate("integrator/energy/finite", stopped_run(), exactly(0),
            identity("every run arrives at its end with admissible values"))
           .on("integrator/energy")
           .fails("the stress of the start of the step, strained with the midpoint velocity, amplifies elastic "

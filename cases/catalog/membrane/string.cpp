@@ -132,12 +132,6 @@ double energy_drift(const Account& energy) {
   return (energy.flow(Flow::integration) + energy.flow(Flow::transfer)) / energy.scale();
 }
 
-Measure share_measure(std::string name, double value) {
-  Measure measure = scalar_measure(std::move(name), value, 0, 0, "1");
-  measure.scale = 1;
-  return measure;
-}
-
 Measure drift_measure(const Simulation& simulation) {
   return share_measure("energy_drift", energy_drift(simulation.ledger().energy));
 }

@@ -71,8 +71,7 @@ Override york_string_step(const Settings& settings, double speed);
 // What a scheme that claims no conservation of energy gains or loses, as a share of the energies at play.
 double energy_drift(const Account& energy);
 
-// A share of something that the exact solution does not have; the energy drift of a run as one.
-Measure share_measure(std::string name, double value);
+// The energy drift of a run.
 Measure drift_measure(const Simulation& simulation);
 
 // A value for each column.

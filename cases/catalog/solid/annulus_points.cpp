@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "cases/catalog/solid/fill_solid.hpp"
+#include "cases/harness/description/fill_solid.hpp"
 #include "cases/harness/files/whole.hpp"
 
 namespace plumbline {

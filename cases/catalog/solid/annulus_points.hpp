@@ -17,8 +17,8 @@ struct Annulus {
   bool quarter = false;                // x >= centre, y >= centre alone
 };
 
-// On the regular lattice of the grid, `ppc` points a cell and direction: those whose cube has its centre inside. Edges are
-// stairs of half a spacing. density: initial, kg/m^3.
+// On the regular lattice of the grid, `ppc` points a cell and direction: those whose cube has its centre inside. Edges
+// are stairs of half a spacing. density: initial, kg/m^3.
 Body fill_annulus(std::string name, std::shared_ptr<const Material> material, const Annulus& annulus, double density,
                   int ppc, const GridSpec& grid);
 
@@ -28,9 +28,9 @@ Body fill_annulus(std::string name, std::shared_ptr<const Material> material, co
 Body cut_annulus(std::string name, std::shared_ptr<const Material> material, const Annulus& annulus, double density,
                  int ppc, const GridSpec& grid);
 
-// On circles a spacing h/ppc apart (the nearest that divides the width), points about as far apart along each: edges and
-// volume are exact to rounding. Each has the volume of its share of the circle's band, (r_o^2 - r_i^2)/2 dphi, and stands
-// at the centre of mass of that share's radii, at its middle angle; Body::spacing is the root of the mean volume.
+// On circles a spacing h/ppc apart (the nearest that divides the width), points about as far apart along each: edges
+// and volume are exact to rounding. Each has the volume of its share of the circle's band, (r_o^2 - r_i^2)/2 dphi, and
+// stands at the centre of mass of that share's radii, at its middle angle; Body::spacing is the root of the mean volume.
 Body ring_annulus(std::string name, std::shared_ptr<const Material> material, const Annulus& annulus, double density,
                   int ppc, const GridSpec& grid);
 

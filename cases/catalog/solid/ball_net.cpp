@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "cases/catalog/solid/collision.hpp"
-#include "cases/catalog/solid/fill_solid.hpp"
 #include "cases/catalog/solid/net_throw.hpp"
 #include "cases/harness/description/archive.hpp"
+#include "cases/harness/description/fill_solid.hpp"
 #include "cases/harness/description/parameters.hpp"
 #include "cases/harness/judge/gates.hpp"
 #include "kernel/materials/linear_elastic.hpp"
@@ -96,20 +96,15 @@ class BallNetRun final : public Problem {
     const auto& bodies = simulation.scene().bodies;
     const double speed = at_.ball.speed, met = at_.gap / speed;
     const double v = motion_of(bodies[0], 2).velocity[0];
-    const auto share = [](std::string name, double value, double reference) {
-      Measure measure = scalar_measure(std::move(name), value, reference, 0, "1");
-      measure.scale = 1;
-      return measure;
-    };
     return {scalar_measure("ball_velocity", v, -speed, 0, "m/s"),
             scalar_measure("fastest_back", fastest_back_, -speed, 0, "m/s"),
             scalar_measure("turn_time", push_->time_of(speed / (speed - v)), met + 0.5 * thrown_.duration, 0, "s"),
             scalar_measure("leave_time", push_->time_of(0.999), met + thrown_.duration, 0, "s"),
             scalar_measure("deepest", deepest_, thrown_.deepest, 0, "m"),
             scalar_measure("apart", apart(bodies[0], bodies[1]), 0, 0, "m"),
-            share("energy_kept", energy_.kept(), 1),
-            share("energy_rise", energy_.largest_rise(), 0),
-            share("highest_energy", energy_.highest(), 1)};
+            share_measure("energy_kept", energy_.kept(), 1),
+            share_measure("energy_rise", energy_.largest_rise()),
+            share_measure("highest_energy", energy_.highest(), 1)};
   }
 
   Profile profile(const Simulation&) const override {

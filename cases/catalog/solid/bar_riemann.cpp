@@ -1,6 +1,4 @@
 // Jumps that run along a bar with free ends.
-#include "reference/bar_riemann.hpp"
-
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -9,6 +7,7 @@
 #include "cases/catalog/solid/elastic_bar.hpp"
 #include "cases/catalog/solid/manufactured_case.hpp"
 #include "cases/harness/judge/gates.hpp"
+#include "reference/bar_riemann.hpp"
 
 namespace plumbline {
 namespace {

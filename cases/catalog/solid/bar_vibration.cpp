@@ -1,6 +1,4 @@
 // Free vibration of a bar, fixed at one end.
-#include "reference/bar_vibration.hpp"
-
 #include <cmath>
 #include <memory>
 #include <string>
@@ -12,6 +10,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "cases/harness/run/extremes.hpp"
 #include "cases/harness/verify/restart_gate.hpp"
+#include "reference/bar_vibration.hpp"
 
 namespace plumbline {
 namespace {

@@ -86,12 +86,6 @@ double PushWatch::time_of(double share) const {
   return std::nan("");
 }
 
-Measure share_measure(std::string name, double value, double reference) {
-  Measure measure = scalar_measure(std::move(name), value, reference, 0, "1");
-  measure.scale = 1;
-  return measure;
-}
-
 std::vector<double> values_of(const StudyResult& study, const std::string& measure) {
   if (study.levels.empty()) throw std::runtime_error("the study has no runs");
   std::vector<double> values;

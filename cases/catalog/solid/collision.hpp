@@ -75,9 +75,6 @@ class PushWatch {
   std::vector<double> times_, momenta_;
 };
 
-// A measure of scale and unit 1.
-Measure share_measure(std::string name, double value, double reference);
-
 // The values of a measure, level by level. Throws std::runtime_error where a run does not have it, or there is no run.
 std::vector<double> values_of(const StudyResult& study, const std::string& measure);
 // The least rise from one of at least two values to the next.

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "cases/catalog/solid/collision.hpp"
-#include "cases/catalog/solid/fill_solid.hpp"
 #include "cases/harness/description/archive.hpp"
+#include "cases/harness/description/fill_solid.hpp"
 #include "cases/harness/description/schemes.hpp"
 #include "cases/harness/files/whole.hpp"
 #include "cases/harness/run/judged_at_end.hpp"

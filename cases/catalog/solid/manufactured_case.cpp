@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cases/catalog/solid/collision.hpp"
-#include "cases/catalog/solid/fill_solid.hpp"
+#include "cases/harness/description/fill_solid.hpp"
 #include "cases/harness/verdict/order.hpp"
 
 namespace plumbline {

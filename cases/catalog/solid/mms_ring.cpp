@@ -68,13 +68,12 @@ std::vector<CaseGate> gates() {
   const std::string curved = "second order; 0.2 for curved edges";
   const std::string boxes =
       "boxes along the axes overlap where F shears, by a share that does not fall with h; its force grows as 1/h";
-  std::vector<CaseGate> all = displacement_orders({"default"}, 1.8, curved);
-  all.push_back(missed_order("fine", fine, 1.8, boxes, {0.80, 1.00}).in(Tier::full));
-  all.push_back(missed_order("circles", fine, 1.8, boxes, {0.05, 0.23}).in(Tier::full));
-  all.push_back(missed_order("lattice", fine, 1.8, "edges are stairs: first order", {0.85, 1.02}).in(Tier::full));
-  for (CaseGate& gate : displacement_orders({"cubic"}, 1.8, curved)) all.push_back(std::move(gate));
-  all.push_back(restart_gate("default", "runs under loads"));
-  return all;
+  return joined({displacement_orders({"default"}, 1.8, curved),
+                 {missed_order("fine", fine, 1.8, boxes, {0.80, 1.00}).in(Tier::full),
+                  missed_order("circles", fine, 1.8, boxes, {0.05, 0.23}).in(Tier::full),
+                  missed_order("lattice", fine, 1.8, "edges are stairs: first order", {0.85, 1.02}).in(Tier::full)},
+                 displacement_orders({"cubic"}, 1.8, curved),
+                 {restart_gate("default", "runs under loads")}});
 }
 
 Case mms_ring() {

@@ -7,9 +7,9 @@
 
 #include "cases/catalog/solid/collision.hpp"
 #include "cases/catalog/solid/elastic_bar.hpp"
-#include "cases/catalog/solid/fill_solid.hpp"
 #include "cases/catalog/solid/manufactured_case.hpp"
 #include "cases/harness/description/archive.hpp"
+#include "cases/harness/description/fill_solid.hpp"
 #include "cases/harness/description/parameters.hpp"
 #include "cases/harness/description/schemes.hpp"
 #include "cases/harness/judge/gates.hpp"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cases/catalog/solid/collision.hpp"
-#include "cases/catalog/solid/fill_solid.hpp"
 #include "cases/harness/description/archive.hpp"
+#include "cases/harness/description/fill_solid.hpp"
 #include "cases/harness/judge/gates.hpp"
 #include "kernel/materials/linear_elastic.hpp"
 
@@ -66,7 +66,7 @@ class TwoDisks final : public Problem {
             share_measure("elastic_most", most_ / start, 1),
             share_measure("restitution", along, 1),
             share_measure("energy_kept", energy_.kept(), 1),
-            share_measure("energy_rise", energy_.largest_rise(), 0),
+            share_measure("energy_rise", energy_.largest_rise()),
             share_measure("momentum_error", larger(along_x_.largest_error(), along_y_.largest_error()), 0)};
   }
 

@@ -10,12 +10,6 @@
 namespace plumbline {
 namespace {
 
-std::vector<double> spread(double low, double high, int count) {
-  std::vector<double> all;
-  for (int k = 0; k < count; ++k) all.push_back(low + (high - low) * k / (count - 1));
-  return all;
-}
-
 class Bar final : public StabilityProblem {
  public:
   std::string name() const override { return "bar"; }
@@ -69,13 +63,14 @@ class Bar final : public StabilityProblem {
       all.push_back({.kind = "limit",
                      .title = "largest stable step",
                      .overrides = method.overrides(),
-                     .x = {"N", "place of the points in their share of a cell", spread(0.02, 0.5, full ? 9 : 5)},
+                     .x = {"N", "place of the points in their share of a cell", evenly_spaced(0.02, 0.5, full ? 9 : 5)},
                      .y = {"ppc", "points per cell", full ? points_many : points_few}});
-      all.push_back({.kind = "growth",
-                     .title = "spectral radius",
-                     .overrides = method.overrides(),
-                     .x = {"theta", "wave number", spread(std::numbers::pi / 40, std::numbers::pi, full ? 24 : 12)},
-                     .y = {"dt", "step", spread(0.1, 3, full ? 20 : 10)}});
+      all.push_back(
+          {.kind = "growth",
+           .title = "spectral radius",
+           .overrides = method.overrides(),
+           .x = {"theta", "wave number", evenly_spaced(std::numbers::pi / 40, std::numbers::pi, full ? 24 : 12)},
+           .y = {"dt", "step", evenly_spaced(0.1, 3, full ? 20 : 10)}});
       if (full) all[all.size() - 2].observe = {{0.02, 1}, {0.26, 1}, {0.5, 1}, {0.5, 2}};
     }
     return all;

@@ -11,12 +11,6 @@
 namespace plumbline {
 namespace {
 
-std::vector<double> spread(double low, double high, int count) {
-  std::vector<double> all;
-  for (int k = 0; k < count; ++k) all.push_back(low + (high - low) * k / (count - 1));
-  return all;
-}
-
 Side side_of(const Settings& s) {
   const std::string& side = s.text("side");
   return side == "both" ? Side::both : side == "closing" ? Side::closing : Side::opening;
@@ -95,13 +89,14 @@ class Gas final : public StabilityProblem {
           {.kind = "limit",
            .title = "largest stable step",
            .scheme = scheme,
-           .x = {"offset", "shift of the lattice, cells", spread(0.01, 0.31, full ? 9 : 4)},
+           .x = {"offset", "shift of the lattice, cells", evenly_spaced(0.01, 0.31, full ? 9 : 4)},
            .y = {"ppc", "points per cell", full ? std::vector<double>{1, 2, 3, 4, 8} : std::vector<double>{2, 3}}});
-      all.push_back({.kind = "growth",
-                     .title = "spectral radius",
-                     .scheme = scheme,
-                     .x = {"theta", "wave number", spread(std::numbers::pi / 20, std::numbers::pi, full ? 40 : 20)},
-                     .y = {"dt", "step", spread(0.2, 3.2, full ? 30 : 11)}});
+      all.push_back(
+          {.kind = "growth",
+           .title = "spectral radius",
+           .scheme = scheme,
+           .x = {"theta", "wave number", evenly_spaced(std::numbers::pi / 20, std::numbers::pi, full ? 40 : 20)},
+           .y = {"dt", "step", evenly_spaced(0.2, 3.2, full ? 30 : 11)}});
       if (!full) continue;
       all.push_back({.kind = "limit",
                      .title = "largest stable step, with physical viscosity",

@@ -89,16 +89,7 @@ JudgingProgress judging_progress(const std::string& integrator) {
 // The values that assignments give to an integrator's parameters. Others' keys are refused, unless `lenient`.
 std::map<std::string, double> parameters_of(const Subject& subject, const std::vector<std::string>& assignments,
                                             bool lenient) {
-  std::vector<Key> keys;
-  const auto integrator = subject.entry().make();
-  for (const IntegratorParameter& parameter : integrator->parameters()) {
-    keys.push_back({.name = parameter.name,
-                    .value = *parameter.value,
-                    .low = parameter.low,
-                    .high = parameter.high,
-                    .description = parameter.description});
-  }
-  Settings settings(std::move(keys));
+  Settings settings(integrator_keys(subject.entry()));
   for (const std::string& assignment : assignments) {
     const std::string key = assignment.substr(0, assignment.find('='));
     if (!lenient || settings.has(key)) settings.set_text(assignment, "integrator " + subject.name());

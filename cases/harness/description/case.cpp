@@ -1,7 +1,6 @@
 #include "cases/harness/description/case.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "cases/harness/description/auto_courant.hpp"
@@ -33,78 +32,7 @@ std::vector<Case> made_cases() {
   return all;
 }
 
-constexpr std::array vary_names{"cells", "dt", "ppc", "offset"};
-
 }  // namespace
-
-std::string name(Vary vary) { return vary_names[static_cast<std::size_t>(vary)]; }
-
-Vary vary_from(const std::string& text) {
-  for (std::size_t k = 0; k < vary_names.size(); ++k) {
-    if (text == vary_names[k]) return static_cast<Vary>(k);
-  }
-  throw unknown_name("--vary", text, {vary_names.begin(), vary_names.end()});
-}
-
-StudyPlan study(std::string id, std::string title, std::string why, std::vector<double> values) {
-  return {.id = std::move(id), .title = std::move(title), .why = std::move(why), .values = std::move(values)};
-}
-
-StudyPlan StudyPlan::of_york() && {
-  scheme = "york1997";
-  return std::move(*this);
-}
-
-StudyPlan StudyPlan::with(std::vector<Override> choices) && {
-  overrides = std::move(choices);
-  return std::move(*this);
-}
-
-StudyPlan StudyPlan::over(Vary varied) && {
-  vary = varied;
-  return std::move(*this);
-}
-
-StudyPlan StudyPlan::in_full(std::vector<double> levels) && {
-  full_values = std::move(levels);
-  return std::move(*this);
-}
-
-StudyPlan StudyPlan::in(Tier lowest) && {
-  tier = lowest;
-  return std::move(*this);
-}
-
-StudyPlan StudyPlan::pictured(int count, std::optional<double> level) && {
-  frames = count;
-  frames_at = level;
-  return std::move(*this);
-}
-
-CaseGate CaseGate::on(std::string other_study) && {
-  study = std::move(other_study);
-  return std::move(*this);
-}
-
-CaseGate CaseGate::beside(std::vector<std::string> studies) && {
-  also = std::move(studies);
-  return std::move(*this);
-}
-
-CaseGate CaseGate::in(Tier lowest) && {
-  tier = lowest;
-  return std::move(*this);
-}
-
-CaseGate CaseGate::fails(std::string cause, Range band, std::string measured_on) && {
-  gate.expected_failure = ExpectedFailure{std::move(cause), band, {}, std::move(measured_on)};
-  return std::move(*this);
-}
-
-CaseGate CaseGate::or_stops(StopBand band) && {
-  gate.expected_failure->stops = std::move(band);
-  return std::move(*this);
-}
 
 RegisterCases::RegisterCases(std::vector<Case> (*make)(), const char* file) { makers().emplace_back(make, file); }
 RegisterCases::RegisterCases(Case (*make)(), const char* file) {

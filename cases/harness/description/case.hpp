@@ -6,21 +6,20 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "cases/harness/description/case_gate.hpp"
 #include "cases/harness/description/measures.hpp"
 #include "cases/harness/description/schemes.hpp"
 #include "cases/harness/description/settings.hpp"
-#include "cases/harness/verdict/verdict.hpp"
+#include "cases/harness/description/study_plan.hpp"
 #include "kernel/simulation.hpp"
 
 namespace plumbline {
 
 class Archive;
-
-enum class Tier { quick, full };
 
 // What the report says of a case before any number.
 struct Statement {
@@ -53,58 +52,6 @@ class Problem {
   // After the run; densities are fresh.
   virtual std::vector<Measure> measures(const Simulation& simulation) const = 0;
   virtual Profile profile(const Simulation& simulation) const = 0;
-};
-
-// What is refined.
-enum class Vary { cells, dt, ppc, offset };
-std::string name(Vary vary);
-Vary vary_from(const std::string& name);  // UsageError
-
-struct StudyResult;
-
-// A refinement study that verify runs: a scheme with overrides, varied over values.
-struct StudyPlan {
-  std::string id, title;
-  std::string why;  // the order that theory allows, and why
-  std::string scheme = "default";
-  std::vector<Override> overrides = {};
-  Vary vary = Vary::cells;
-  std::vector<double> values = {};       // cells; factors of the step for dt; points per cell; offsets
-  Tier tier = Tier::quick;               // the lowest tier that runs it
-  std::vector<double> full_values = {};  // replaces `values` in the full tier, if not empty
-  bool offsets_in_full = false;          // the full tier repeats each level at four sub-cell offsets
-  int frames = 0;                        // 2 ... 100: so many snapshots of its last level for the report's pictures
-  std::optional<double> frames_at = {};  // of the level with this value instead
-
-  // The same study of york1997; with overrides; that varies something else than the cells; with other values in the full
-  // tier; in this tier and above; with pictures.
-  StudyPlan of_york() &&;
-  StudyPlan with(std::vector<Override> choices) &&;
-  StudyPlan over(Vary varied) &&;
-  StudyPlan in_full(std::vector<double> levels) &&;
-  StudyPlan in(Tier lowest) &&;
-  StudyPlan pictured(int count, std::optional<double> level = {}) &&;
-};
-// A study in cells of the default scheme in the quick tier.
-StudyPlan study(std::string id, std::string title, std::string why, std::vector<double> values);
-
-// A gate on a study: which number, and what it must be. Made by gate() and recorded(): judge/gates.hpp.
-struct CaseGate {
-  std::string study;  // StudyPlan::id
-  Gate gate;
-  std::vector<double> levels;  // the levels that the number needs; empty: the whole study
-  std::function<Measured(const StudyResult&)> measure;
-  Tier tier = Tier::quick;
-  std::vector<std::string> also = {};  // further studies it compares with, by StudyResult::sibling
-
-  // The same gate on another study than its id says; one that compares with further studies; in this tier and above.
-  CaseGate on(std::string other_study) &&;
-  CaseGate beside(std::vector<std::string> studies) &&;
-  CaseGate in(Tier lowest) &&;
-  // The same as one that is expected to fail: why, the band of the wrong value, and date and commit if the band is our own;
-  // and, of one that fails, the steps at which a run may stop instead.
-  CaseGate fails(std::string cause, Range band, std::string measured_on = {}) &&;
-  CaseGate or_stops(StopBand band) &&;
 };
 
 // Another method on the same problem, to show errors beside what they cost. Not judged.

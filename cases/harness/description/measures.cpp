@@ -8,6 +8,12 @@ Measure scalar_measure(std::string name, double value, double reference, double 
   return {std::move(name), std::abs(value - reference), std::abs(reference), value, reference, bound, std::move(unit)};
 }
 
+Measure share_measure(std::string name, double value, double reference, double bound) {
+  Measure measure = scalar_measure(std::move(name), value, reference, bound, "1");
+  measure.scale = 1;
+  return measure;
+}
+
 std::vector<Measure> field_norms(const std::string& name, const std::string& unit,
                                  std::span<const FieldSample> samples) {
   std::vector<ErrorSample> errors;

@@ -28,6 +28,8 @@ struct Measure {
 
 // A scalar against its reference.
 Measure scalar_measure(std::string name, double value, double reference, double bound, std::string unit);
+// A share or ratio, of scale and unit 1.
+Measure share_measure(std::string name, double value, double reference = 0, double bound = 0);
 
 // One point's share in field norms.
 struct FieldSample {

@@ -25,17 +25,10 @@ std::vector<std::string> integrator_names() {
   return all;
 }
 
-// What registered integrators let their users choose. An integrator that is not chosen has no use for its keys.
+// Of all registered integrators. One that is not chosen has no use for its keys.
 void add_integrator_keys(std::vector<Key>& keys) {
   for (const IntegratorEntry& entry : integrators()) {
-    const auto integrator = entry.make();
-    for (const IntegratorParameter& parameter : integrator->parameters()) {
-      keys.push_back({.name = parameter.name,
-                      .value = *parameter.value,
-                      .low = parameter.low,
-                      .high = parameter.high,
-                      .description = parameter.description});
-    }
+    for (Key& key : integrator_keys(entry)) keys.push_back(std::move(key));
   }
 }
 
@@ -194,6 +187,19 @@ std::vector<Key> kind_keys(Kind kind) {
     keys.back().value = *row->of(kind).by_default;
   }
   add_integrator_keys(keys);
+  return keys;
+}
+
+std::vector<Key> integrator_keys(const IntegratorEntry& entry) {
+  std::vector<Key> keys;
+  const auto integrator = entry.make();
+  for (const IntegratorParameter& parameter : integrator->parameters()) {
+    keys.push_back({.name = parameter.name,
+                    .value = *parameter.value,
+                    .low = parameter.low,
+                    .high = parameter.high,
+                    .description = parameter.description});
+  }
   return keys;
 }
 

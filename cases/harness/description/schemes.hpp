@@ -29,6 +29,8 @@ std::vector<Key> kind_keys(Kind kind);
 // bodies name.
 void apply_choices(const Settings& settings, Scene& scene);
 
+// What a registered integrator lets its users choose.
+std::vector<Key> integrator_keys(const IntegratorEntry& entry);
 // The values chosen for the parameters of the settings' integrator, by name.
 std::map<std::string, double> integrator_parameters(const Settings& settings);
 

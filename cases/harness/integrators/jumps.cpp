@@ -28,11 +28,7 @@ const StudyResult& study_of(const Refinement& refinement, const Subject& subject
 
 Measured fitted(const StudyResult& study, const std::string& measure) {
   for (const StudyLevel& at : study.levels) {
-    if (!at.run.stop) continue;
-    Measured stopped;
-    stopped.stopped = Measured::Stop{at.run.stop->step, at.run.stop->field};
-    stopped.note = at.run.stop->reason;
-    return stopped;
+    if (const auto stop = stop_of(at.run)) return *stop;
   }
   const OrderFit* fit = study.fit(measure);
   Measured measured = plain(fit ? fit->order : std::nan(""));
@@ -80,12 +76,7 @@ template <class Read>
 Measured largest_in_collision(const Subject& subject, Read&& read) {
   double largest = 0;
   for (const StudyLevel& at : study_of(collision, subject).levels) {
-    if (at.run.stop) {
-      Measured stopped;
-      stopped.stopped = Measured::Stop{at.run.stop->step, at.run.stop->field};
-      stopped.note = at.run.stop->reason;
-      return stopped;
-    }
+    if (const auto stop = stop_of(at.run)) return *stop;
     largest = larger(largest, read(at.run));
   }
   return plain(largest);

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "cases/catalog/solid/fill_solid.hpp"
+#include "cases/harness/description/fill_solid.hpp"
 #include "kernel/integrator_traits.hpp"
 #include "kernel/materials/ideal_gas.hpp"
 #include "kernel/materials/linear_elastic.hpp"

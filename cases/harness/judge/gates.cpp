@@ -8,6 +8,15 @@
 #include <stdexcept>
 
 namespace plumbline {
+
+std::optional<Measured> stop_of(const RunResult& run) {
+  if (!run.stop) return std::nullopt;
+  Measured measured;
+  measured.stopped = Measured::Stop{run.stop->step, run.stop->field};
+  measured.note = run.stop->reason;
+  return measured;
+}
+
 namespace {
 
 Measured failed(std::string note) {
@@ -20,11 +29,7 @@ Measured failed(std::string note) {
 // What to say of a study whose run at some level stopped.
 std::optional<Measured> stopped_level(const StudyResult& study) {
   for (const StudyLevel& at : study.levels) {
-    if (!at.run.stop) continue;
-    Measured measured;
-    measured.stopped = Measured::Stop{at.run.stop->step, at.run.stop->field};
-    measured.note = at.run.stop->reason;
-    return measured;
+    if (std::optional<Measured> stop = stop_of(at.run)) return stop;
   }
   return std::nullopt;
 }
@@ -34,12 +39,7 @@ template <class Read>
 Measured at_level(const StudyResult& study, const std::string& measure, double level, Read&& read) {
   const StudyLevel* at = study.level(level);
   if (!at) return failed(fmt::format("the study has no level {}", level));
-  if (at->run.stop) {
-    Measured measured;
-    measured.stopped = Measured::Stop{at->run.stop->step, at->run.stop->field};
-    measured.note = at->run.stop->reason;
-    return measured;
-  }
+  if (const std::optional<Measured> stop = stop_of(at->run)) return *stop;
   const Measure* found = at->run.find(measure);
   if (!found) return failed(fmt::format("the run has no measure {}", measure));
   return read(at->run, *found);
@@ -157,6 +157,21 @@ Number energy_drift() {
     measured.value = largest;
     return measured;
   });
+}
+
+Number stopped_run() {
+  return number_of("runs that stopped", [](const StudyResult& s) {
+    const RunResult& run = s.levels.front().run;
+    Measured measured = Measured::of(run.finished ? 0.0 : 1.0);
+    if (run.stop) measured.stopped = Measured::Stop{run.stop->step, run.stop->field};
+    return measured;
+  });
+}
+
+std::vector<CaseGate> joined(std::initializer_list<std::vector<CaseGate>> lists) {
+  std::vector<CaseGate> all;
+  for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
 }
 
 namespace {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,12 +49,16 @@ Number ratio_of(const std::string& measure, double level, double over);  // of t
 Number order_of(const std::string& measure);                             // the interval of the fitted order
 Number fitted_order_of(const std::string& measure);                      // its estimate
 Number energy_drift();                                                   // the largest relative one over all levels
+Number stopped_run();  // whether the study's first run stopped, and where it did, for CaseGate::or_stops
 // Made of a measure and its run at one level.
 Number number_at(std::string quantity, const std::string& measure, double level,
                  std::function<Measured(const RunResult&, const Measure&)> read);
 // Of the whole study, or of these levels.
 Number number_of(std::string quantity, std::function<Measured(const StudyResult&)> read,
                  std::vector<double> levels = {});
+
+// What such a number says of a run that stopped: where, and why. Empty of one that did not.
+std::optional<Measured> stop_of(const RunResult& run);
 
 // What it must be.
 Range at_most(double high);
@@ -78,6 +84,9 @@ CaseGate gate(std::string id, Number number, Range expected, Because because);
 // An earlier measurement of this program, within a share of it: a bug that makes an error smaller is a bug, too. stamp:
 // date and commit.
 CaseGate recorded(std::string id, Number number, double value, double share, std::string stamp, std::string reason);
+
+// One list after another.
+std::vector<CaseGate> joined(std::initializer_list<std::vector<CaseGate>> lists);
 
 // finite, mass, momentum (and angular momentum from 2-D on, but for axisymmetric scenes), ledger residual: true of every
 // scheme. INVALID on a study without runs. Of trials, for which dim is 0, finite alone.

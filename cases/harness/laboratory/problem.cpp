@@ -21,6 +21,12 @@ std::vector<const StabilityProblem*>& registered() {
 
 }  // namespace
 
+std::vector<double> evenly_spaced(double low, double high, int count) {
+  std::vector<double> all;
+  for (int k = 0; k < count; ++k) all.push_back(low + (high - low) * k / (count - 1));
+  return all;
+}
+
 const std::vector<const StabilityProblem*>& stability_problems() { return registered(); }
 
 const StabilityProblem& find_stability_problem(const std::string& name) {

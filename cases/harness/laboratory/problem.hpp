@@ -31,6 +31,8 @@ struct Axis {
   std::string key, label;
   std::vector<double> values;
 };
+// So many of them, at least two, the ends among them.
+std::vector<double> evenly_spaced(double low, double high, int count);
 
 // A map over two axes of one choice of settings. "limit": the largest step below which all are stable. "growth": the
 // spectral radius over the wave number (x) and the step (y).

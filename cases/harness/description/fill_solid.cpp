@@ -1,4 +1,4 @@
-#include "cases/catalog/solid/fill_solid.hpp"
+#include "cases/harness/description/fill_solid.hpp"
 
 #include <cmath>
 #include <stdexcept>
