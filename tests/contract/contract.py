@@ -94,6 +94,16 @@ def wait_for_end(process_ids):
         time.sleep(0.01)
 
 
+def rows_left(body, rows):
+    """A change of a file: of every dataset of a body the rows of this slice are left."""
+    def change(file):
+        for name in file[f"bodies/{body}"]:
+            values = file[f"bodies/{body}/{name}"][()]
+            del file[f"bodies/{body}/{name}"]
+            file[f"bodies/{body}/{name}"] = values[rows]
+    return change
+
+
 class Result:
     def __init__(self, process, definition):
         self.code, self.out, self.err = process.returncode, process.stdout, process.stderr

@@ -11,7 +11,7 @@ import time
 import h5py
 import numpy
 import pytest
-from contract import ROOT, children_of, exported, hand_in, parse, validate, wait_for_end
+from contract import ROOT, children_of, exported, hand_in, parse, rows_left, validate, wait_for_end
 
 TEXT_PROGRAM = ROOT / "cases/harness/exchange/adapters/text_program.py"
 
@@ -109,13 +109,7 @@ def test_every_way_a_result_can_be_is_a_row(plumbline, board):
 
 def test_solids_of_another_size_are_damaged(board):
     start = board.start("bar", "bar-riemann", "--cells", 50)
-
-    def drop(file):
-        for name in file["bodies/bar"]:
-            values = file[f"bodies/bar/{name}"][()]
-            del file[f"bodies/bar/{name}"]
-            file[f"bodies/bar/{name}"] = values[1:]
-    board.result("short", "bar", start, change=drop)
+    board.result("short", "bar", start, change=rows_left("bar", slice(1, None)))
     how, reason = outcome(board(code=1)[0], "short")
     assert how == "damaged" and "particle by particle" in reason
 

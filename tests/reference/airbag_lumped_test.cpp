@@ -162,9 +162,7 @@ TEST(AirbagLumped, LimitOfABagInAnotherShape) {
 }
 
 TEST(AirbagProblem, WrongProblemsAreRefusedByKey) {
-  auto key = [](const std::function<void(AirbagProblem&)>& change) {
-    return refused_key([&] { AirbagLumped airbag(changed(change)); });
-  };
+  const auto key = refused_change<AirbagLumped, AirbagProblem>;
   EXPECT_EQ(key([](AirbagProblem& p) { p.mass = 0; }), "mass");
   EXPECT_EQ(key([](AirbagProblem& p) { p.probe_radius = 0; }), "probe_radius");
   EXPECT_EQ(key([](AirbagProblem& p) { p.speed = 0; }), "speed");

@@ -105,11 +105,7 @@ TEST(BarImpact, HalfOfTheRelativeEnergyIsElasticHalfWay) {
 }
 
 TEST(BarImpactProblem, WrongProblemsAreRefusedByKey) {
-  auto key = [](auto change) {
-    BarImpactProblem problem;
-    change(problem);
-    return refused_key([&] { BarImpact impact(problem); });
-  };
+  const auto key = refused_change<BarImpact, BarImpactProblem>;
   EXPECT_EQ(key([](BarImpactProblem& p) { p.youngs_modulus = 0; }), "youngs_modulus");
   EXPECT_EQ(key([](BarImpactProblem& p) { p.density = 0; }), "density");
   EXPECT_EQ(key([](BarImpactProblem& p) { p.length = -1; }), "length");

@@ -139,11 +139,7 @@ TEST(BarRiemann, BoundCoversBothSidesOfAFront) {
 }
 
 TEST(BarRiemannProblem, WrongProblemsAreRefusedByKey) {
-  auto key = [](auto change) {
-    BarRiemannProblem problem;
-    change(problem);
-    return refused_key([&] { BarRiemann bar(problem); });
-  };
+  const auto key = refused_change<BarRiemann, BarRiemannProblem>;
   EXPECT_EQ(key([](BarRiemannProblem& p) { p.youngs_modulus = 0; }), "youngs_modulus");
   EXPECT_EQ(key([](BarRiemannProblem& p) { p.density = -1; }), "density");
   EXPECT_EQ(key([](BarRiemannProblem& p) { p.area = 0; }), "area");

@@ -1,12 +1,9 @@
 """Hundreds of random strings, chains and bars against 50-digit arithmetic: the true error is within the bound."""
 import bars_and_strings_oracle as oracle
 import numpy
+import pytest
 from bars_and_strings_oracle import R, covers, mpmath
-from evaluator import evaluate, request
-
-
-def wide(random, low=1e-3, high=1e3):
-    return float(10 ** random.uniform(numpy.log10(low), numpy.log10(high)))
+from evaluator import evaluate, request, wide
 
 
 def check(label, answer, true, width=None):
@@ -82,43 +79,29 @@ def test_catenary():
         assert all(bound <= 1e-13 * room * abs(value) for value, bound in answer[:5]), (p, answer[:5])
 
 
-def test_string_vibration():
-    random = numpy.random.default_rng(1876)
-    keys = ("youngs_modulus", "area", "density", "strain", "length")
-    problems, places = [], []
-    for _ in range(1000):
-        p = {key: wide(random) for key in keys}
-        p["mode"], p["amplitude"] = int(random.integers(1, 20)), p["length"] * wide(random, 1e-6, 10)
-        speed = numpy.sqrt(p["youngs_modulus"] * p["strain"] / p["density"])
-        p["time"] = float(random.uniform(0, 30) * p["length"] / speed)
-        problems.append(p)
-        places.append([0.0, p["length"], float(p["length"] * random.uniform())])
-    answers = evaluate([request("string-vibration", p, x) for p, x in zip(problems, places)])
-    for p, at, answer in zip(problems, places, answers):
-        time = p.pop("time")
-        exact = oracle.TautString(**p)
-        check(p, answer[:8], exact.values(time))
-        assert all(bound <= 1e-12 * abs(value) for value, bound in answer[:7])
-        for x, row in zip(at, rows_of(answer, 8, 3)):
-            check((p, x, time), row, exact.row(x, time))
-
-
-def test_bar_vibration():
-    random = numpy.random.default_rng(1994)
-    keys = ("youngs_modulus", "density", "area", "length", "velocity")
+@pytest.mark.parametrize("name, exact_of, seed, keys, sharp, bound_of", [
+    ("string-vibration", oracle.TautString, 1876, ("youngs_modulus", "area", "density", "strain", "length"), 7, 1e-12),
+    ("bar-vibration", oracle.Bar, 1994, ("youngs_modulus", "density", "area", "length", "velocity"), 5, 1e-13),
+])
+def test_vibration(name, exact_of, seed, keys, sharp, bound_of):
+    """The first `sharp` values are known to `bound_of` of themselves."""
+    random = numpy.random.default_rng(seed)
     problems, places = [], []
     for _ in range(1000):
         p = {key: wide(random) for key in keys}
         p["mode"] = int(random.integers(1, 20))
-        p["time"] = float(random.uniform(0, 30) * p["length"] / numpy.sqrt(p["youngs_modulus"] / p["density"]))
+        if name == "string-vibration":
+            p["amplitude"] = p["length"] * wide(random, 1e-6, 10)
+        speed = numpy.sqrt(p["youngs_modulus"] * p.get("strain", 1) / p["density"])
+        p["time"] = float(random.uniform(0, 30) * p["length"] / speed)
         problems.append(p)
         places.append([0.0, p["length"], float(p["length"] * random.uniform())])
-    answers = evaluate([request("bar-vibration", p, x) for p, x in zip(problems, places)])
+    answers = evaluate([request(name, p, x) for p, x in zip(problems, places)])
     for p, at, answer in zip(problems, places, answers):
         time = p.pop("time")
-        exact = oracle.Bar(**p)
+        exact = exact_of(**p)
         check(p, answer[:8], exact.values(time))
-        assert all(bound <= 1e-13 * abs(value) for value, bound in answer[:5])
+        assert all(bound <= bound_of * abs(value) for value, bound in answer[:sharp]), p
         for x, row in zip(at, rows_of(answer, 8, 3)):
             check((p, x, time), row, exact.row(x, time))
 

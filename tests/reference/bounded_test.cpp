@@ -2,33 +2,15 @@
 // drawn from inside the bounds.
 #include "reference/bounded.hpp"
 
-#include <gtest/gtest.h>
-
-#include <random>
+#include "tests/reference/random_operands.hpp"
 
 namespace plumbline::reference {
 namespace {
 
-class RandomOperands : public ::testing::Test {
+class RandomOperands : public RandomBalls {
  protected:
-  std::mt19937_64 engine{42};
-  double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); }
-  double signed_log(double decades) {
-    return (uniform(0, 1) < 0.5 ? -1 : 1) * std::pow(10.0, uniform(-decades, decades));
-  }
-  Bounded ball(double value) {
-    const double kind = uniform(0, 1);
-    return {value, kind < 0.3 ? 0 : std::abs(value) * std::pow(10.0, uniform(-17, 0.3))};
-  }
-  long double inside(Bounded x) {
-    const double kind = uniform(0, 1);  // the ends of the interval are the likeliest to be missed
-    const long double share = kind < 0.3 ? -1 : kind < 0.6 ? 1 : uniform(-1, 1);
-    return x.value + share * x.bound;
-  }
-  static void expect_covers(Bounded result, long double truth, const char* operation) {
-    if (std::isinf(result.bound)) return;
-    EXPECT_LE(std::abs(static_cast<long double>(result.value) - truth), result.bound) << operation;
-  }
+  RandomOperands() : RandomBalls(42) {}
+  double signed_log(double decades) { return RandomBalls::signed_log(-decades, decades); }
 };
 
 TEST_F(RandomOperands, EveryOperationCoversItsTrueResult) {  // [Higham 3.3]

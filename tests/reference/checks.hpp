@@ -41,4 +41,18 @@ inline std::string refused_key(const std::function<void()>& make) {
   return "accepted";
 }
 
+/// The same of the reference of a default problem after a change.
+template <class Reference, class Problem>
+std::string refused_change(const std::function<void(Problem&)>& change) {
+  Problem problem;
+  change(problem);
+  return refused_key([&] { Reference reference(problem); });
+}
+
+/// The same where one number is another.
+template <class Reference, class Problem>
+std::string refused_value(double Problem::*member, double value) {
+  return refused_change<Reference, Problem>([=](Problem& problem) { problem.*member = value; });
+}
+
 }  // namespace plumbline::reference

@@ -176,11 +176,7 @@ TEST(ElasticPendulum, OwnMassOfTheStringMakesItFaster) {
 }
 
 TEST(ElasticPendulumProblem, WrongProblemsAreRefusedByKey) {
-  auto key = [](auto change) {
-    ElasticPendulumProblem problem;
-    change(problem);
-    return refused_key([&] { ElasticPendulum pendulum(problem); });
-  };
+  const auto key = refused_change<ElasticPendulum, ElasticPendulumProblem>;
   EXPECT_EQ(key([](ElasticPendulumProblem& p) { p.bob_y = 2; }), "bob_y");
   EXPECT_EQ(key([](ElasticPendulumProblem& p) { p.bob_x = p.pivot_x; }), "bob_x");
   EXPECT_EQ(key([](ElasticPendulumProblem& p) { p.mass = 0; }), "mass");

@@ -1,30 +1,15 @@
 // atan, atan2 and the hyperbolic functions with bounds, against long double on operands drawn from inside the bounds.
 #include "reference/elementary.hpp"
 
-#include <gtest/gtest.h>
-
-#include <random>
+#include "tests/reference/random_operands.hpp"
 
 namespace plumbline::reference {
 namespace {
 
-class RandomArguments : public ::testing::Test {
+class RandomArguments : public RandomBalls {
  protected:
-  std::mt19937_64 engine{7};
-  double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); }
-  double wide() { return (uniform(0, 1) < 0.5 ? -1 : 1) * std::pow(10.0, uniform(-6, 1.3)); }
-  Bounded ball(double value) {
-    return {value, uniform(0, 1) < 0.3 ? 0 : std::abs(value) * std::pow(10.0, uniform(-17, 0.3))};
-  }
-  long double inside(Bounded x) {
-    const double kind = uniform(0, 1);  // the ends of the interval are the likeliest to be missed
-    const long double share = kind < 0.3 ? -1 : kind < 0.6 ? 1 : uniform(-1, 1);
-    return x.value + share * x.bound;
-  }
-  static void expect_covers(Bounded result, long double truth, const char* what) {
-    if (std::isinf(result.bound)) return;
-    EXPECT_LE(std::abs(static_cast<long double>(result.value) - truth), result.bound) << what;
-  }
+  RandomArguments() : RandomBalls(7) {}
+  double wide() { return signed_log(-6, 1.3); }
 };
 
 TEST_F(RandomArguments, EveryFunctionCoversItsTrueResult) {

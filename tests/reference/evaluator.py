@@ -2,6 +2,13 @@
 import os
 import subprocess
 
+import numpy
+
+
+def wide(random, low=1e-3, high=1e3):
+    """A number of any size between these: its logarithm is uniform."""
+    return float(10 ** random.uniform(numpy.log10(low), numpy.log10(high)))
+
 
 def request(name, settings, at=()):
     words = [name, *(f"{key}={float(value)!r}" for key, value in settings.items())]

@@ -4,14 +4,10 @@
 import flow_oracle as oracle
 import numpy
 import pytest
-from evaluator import evaluate, request
+from evaluator import evaluate, request, wide
 from flow_oracle import R, covers, mp
 
 FIELDS = ("density", "velocity", "pressure", "energy")
-
-
-def wide(random, low=1e-3, high=1e3):
-    return float(10 ** random.uniform(numpy.log10(low), numpy.log10(high)))
 
 
 def some_gamma(random, low=1.02, high=4):

@@ -75,40 +75,41 @@ TEST(FreeBar, ALongBarBearsNoMoreThanItsInterior) {
   }
 }
 
+/// Limits of a bar whose standing waves have these shares s = sin^2(theta/2), B = 1 - s, K = 4 s.
+void expect_standing_waves(Bounded (*limit_of)(const MapScheme&, const std::vector<double>&, double),
+                           const std::vector<double>& points, const std::vector<double>& shares) {
+  double first = 0, last = 0;
+  for (const double s : shares) {
+    first = std::max(first, s * (1 - s));
+    last = std::max(last, s * (1 + s));
+  }
+  const Bounded early = limit_of({Update::first}, points, 1), late = limit_of({Update::last}, points, 1);
+  EXPECT_NEAR(early.value, 1 / std::sqrt(first), early.bound + 1e-15) << points.size();
+  EXPECT_NEAR(late.value, 1 / std::sqrt(last), late.bound + 1e-15) << points.size();
+}
+
 // One point at the centre of each of n cells, free ends: standing waves of theta = k pi/n, k = 1 to n, on nodes that
-// all carry the mass of their cells, B = 1 - s, K = 4 s.
+// all carry the mass of their cells.
 TEST(FreeBar, PointsAtCentresHaveStandingWaves) {
   for (int count : {2, 5, 6, 11}) {
-    std::vector<double> points;
-    double first = 0, last = 0;
+    std::vector<double> points, shares;
     for (int k = 1; k <= count; ++k) {
       points.push_back(k + 0.5);
-      const double s = std::pow(std::sin(k * pi.value / (2 * count)), 2);
-      first = std::max(first, s * (1 - s));
-      last = std::max(last, s * (1 + s));
+      shares.push_back(std::pow(std::sin(k * pi.value / (2 * count)), 2));
     }
-    const Bounded early = free_bar_courant_limit({Update::first}, points, 1);
-    const Bounded late = free_bar_courant_limit({Update::last}, points, 1);
-    EXPECT_NEAR(early.value, 1 / std::sqrt(first), early.bound + 1e-15);
-    EXPECT_NEAR(late.value, 1 / std::sqrt(last), late.bound + 1e-15);
+    expect_standing_waves(free_bar_courant_limit, points, shares);
   }
 }
 
 // Half of a bar of 2 n cells: the standing waves of odd k alone, whose velocity is odd about the wall.
 TEST(LeaningBar, PointsAtCentresHaveEveryOtherStandingWave) {  // [Stability 4, 5]
   for (int count : {1, 2, 5, 6}) {
-    std::vector<double> points;
-    for (int k = 0; k < count; ++k) points.push_back(k + 0.5);
-    double first = 0, last = 0;
-    for (int k = 1; k <= 2 * count; k += 2) {
-      const double s = std::pow(std::sin(k * pi.value / (4 * count)), 2);
-      first = std::max(first, s * (1 - s));
-      last = std::max(last, s * (1 + s));
+    std::vector<double> points, shares;
+    for (int k = 0; k < count; ++k) {
+      points.push_back(k + 0.5);
+      shares.push_back(std::pow(std::sin((2 * k + 1) * pi.value / (4 * count)), 2));
     }
-    const Bounded early = leaning_bar_courant_limit({Update::first}, points, 1);
-    const Bounded late = leaning_bar_courant_limit({Update::last}, points, 1);
-    EXPECT_NEAR(early.value, 1 / std::sqrt(first), early.bound + 1e-15);
-    EXPECT_NEAR(late.value, 1 / std::sqrt(last), late.bound + 1e-15);
+    expect_standing_waves(leaning_bar_courant_limit, points, shares);
   }
 }
 

@@ -152,11 +152,7 @@ TEST(GasRing, AModeMovesAsOne) {
 }
 
 TEST(GasRingProblem, WrongProblemsAreRefusedByKey) {
-  auto key = [](double GasRingProblem::*member, double value) {
-    GasRingProblem p;
-    p.*member = value;
-    return refused_key([&] { GasRing ring(p); });
-  };
+  const auto key = refused_value<GasRing, GasRingProblem>;
   using P = GasRingProblem;
   EXPECT_EQ(key(&P::youngs_modulus, 0), "youngs_modulus");
   EXPECT_EQ(key(&P::poisson_ratio, 0.5), "poisson_ratio");

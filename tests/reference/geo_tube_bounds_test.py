@@ -1,13 +1,9 @@
 """Random tubes, flat and round, stiff and elastic, against 40-digit arithmetic: the true error is within the bound."""
 import numpy
-from evaluator import evaluate, request
+from evaluator import evaluate, request, wide
 from geo_tube_oracle import R, Tube, covers
 
 VALUES, ROW = 7, 5
-
-
-def wide(random, low, high):
-    return float(10 ** random.uniform(numpy.log10(low), numpy.log10(high)))
 
 
 def random_tube(random):

@@ -184,11 +184,7 @@ TEST(MembraneEquilibrium, WhatIsLostHeatsNothing) {
 }
 
 TEST(MembraneEquilibriumProblem, WrongProblemsAreRefusedByKey) {
-  auto key = [](double Problem::*member, double value) {
-    Problem p;
-    p.*member = value;
-    return refused_key([&] { MembraneEquilibrium bag(p); });
-  };
+  const auto key = refused_value<MembraneEquilibrium, Problem>;
   EXPECT_EQ(key(&Problem::gas_energy, 0), "gas_energy");
   EXPECT_EQ(key(&Problem::gas_area, 0), "gas_area");
   EXPECT_EQ(key(&Problem::gamma, 1), "gamma");

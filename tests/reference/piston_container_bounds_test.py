@@ -1,12 +1,8 @@
 """A thousand random pistons against 50-digit arithmetic: the true error is within the bound, always."""
 import gas_membrane_oracle as oracle
 import numpy
-from evaluator import evaluate, request
+from evaluator import evaluate, request, wide
 from gas_membrane_oracle import R, covers, mp
-
-
-def wide(random, low=1e-2, high=1e2):
-    return float(10 ** random.uniform(numpy.log10(low), numpy.log10(high)))
 
 
 PISTON = ("spring_modulus", "spring_length", "spring_density", "area", "mass", "gas_density", "bulk_modulus", "gas_length",
@@ -15,7 +11,7 @@ PISTON = ("spring_modulus", "spring_length", "spring_density", "area", "mass", "
 
 def random_piston(random, heavy, low, high):
     """The ratios of masses and of transit times decide: masses on the piston's over [low, high], the stiffnesses freely."""
-    p = {key: wide(random) for key in PISTON}
+    p = {key: wide(random, 1e-2, 1e2) for key in PISTON}
     p["gas_density"] = p["mass"] * wide(random, low, high) / (p["area"] * p["gas_length"])
     p["spring_density"] = p["mass"] * wide(random, low, high) / (p["area"] * p["spring_length"]) if heavy else 0.0
     p["velocity"] *= float(random.choice([-1, 1]))

@@ -205,11 +205,7 @@ TEST(PistonContainer, AModeMovesAsOne) {
 }
 
 TEST(PistonContainerProblem, WrongProblemsAreRefusedByKey) {
-  auto key = [](double PistonContainerProblem::*member, double value) {
-    PistonContainerProblem p;
-    p.*member = value;
-    return refused_key([&] { PistonContainer system(p); });
-  };
+  const auto key = refused_value<PistonContainer, PistonContainerProblem>;
   using P = PistonContainerProblem;
   EXPECT_EQ(key(&P::spring_modulus, 0), "spring_modulus");
   EXPECT_EQ(key(&P::spring_length, -1), "spring_length");

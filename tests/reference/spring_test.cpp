@@ -1,20 +1,12 @@
 // The massless spring [York 5.10, 5.11].
 #include "reference/spring.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <limits>
 
-#include "reference/parameter.hpp"
+#include "tests/reference/checks.hpp"
 
 namespace plumbline::reference {
 namespace {
-
-void expect_zero(Bounded residual, double scale) {
-  EXPECT_LE(std::abs(residual.value), residual.bound);
-  EXPECT_LE(residual.bound, 1e-12 * scale);
-}
 
 TEST(MasslessSpring, YorksProblem) {  // [York 5.11], k = A E/L = 1e6/3, m = 3.33, g = 250
   const MasslessSpring spring{SpringProblem{}};
@@ -32,7 +24,7 @@ TEST(MasslessSpring, KineticAndSpringEnergyAreTheWorkOfGravity) {  // [York 5.10
   for (double share : {0.0, 0.1, 0.25, 0.5, 0.77, 1.0, 3.3}) {
     const double t = share * spring.period().value;
     const Bounded work = Bounded(problem.mass) * problem.gravity * spring.displacement(t);
-    expect_zero(spring.kinetic_energy(t) + spring.spring_energy(t) - work, scale);
+    expect_zero(spring.kinetic_energy(t) + spring.spring_energy(t) - work, scale, "work");
   }
 }
 
@@ -61,23 +53,14 @@ TEST(MasslessSpring, StartsFromRestAndReachesTwiceTheStaticDisplacement) {
 }
 
 TEST(SpringProblem, WrongProblemsAreRefusedByKey) {
-  auto key_of = [](auto change) {
-    SpringProblem problem;
-    change(problem);
-    try {
-      MasslessSpring spring(problem);
-    } catch (const ParameterError& error) {
-      return error.key;
-    }
-    return std::string("accepted");
-  };
-  EXPECT_EQ(key_of([](SpringProblem& p) { p.youngs_modulus = 0; }), "youngs_modulus");
-  EXPECT_EQ(key_of([](SpringProblem& p) { p.area = -1; }), "area");
-  EXPECT_EQ(key_of([](SpringProblem& p) { p.length = std::numeric_limits<double>::infinity(); }), "length");
-  EXPECT_EQ(key_of([](SpringProblem& p) { p.mass = 0; }), "mass");
-  EXPECT_EQ(key_of([](SpringProblem& p) { p.density = -1e-9; }), "density");
-  EXPECT_EQ(key_of([](SpringProblem& p) { p.gravity = std::nan(""); }), "gravity");
-  EXPECT_EQ(key_of([](SpringProblem& p) {
+  const auto key = refused_change<MasslessSpring, SpringProblem>;
+  EXPECT_EQ(key([](SpringProblem& p) { p.youngs_modulus = 0; }), "youngs_modulus");
+  EXPECT_EQ(key([](SpringProblem& p) { p.area = -1; }), "area");
+  EXPECT_EQ(key([](SpringProblem& p) { p.length = std::numeric_limits<double>::infinity(); }), "length");
+  EXPECT_EQ(key([](SpringProblem& p) { p.mass = 0; }), "mass");
+  EXPECT_EQ(key([](SpringProblem& p) { p.density = -1e-9; }), "density");
+  EXPECT_EQ(key([](SpringProblem& p) { p.gravity = std::nan(""); }), "gravity");
+  EXPECT_EQ(key([](SpringProblem& p) {
               p.density = 0;
               p.gravity = -1;
             }),

@@ -86,11 +86,7 @@ TEST(TwoBarConvergence, FinerMeshesStayWithinTheBound) {
 }
 
 TEST(TwoBarProblem, WrongProblemsAreRefusedByKey) {
-  auto key = [](auto change) {
-    TwoBarProblem p;
-    change(p);
-    return refused_key([&] { TwoBar bars(p); });
-  };
+  const auto key = refused_change<TwoBar, TwoBarProblem>;
   EXPECT_EQ(key([](auto& p) { p.width = 0; }), "width");
   EXPECT_EQ(key([](auto& p) { p.height = -1; }), "height");
   EXPECT_EQ(key([](auto& p) { p.height = 0.3; }), "height");

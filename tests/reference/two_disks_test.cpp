@@ -28,11 +28,7 @@ TEST(TwoDisksIdentity, FlightAndEnergies) {
 }
 
 TEST(TwoDisksProblem, WrongProblemsAreRefusedByKey) {
-  auto key = [](auto change) {
-    TwoDisksProblem p;
-    change(p);
-    return refused_key([&] { TwoDisks disks(p); });
-  };
+  const auto key = refused_change<TwoDisks, TwoDisksProblem>;
   EXPECT_EQ(key([](auto& p) { p.radius = 0.43; }), "radius");
   EXPECT_EQ(key([](auto& p) { p.speed = 0; }), "speed");
   EXPECT_EQ(key([](auto& p) { p.density = -1; }), "density");

@@ -1,5 +1,6 @@
-"""Paths and shared results for the tests of the report."""
+"""Paths, shared results and changed documents for the tests of the report."""
 
+import copy
 import pathlib
 import sys
 
@@ -10,6 +11,24 @@ REPORTS = HERE.parent.parent / "reports"
 sys.path[:0] = [str(REPORTS), str(HERE)]
 
 import synthetic_results  # noqa: E402  (needs the path above)
+
+
+def each_without(document, depth=7):
+    """Copies of a document in which one value after the other is null; of long lists the first two entries only."""
+
+    def ways(value, depth):
+        entries = value.items() if isinstance(value, dict) else enumerate(value[:2]) if isinstance(value, list) else ()
+        for key, entry in entries:
+            yield (key,)
+            if depth > 1:
+                yield from ((key, *rest) for rest in ways(entry, depth - 1))
+
+    for way in ways(document, depth):
+        changed = place = copy.deepcopy(document)
+        for step in way[:-1]:
+            place = place[step]
+        place[way[-1]] = None
+        yield changed
 
 
 @pytest.fixture(scope="session")

@@ -1,11 +1,14 @@
 """Reads the report back: a strict parser of the page that keeps what the tests ask for."""
 
 import base64
+import csv
 import io
 import re
 from html.parser import HTMLParser
 
 import numpy
+import plumbline_results
+import render
 from PIL import Image
 
 VOID = {"meta", "link", "br", "input", "img", "hr"}
@@ -124,6 +127,25 @@ class Page(HTMLParser):
                 scheme, _, variant = line.partition(" ")
                 found.append(("PASS", f"{variant or scheme}/{name}", scheme))
         return found
+
+
+def source_of(folder):
+    return render.render(plumbline_results.load_folder(folder))
+
+
+def shown(folder):
+    """The page of a folder of results."""
+    return Page(source_of(folder))
+
+
+def tables_of(folder, output, names):
+    """Tables of a folder as the report writes them, read back from CSV: {name: rows}."""
+    assert render.main([str(folder), str(output / "page.html"), "--csv", str(output / "csv")]) == 0
+    tables = {}
+    for name in names:
+        with open(output / "csv" / f"{name}.csv", encoding="utf-8", newline="") as stream:
+            tables[name] = list(csv.DictReader(stream))
+    return tables
 
 
 def pixels_of(address):

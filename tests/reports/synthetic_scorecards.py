@@ -1,6 +1,5 @@
 """Scorecards as `plumbline verify --integrator` writes them, and the document of ci/judges, made up: every sort of row."""
 
-import copy
 import json
 
 EVIL = "<once>"
@@ -222,13 +221,3 @@ def write(folder):
     for name, card in cards().items():
         write_card(folder, name, card)
     (folder / "judges.json").write_text(json.dumps(judges(), allow_nan=False), encoding="utf-8")
-
-
-def without(document, path):
-    """A copy in which the value at this way is null."""
-    changed = copy.deepcopy(document)
-    place = changed
-    for step in path[:-1]:
-        place = place[step]
-    place[path[-1]] = None
-    return changed

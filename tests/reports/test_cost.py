@@ -5,11 +5,9 @@ import math
 
 import cost
 import cost_charts
-import cost_estimates
 import plumbline_results
 import pytest
 import render
-import svg
 from cases import Case
 from cost_estimates import AT, MORE, MOST, NONE, Reach, front, ratio, reach, spread
 
@@ -200,11 +198,6 @@ def test_charts_and_figures_of_a_case_are_drawn():
     time, work = cost.case_figures(doc, OneCase("sod"), "case-sod")
     assert "Medians of up to 3" in time.caption and "point-steps" in work.title.lower()
     assert cost.case_figures(doc, OneCase("lax"), "case-lax") == []
-
-
-def test_page_without_costs_says_how_to_measure_them(tmp_path):
-    page = render.render(plumbline_results.load_folder(tmp_path))
-    assert "plumbline bench --cases" in page
 
 
 def test_page_with_costs(tmp_path):

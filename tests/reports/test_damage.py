@@ -1,4 +1,4 @@
-"""Readers of result files meet damage of every kind with a reason; files of the previous format are read."""
+"""Readers meet damage of every kind with a reason; the page says what is damaged or not there; old files are read."""
 
 import base64
 import gzip
@@ -13,6 +13,7 @@ import pytest
 
 import plumbline_results
 import synthetic_results
+from html_page import Page, shown, source_of
 
 STORED = pathlib.Path(__file__).with_name("stored")
 MUTANTS = 200  # of each kind of file and damage
@@ -88,6 +89,85 @@ def test_junk_in_a_part_of_the_frames(folder, tmp_path, part):
             file[f"frames/{part}"] = value
         with pytest.raises(plumbline_results.DamagedFile):
             plumbline_results.load(path)
+
+
+# --- documents --------------------------------------------------------------------------------------
+
+
+# Name: what the page says in place of its section, contents and the reasons given for them.
+DAMAGED = {
+    "stability.json": (
+        "No maps of stability are in this report",
+        {"{": "", "[]": "", "{}": "", '{"problems": [{"problem": "bar", "safe": [{"limit": NaN}]}]}': ""},
+    ),
+    "bench.json": (
+        "No speed was measured for this report",
+        {"{": "", "[]": "", "{}": "", '{"kernels": [1]}': "", '{"kernels": NaN}': ""},
+    ),
+    "scorecard-x.json": (
+        "No time integrator was judged for this report",
+        {"{": "", "[]": "", "{}": "", '{"integrator": "x", "sentence": "y", "verdict": NaN}': ""},
+    ),
+    "judges.json": (
+        "was not tried for this report",
+        {"{": "", "[]": "", "{}": "", '{"wrong": [1]}': "", '{"wrong": [], "systematic": {"stages": {"map": 3}}}': ""},
+    ),
+    "mutants.json": (
+        "was not tried",
+        {
+            "{": "not valid JSON",
+            "[]": "there is no version",
+            '{"version": 2}': "made by a newer version",
+            '{"version": 1, "columns": [], "mutants": [{"id": "a"}]}': "its mutants are not whole",
+            '{"version": 1, "columns": [], "mutants": [], "counts": {}, "score": null}': "there is no score",
+        },
+    ),
+    "equations.json": ("", {"[]": "", '{"equations": [{"tag": 1}]}': ""}),
+    "coverage.json": ("", {'{"total": 2, "folders": {}}': "", '{"total": 0.9}': ""}),
+    "list.json": ("", {'{"schemes": [{"name": "default"}]}': ""}),
+}
+
+
+@pytest.mark.parametrize("name, content", [(name, content) for name in DAMAGED for content in DAMAGED[name][1]])
+def test_a_damaged_document_is_listed(tmp_path, name, content):
+    said, reasons = DAMAGED[name]
+    (tmp_path / name).write_text(content, encoding="utf-8")
+    assert [file for file, _ in plumbline_results.load_folder(tmp_path).damaged] == [name]
+    page = shown(tmp_path)
+    assert said in page.text
+    ((verdict, file, reason),) = [cells for _, cells in page.rows if name in cells]
+    assert (verdict, file) == ("INVALID", name) and reasons[content] in reason
+
+
+@pytest.fixture(scope="module")
+def bare_pages(tmp_path_factory):
+    """Of no results, and of results without the documents of other commands."""
+    nothing, springs = (tmp_path_factory.mktemp(name) for name in ("nothing", "springs"))
+    synthetic_results.spring_files_only(springs)
+    return {"nothing": source_of(nothing), "springs": source_of(springs)}
+
+
+@pytest.mark.parametrize(
+    "folder, said, absent",
+    [
+        ("nothing", "There is no readable result file in this folder", None),
+        ("nothing", "No time integrator was judged for this report", None),
+        ("nothing", "whether wrong integrators are found was not tried", None),
+        ("nothing", "whether the gates can fail at all was not tried", None),
+        ("nothing", "plumbline bench --cases", None),
+        ("nothing", "holds no coverage.json", None),
+        ("springs", "No maps of stability are in this report", "Which Courant number is safe"),
+        ("springs", "No speed was measured for this report", "Cost of a point-step"),
+        ("springs", "", "What it looks like"),
+    ],
+)
+def test_what_is_not_there_is_said(bare_pages, folder, said, absent):
+    source = bare_pages[folder]
+    words = Page(source).text
+    assert said in words and (absent is None or absent not in source + words)
+
+
+# --- the previous format ------------------------------------------------------------------------------
 
 
 @pytest.fixture

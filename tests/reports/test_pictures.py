@@ -12,7 +12,6 @@ import normals
 import pictures
 import plumbline_results
 import raster
-import render
 import synthetic_results
 from html_page import Page, pixels_of, without_scripts
 
@@ -269,11 +268,6 @@ def test_page_shows_them(page):
     assert "pressure of the gas" in reel.group(1)
     assert "prefers-reduced-motion: no-preference" in source and 'class="pause"' in source
     assert "<script" not in without_scripts(source)
-
-
-def test_nothing_is_said_of_pictures_without_frames(tmp_path):
-    synthetic_results.spring_files_only(tmp_path)
-    assert "What it looks like" not in render.render(plumbline_results.load_folder(tmp_path))
 
 
 # --- normals --------------------------------------------------------------------------------------

@@ -15,12 +15,8 @@ import plumbline_results
 import render
 import synthetic_results
 from conftest import REPORTS
-from html_page import Page, without_scripts
+from html_page import Page, shown, source_of, without_scripts
 from synthetic_results import fit, gate, measure, run_object, write_run, write_study, write_verdicts
-
-
-def rendered(folder):
-    return render.render(plumbline_results.load_folder(folder))
 
 
 @pytest.fixture(scope="module")
@@ -147,12 +143,12 @@ def test_known_failures_are_listed_by_owner(tmp_path):
         )
     ]
     write_verdicts(tmp_path, failing)
-    shown = Page(rendered(tmp_path))
-    rows = [name for _, name, _ in shown.gate_rows("expected-failures")]
+    page = shown(tmp_path)
+    rows = [name for _, name, _ in page.gate_rows("expected-failures")]
     assert rows[:2] == ["plain", "of-an-earlier-version"] and sorted(rows[2:]) == ["his-figures", "stated"]
     for words in ("1 failure of the default scheme", "1 failure of other schemes", "2 failures York's own"):
-        assert words in shown.text
-    assert "known failures, 1 of the default scheme" in shown.text
+        assert words in page.text
+    assert "known failures, 1 of the default scheme" in page.text
 
 
 def test_recorded_values_that_hold_stand_beside_their_gate(tmp_path):
@@ -164,11 +160,11 @@ def test_recorded_values_that_hold_stand_beside_their_gate(tmp_path):
         gate("sod", "default", "default/other/regression", "velocity.L1", 0.004, 0.03, "FAIL", 0.1, study="default"),
     ]
     write_verdicts(tmp_path, judged)
-    shown = Page(rendered(tmp_path))
-    assert [(verdict, name) for verdict, name, _ in shown.gate_rows("case-sod")] == [
+    page = shown(tmp_path)
+    assert [(verdict, name) for verdict, name, _ in page.gate_rows("case-sod")] == [
         ("FAIL", "default/other/regression"), ("PASS", "default/error"), ("PASS", "default/other")]  # fmt: skip
-    assert "recorded: 0.004 … 0.03" in shown.text
-    assert "4 of 4 declared gates executed" in shown.text
+    assert "recorded: 0.004 … 0.03" in page.text
+    assert "4 of 4 declared gates executed" in page.text
 
 
 def test_counts_and_executed_gates(source, parsed):
@@ -187,11 +183,11 @@ def test_a_verdict_is_never_decided_anew(tmp_path):
         gate("sod", "default", "absurd-fail", "density.L1", None, 0.007, "FAIL", 0.001, margin=1),
     ]
     write_verdicts(tmp_path, gates, declared=3)
-    shown = Page(rendered(tmp_path))
-    assert Counter(shown.gate_rows("case-sod")) == Counter(
+    page = shown(tmp_path)
+    assert Counter(page.gate_rows("case-sod")) == Counter(
         [("PASS", "absurd-pass", "default"), ("FAIL", "absurd-fail", "default")]
     )
-    assert "2 of 3 declared gates executed" in shown.text
+    assert "2 of 3 declared gates executed" in page.text
 
 
 def test_orders_are_those_of_the_files(results, parsed):
@@ -266,20 +262,6 @@ def test_every_timed_choice_has_its_row(parsed):
     assert sum("46" in cells and "92" in cells for cells in rows) == 4, "a line on one thread and on two"
 
 
-def test_without_a_bench_the_page_says_so(tmp_path):
-    synthetic_results.spring_files_only(tmp_path / "results")
-    shown = Page(rendered(tmp_path / "results")).text
-    assert "No speed was measured for this report" in shown and "Cost of a point-step" not in shown
-
-
-@pytest.mark.parametrize("content", ["{", "[]", "{}", '{"kernels": [1]}', '{"kernels": NaN}'])
-def test_a_damaged_bench_is_listed(tmp_path, content):
-    (tmp_path / "bench.json").write_text(content, encoding="utf-8")
-    shown = Page(rendered(tmp_path))
-    assert "No speed was measured for this report" in shown.text
-    assert [cells[:2] for _, cells in shown.rows if "bench.json" in cells] == [["INVALID", "bench.json"]]
-
-
 def test_a_bench_of_little_makes_a_page(tmp_path):
     """A bench of chosen integrators has no scale and no targets; a machine may not tell of its memory."""
     bench = synthetic_results.bench_document()
@@ -287,8 +269,8 @@ def test_a_bench_of_little_makes_a_page(tmp_path):
     for kernel in kernels:
         kernel["memory_bytes_per_point"] = None
     (tmp_path / "bench.json").write_text(json.dumps({"machine": {}, "kernels": kernels}), encoding="utf-8")
-    shown = Page(rendered(tmp_path)).text
-    assert "The default step, wherever it works" in shown and "Cost of a point-step" not in shown
+    words = shown(tmp_path).text
+    assert "The default step, wherever it works" in words and "Cost of a point-step" not in words
 
 
 def test_another_method_stands_beside_the_schemes(source, parsed):
@@ -307,7 +289,7 @@ def test_newest_of_two_verdict_files_counts(tmp_path):
         synthetic_results.PROVENANCE["started"], kept = started, synthetic_results.PROVENANCE["started"]
         write_verdicts(tmp_path, [entry])
         synthetic_results.PROVENANCE["started"] = kept
-    assert Page(rendered(tmp_path)).gate_rows("case-sod") == [("PASS", "same", "default")]
+    assert shown(tmp_path).gate_rows("case-sod") == [("PASS", "same", "default")]
 
 
 # --- damage and gaps ------------------------------------------------------------------------------
@@ -334,23 +316,19 @@ def test_exit_status(tmp_path, capsys):
     assert stop.value.code == 2
 
 
-def test_an_empty_folder_says_so(tmp_path):
-    assert "There is no readable result file in this folder" in Page(rendered(tmp_path)).text
-
-
 def test_runs_alone_make_a_page(tmp_path):
     run = run_object("sod", "york1997", 100, {"integrator": "musl"}, {"density.L1": measure(0.01)})
     write_run(tmp_path, run, synthetic_results.sod_profile(100, 2.0))
-    shown = Page(rendered(tmp_path))
-    assert "No gate was judged in this folder" in shown.text and "Density, york1997" in shown.text
+    page = shown(tmp_path)
+    assert "No gate was judged in this folder" in page.text and "Density, york1997" in page.text
 
 
 def test_a_stopped_run_is_named(tmp_path):
     stop = {"reason": "not finite", "step": 17, "time": 0.01, "point": 3, "field": "density", "value": None}
     run = run_object("sod", "default", 100, {}, {}, finished=False, stop=stop, verdict="INVALID")
     write_run(tmp_path, run)
-    shown = Page(rendered(tmp_path)).text
-    assert "stopped at step 17" in shown and "field density, point 3" in shown
+    words = shown(tmp_path).text
+    assert "stopped at step 17" in words and "field density, point 3" in words
 
 
 def test_gaps_do_not_break_the_page(tmp_path):
@@ -391,8 +369,8 @@ def test_gaps_do_not_break_the_page(tmp_path):
     )
     with synthetic_results.create(tmp_path / "bare.h5", "run", {"run": {}}):
         pass
-    shown = Page(rendered(tmp_path)).text
-    assert "two levels" in shown
+    words = shown(tmp_path).text
+    assert "two levels" in words
 
 
 def test_text_of_the_files_is_never_markup(tmp_path):
@@ -415,7 +393,7 @@ def test_text_of_the_files_is_never_markup(tmp_path):
         errors,
         catalog,
     )
-    assert "<script" not in without_scripts(rendered(tmp_path))
+    assert "<script" not in without_scripts(source_of(tmp_path))
 
 
 def test_sketches_are_checked():
@@ -565,10 +543,10 @@ def test_measured_value_is_told_from_its_bound():
 
 def test_schemes_stand_side_by_side_for_each_kind_of_scene(tmp_path):
     write_run(tmp_path, run_object("sod", "york1997", 100, {"integrator": "musl"}, {"density.L1": measure(0.01)}))
-    assert "id=schemes" not in rendered(tmp_path)
+    assert "id=schemes" not in source_of(tmp_path)
     default = {"name": "default", "title": "the best", "source": "s", "kinds": {"gas": {"shape": "cubic", "ppc": 8}, "solid": {"shape": "linear"}}}
     york = {"name": "york1997", "title": "York's", "source": "s", "kinds": {"gas": {"shape": "linear", "ppc": 8}, "solid": {"shape": None}}}
     (tmp_path / "list.json").write_text(json.dumps({"schemes": [default, york]}))
-    page = rendered(tmp_path)
+    page = source_of(tmp_path)
     assert "<td>cubic / linear<td>linear / none" in page
     assert "<code>ppc</code><td>8<td>" in page

@@ -1,7 +1,6 @@
 """The section "Integrators" and the page of a card: what they show of scorecards and of ci/judges, and what they do without."""
 
 import copy
-import csv
 import json
 import os
 import pathlib
@@ -14,24 +13,15 @@ import jsonschema
 import pytest
 
 import plumbline_results
-import render
 import scorecards
 import svg
 import synthetic_results
 import synthetic_scorecards
-from conftest import REPORTS
-from html_page import Page, without_scripts
-from synthetic_scorecards import EVIL, endless, green, judges, red, without, write_card
+from conftest import REPORTS, each_without
+from html_page import Page, shown, source_of, tables_of, without_scripts
+from synthetic_scorecards import EVIL, endless, green, judges, red, write_card
 
 SCHEMA = json.loads((REPORTS.parent / "cases/harness/schema/plumbline.schema.json").read_text(encoding="utf-8"))
-
-
-def source_of(folder):
-    return render.render(plumbline_results.load_folder(folder))
-
-
-def shown(folder):
-    return Page(source_of(folder))
 
 
 def loaded(tmp_path, card, name="scorecard-x.json"):
@@ -270,23 +260,14 @@ def test_a_card_of_the_program(tmp_path):
 # --- gaps and damage ----------------------------------------------------------------------------------
 
 
-def _paths(value, depth=7):
-    """Ways to every part of a document, of long lists to the first two entries only."""
-    entries = value.items() if isinstance(value, dict) else enumerate(value[:2]) if isinstance(value, list) else ()
-    for key, entry in entries:
-        yield (key,)
-        if depth > 1:
-            yield from ((key, *rest) for rest in _paths(entry, depth - 1))
-
-
 @pytest.mark.parametrize("card", [green, red])
 def test_null_everywhere_it_may_stand(tmp_path, card, monkeypatch):
     """Each value in turn gone: the card is shown, or called damaged; nothing else."""
     monkeypatch.setattr(scorecards, "cost_figure", lambda *_: None)  # drawing takes most of the time, see the next test
-    document, whole = card(), 0
-    for path in _paths(document):
+    whole = 0
+    for changed in each_without(card()):
         try:
-            found = loaded(tmp_path, without(document, path))
+            found = loaded(tmp_path, changed)
         except plumbline_results.DamagedFile:
             continue
         whole += 1
@@ -343,19 +324,6 @@ def test_a_card_of_another_form_is_listed(tmp_path, change, reason):
     assert "#scorecard-y" in page.links and "#scorecard-x" not in page.links, "the others are shown"
 
 
-@pytest.mark.parametrize("content", ["{", "[]", "{}", '{"integrator": "x", "sentence": "y", "verdict": NaN}'])
-def test_a_damaged_card_is_listed(tmp_path, content):
-    (tmp_path / "scorecard-x.json").write_text(content, encoding="utf-8")
-    page = shown(tmp_path)
-    assert "No time integrator was judged for this report" in page.text
-    assert [cells[0] for _, cells in page.rows if "scorecard-x.json" in cells] == ["INVALID"]
-
-
-def test_without_any_the_page_says_so(tmp_path):
-    words = shown(tmp_path).text
-    assert "No time integrator was judged for this report" in words and "whether wrong integrators are found was not tried" in words
-
-
 def test_an_earlier_card_as_the_other(tmp_path):
     """What --against FILE sets beside is a whole card."""
     page = page_of(tmp_path, {**green(), "against": {**green(), "integrator": "earlier"}})
@@ -396,20 +364,11 @@ def test_smallest_defects_and_stages(parsed):
 def test_judges_of_little(tmp_path):
     write_card(tmp_path, "judges.json", {"wrong": [], "systematic": None, "smallest": [], "weak": None})
     assert "Proof that these gates judge" in shown(tmp_path).text
-    document = judges()
-    for path in _paths(document):
-        write_card(tmp_path, "judges.json", without(document, path))
+    for changed in each_without(judges()):
+        write_card(tmp_path, "judges.json", changed)
         found = plumbline_results.load_folder(tmp_path)
         if not found.damaged:
             scorecards.page([], found.judges)
-
-
-@pytest.mark.parametrize("content", ["{", "[]", "{}", '{"wrong": [1]}', '{"wrong": [], "systematic": {"stages": {"map": 3}}}'])
-def test_damaged_judges_are_listed(tmp_path, content):
-    (tmp_path / "judges.json").write_text(content, encoding="utf-8")
-    page = shown(tmp_path)
-    assert "was not tried for this report" in page.text
-    assert [cells[0] for _, cells in page.rows if "judges.json" in cells] == ["INVALID"]
 
 
 def test_the_stored_document_can_be_shown(tmp_path):
@@ -425,11 +384,9 @@ def test_the_stored_document_can_be_shown(tmp_path):
 
 
 def test_csv_gives_every_number_back(folder, tmp_path):
-    assert render.main([str(folder), str(tmp_path / "page.html"), "--csv", str(tmp_path / "csv")]) == 0
-    found = {}
-    for name in ("integrators", "integrator-gates", "integrator-limits", "integrator-costs", "integrator-factors"):
-        with open(tmp_path / "csv" / f"{name}.csv", encoding="utf-8", newline="") as stream:
-            found[name] = [entry for entry in csv.DictReader(stream) if entry["integrator"] == "mine"]
+    names = ("integrators", "integrator-gates", "integrator-limits", "integrator-costs", "integrator-factors")
+    tables = tables_of(folder, tmp_path, names)
+    found = {name: [entry for entry in tables[name] if entry["integrator"] == "mine"] for name in names}
     card = green()
     assert [float(entry["measured"]) for entry in found["integrator-gates"]] == [gate["measured"] for gate in card["gates"]]
     assert [float(entry["limit"] or "nan") for entry in found["integrator-limits"]][:3] == [0.751288, 1.0204081, 2.0]

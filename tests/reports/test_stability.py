@@ -1,7 +1,6 @@
 """The part of the page on stability: true to the document, whole where the document has gaps, light with many maps."""
 
 import copy
-import csv
 import json
 import math
 import re
@@ -12,22 +11,22 @@ import pytest
 import cost
 import maps
 import plumbline_results
-import render
 import stability
 import synthetic_results
 import text
-from html_page import Page, pixels_of, without_scripts
+from conftest import each_without
+from html_page import Page, pixels_of, source_of, tables_of, without_scripts
 from synthetic_results import bar_limit, bar_maps, gate, stability_document, write_stability, write_verdicts
 
 
-def source_of(folder, document=None):
+def page_of(folder, document=None):
     write_stability(folder, document)
-    return render.render(plumbline_results.load_folder(folder))
+    return source_of(folder)
 
 
 @pytest.fixture(scope="module")
 def source(tmp_path_factory):
-    return source_of(tmp_path_factory.mktemp("stability"))
+    return page_of(tmp_path_factory.mktemp("stability"))
 
 
 @pytest.fixture(scope="module")
@@ -325,7 +324,7 @@ def test_a_hundred_maps_stay_light(tmp_path):
             entry["values"] = [[1.5 + math.sin(37 * x + y) / 3 for x in range(40)] for y in range(30)]
             entry["closed_form"] = None
     assert len(found) == 100
-    page = source_of(tmp_path, stability_document(found))
+    page = page_of(tmp_path, stability_document(found))
     assert len(page.encode()) < 2e6
     words = Page(page).text
     assert words.count("linear, 5 maps") == 2 and words.count("Not drawn: 5 maps of") == 4, "more would be none to look at"
@@ -347,27 +346,13 @@ def test_null_everywhere_it_may_stand(tmp_path):
         entry["observed"] = entry["observed"][:2]
     document["problems"] = [bar]
     optional = 0
-    for path in list(_paths(document, 8)):
-        broken = copy.deepcopy(document)
-        place = broken
-        for step in path[:-1]:
-            place = place[step]
-        place[path[-1]] = None
+    for broken in each_without(document, 8):
         write_stability(tmp_path, broken)
         folder = plumbline_results.load_folder(tmp_path)
         if not folder.damaged:
             optional += 1
             stability_page(folder)
     assert optional > 100
-
-
-def _paths(value, depth):
-    """Ways to every part of a document, of long lists to the first two entries only."""
-    entries = value.items() if isinstance(value, dict) else enumerate(value[:2]) if isinstance(value, list) else ()
-    for key, entry in entries:
-        yield (key,)
-        if depth > 1:
-            yield from ((key, *rest) for rest in _paths(entry, depth - 1))
 
 
 def stability_page(folder):
@@ -414,20 +399,6 @@ def test_a_document_of_another_form_is_damaged(tmp_path, change):
         loaded(tmp_path, document)
 
 
-@pytest.mark.parametrize("content", ["{", "[]", "{}", '{"problems": [{"problem": "bar", "safe": [{"limit": NaN}]}]}'])
-def test_a_damaged_file_is_listed(tmp_path, content):
-    (tmp_path / "stability.json").write_text(content, encoding="utf-8")
-    shown = Page(render.render(plumbline_results.load_folder(tmp_path)))
-    assert "No maps of stability are in this report" in shown.text
-    assert [cells[:2] for _, cells in shown.rows if "stability.json" in cells] == [["INVALID", "stability.json"]]
-
-
-def test_without_the_file_the_page_says_so(tmp_path):
-    synthetic_results.spring_files_only(tmp_path / "results")
-    shown = Page(render.render(plumbline_results.load_folder(tmp_path / "results"))).text
-    assert "No maps of stability are in this report" in shown and "Which Courant number is safe" not in shown
-
-
 def test_text_of_the_document_is_never_markup(tmp_path):
     evil = "<script>alert(1)</script>"
     words = json.dumps(stability_document())
@@ -436,7 +407,7 @@ def test_text_of_the_document_is_never_markup(tmp_path):
     document = json.loads(words)
     for problem in document["problems"]:
         problem["problem"] += evil
-    page = source_of(tmp_path, document)
+    page = page_of(tmp_path, document)
     assert "<script" not in without_scripts(page) and "alert(1)" in page
     Page(page)
 
@@ -451,13 +422,13 @@ def test_gates_of_the_laboratory_are_linked(tmp_path):
         gate("sod", "default", "order", "density.L1 order", 0.9, None, "PASS", 0.985),
     ]
     write_verdicts(tmp_path, gates)
-    page = source_of(tmp_path)
+    page = page_of(tmp_path)
     strip = re.search(r'<ul class="verdict-strip".*?</ul>', page, re.DOTALL).group(0)
     assert 'href="#case-stability-bar"' in strip and "FAIL 1" in strip and "PASS 1" in strip and "sod" not in strip
     section = page[page.index('<section id="stability-bar"') : page.index('<section id="stability-oscillator"')]
     assert 'href="#case-stability-bar"' in section
     (tmp_path / "stability.json").unlink()
-    alone = render.render(plumbline_results.load_folder(tmp_path))
+    alone = source_of(tmp_path)
     assert "No maps of stability" in alone and 'class="verdict-strip"' in alone
 
 
@@ -473,18 +444,15 @@ def test_every_link_and_choice_has_its_aim(source, parsed):
 
 def test_two_problems_of_one_name_have_own_anchors(tmp_path):
     document = {"problems": [{"problem": "bar"}, {"problem": "bar"}]}
-    ids = Page(source_of(tmp_path, document)).ids
+    ids = Page(page_of(tmp_path, document)).ids
     assert ids.count("stability-bar") == 1 and ids.count("stability-bar-2") == 1
 
 
 def test_csv_gives_every_number_back(tmp_path):
     document = stability_document()
     write_stability(tmp_path, document)
-    assert render.main([str(tmp_path), str(tmp_path / "page.html"), "--csv", str(tmp_path / "csv")]) == 0
-    tables = {}
-    for name in ("stability", "stability-growth", "stability-safe", "stability-known", "stability-maps", "stability-orders"):
-        with open(tmp_path / "csv" / f"{name}.csv", encoding="utf-8", newline="") as stream:
-            tables[name] = list(csv.DictReader(stream))
+    parts = ("", "-growth", "-safe", "-known", "-maps", "-orders")
+    tables = tables_of(tmp_path, tmp_path, [f"stability{part}" for part in parts])
     bar = document["problems"][0]
     configurations = [c for problem in document["problems"] for c in problem.get("configurations") or []]
     assert len(tables["stability"]) == len(configurations)

@@ -8,6 +8,7 @@ import pytest
 import render
 import trust
 from cases import Case, Series
+from html_page import source_of
 
 REQUIREMENTS = [
     {"id": "mass", "requirement": "The solver shall keep mass.", "source": "York", "gates": [["*", "*/mass"]],
@@ -110,19 +111,9 @@ def test_features_are_those_of_the_runs():
     assert rows["kind", "gas"] == [2, 0] and rows["dimension", "plane"] == [1, 0]
 
 
-@pytest.mark.parametrize("name, text", [
-    ("equations.json", "[]"), ("equations.json", '{"equations": [{"tag": 1}]}'), ("coverage.json", '{"total": 2, "folders": {}}'),
-    ("coverage.json", '{"total": 0.9}'), ("list.json", '{"schemes": [{"name": "default"}]}'),
-])  # fmt: skip
-def test_damaged_documents_are_listed(tmp_path, name, text):
-    (tmp_path / name).write_text(text)
-    assert [file for file, _ in plumbline_results.load_folder(tmp_path).damaged] == [name]
-
-
 def test_coverage_of_lines_is_shown(tmp_path):
-    assert "holds no <code>coverage.json</code>" in render.render(plumbline_results.load_folder(tmp_path))
     (tmp_path / "coverage.json").write_text(json.dumps({"total": 0.932, "folders": {"kernel": 0.951}}))
-    page = render.render(plumbline_results.load_folder(tmp_path))
+    page = source_of(tmp_path)
     assert "93.2" in page and "95.1" in page and 'id="trust"' in page
 
 

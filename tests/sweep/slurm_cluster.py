@@ -12,6 +12,8 @@ import tempfile
 import time
 from pathlib import Path
 
+from sweeps import await_
+
 NODES = ("n1", "n2")
 TOOLS = ("munged", "munge", "unmunge", "slurmctld", "slurmd", "sbatch", "scancel", "scontrol", "sinfo", "squeue")
 PATH = os.environ["PATH"] + ":/usr/sbin:/sbin"
@@ -76,15 +78,6 @@ def _free_ports(count):
             except OSError:
                 continue
     raise CannotStart("no free ports")
-
-
-def _wait(what, seconds, ready):
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        if found := ready():
-            return found
-        time.sleep(0.1)
-    raise TimeoutError(f"waited {seconds} s for {what}")
 
 
 class Cluster:
@@ -175,7 +168,7 @@ class Cluster:
         files = {f"--{what}-file": self.folder / f"munged.{what}" for what in ("pid", "log", "seed")}
         files["--key-file"], files["--socket"] = key, self.folder / "munge.socket"
         self._launch("munged", "munged", "--foreground", "--force", *(f"{option}={path}" for option, path in files.items()))
-        _wait("munged", 10, lambda: self._alive() and files["--socket"].exists())
+        await_("munged", 10, lambda: self._alive() and files["--socket"].exists())
 
     def _start_slurm(self):
         ports = _free_ports(1 + len(NODES))
@@ -192,7 +185,7 @@ class Cluster:
         self._launch("slurmctld", "slurmctld", "-D", "-f", self.environment["SLURM_CONF"])
         for node in NODES:
             self._launch(f"slurmd {node}", "slurmd", "-D", "-N", node, "-f", self.environment["SLURM_CONF"])
-        _wait("two idle nodes", 30, lambda: self._alive() and self._idle())
+        await_("two idle nodes", 30, lambda: self._alive() and self._idle())
 
     def _alive(self):
         for name, daemon in self.daemons.items():

@@ -17,6 +17,7 @@
 #include "cases/harness/run/experiment.hpp"
 #include "cases/harness/verify/verification.hpp"
 #include "reference/riemann.hpp"
+#include "tests/cases/catalog/run_by_name.hpp"
 #include "tests/cases/harness/temporary_folder.hpp"
 
 namespace plumbline {
@@ -210,11 +211,6 @@ const RunResult& run_of(const std::string& name, const std::vector<std::string>&
   if (known != runs.end()) return known->second;
   const Case& entry = find_case(name);
   return runs.emplace(key, run_experiment(entry, "default", entry.settings("default", {}, typed))).first->second;
-}
-
-const Measure& measure(const RunResult& run, const std::string& name) {
-  if (const Measure* m = run.find(name)) return *m;
-  throw std::out_of_range("no measure " + name);
 }
 
 TEST(Noh, ThePlaneHasThePublishedShock) {

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <stdexcept>
 
 #include "cases/harness/run/experiment.hpp"
 #include "reference/riemann.hpp"
+#include "tests/cases/catalog/run_by_name.hpp"
 
 namespace plumbline {
 namespace {
@@ -143,18 +143,6 @@ RunResult run(const std::vector<std::string>& typed) {
   const RunResult result = run_experiment(sod, "default", sod.settings("default", {{"cells", 50.0}}, typed));
   EXPECT_TRUE(result.finished);
   return result;
-}
-
-const std::vector<double>& column_of(const RunResult& result, const std::string& name) {
-  const ProfileColumn* column = result.profile.find(name);
-  if (!column) throw std::out_of_range("the profile has no column " + name);
-  return column->values;
-}
-
-const Measure& measure(const RunResult& result, const std::string& name) {
-  const Measure* found = result.find(name);
-  if (!found) throw std::out_of_range("the run has no measure " + name);
-  return *found;
 }
 
 double error(const RunResult& result, const std::string& name) { return measure(result, name).error; }

@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <stdexcept>
 
 #include "cases/harness/run/experiment.hpp"
 #include "reference/elastic_pendulum.hpp"
+#include "tests/cases/catalog/run_by_name.hpp"
 
 namespace plumbline {
 namespace {
@@ -14,12 +14,6 @@ const Case& pendulum() { return find_case("pendulum"); }
 
 Scene scene_of(const std::string& scheme, const std::vector<std::string>& typed = {}) {
   return pendulum().problem(pendulum().settings(scheme, {}, typed))->scene();
-}
-
-const Measure& measure(const RunResult& result, const std::string& name) {
-  const Measure* found = result.find(name);
-  if (!found) throw std::out_of_range("the run has no measure " + name);
-  return *found;
 }
 
 RunResult run(const std::vector<std::string>& typed) {

@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <stdexcept>
 
 #include "cases/harness/run/experiment.hpp"
 #include "kernel/materials/uniaxial_membrane.hpp"
 #include "reference/heavy_spring.hpp"
+#include "tests/cases/catalog/run_by_name.hpp"
 
 namespace plumbline {
 namespace {
@@ -96,18 +96,6 @@ RunResult run(const std::string& scheme, const std::vector<std::string>& typed) 
   const RunResult result = run_experiment(spring(), scheme, spring().settings(scheme, {}, typed));
   EXPECT_TRUE(result.finished);
   return result;
-}
-
-const std::vector<double>& column_of(const RunResult& result, const std::string& name) {
-  const ProfileColumn* column = result.profile.find(name);
-  if (!column) throw std::out_of_range("the profile has no column " + name);
-  return column->values;
-}
-
-const Measure& measure(const RunResult& result, const std::string& name) {
-  const Measure* found = result.find(name);
-  if (!found) throw std::out_of_range("the run has no measure " + name);
-  return *found;
 }
 
 // The displacement is counted from rest, positive along gravity: after t it is g t^2 / 2 as long as the spring is slack,

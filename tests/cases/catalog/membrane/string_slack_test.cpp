@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <stdexcept>
 
 #include "cases/harness/run/experiment.hpp"
 #include "kernel/materials/segment_membrane.hpp"
 #include "reference/slack_string.hpp"
+#include "tests/cases/catalog/run_by_name.hpp"
 
 namespace plumbline {
 namespace {
@@ -15,12 +15,6 @@ const Case& slack() { return find_case("string-slack"); }
 
 Scene scene_of(const std::string& scheme, const std::vector<std::string>& typed = {}) {
   return slack().problem(slack().settings(scheme, {}, typed))->scene();
-}
-
-const Measure& measure(const RunResult& result, const std::string& name) {
-  const Measure* found = result.find(name);
-  if (!found) throw std::out_of_range("the run has no measure " + name);
-  return *found;
 }
 
 // Ten points from 1.99 to 1.69; the fourth to the ninth less one start with a stress of -1e5, a strain of -0.1.
