@@ -1,9 +1,7 @@
-#include "kernel/engine/choice.hpp"
+#include "kernel/engine/step.hpp"
 
 namespace plumbline {
 
-std::unique_ptr<Engine> make_axisymmetric_engine(Scene& scene, Ledger& ledger, const EngineOptions& options) {
-  return engine_of<Axisymmetric>(scene, ledger, options);
-}
+template std::unique_ptr<Engine> make_engine_of<Axisymmetric>(Scene&, Ledger&, const EngineOptions&);
 
 }  // namespace plumbline

@@ -4,21 +4,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/engine/chunks.hpp"
+#include "kernel/engine/mechanics.hpp"
 
 namespace plumbline {
 
 // Whether what the body loses goes to gas. [Coupling 1]
-template <class G, class S, class T>
-bool Mechanics<G, S, T>::hands_over(std::size_t b) const {
+template <class G>
+bool Mechanics<G>::hands_over(std::size_t b) const {
   return scene_.loss_to_gas && options_.keep_loss && mixed(field_of(b)) && !scene_.bodies[b].material->takes_heat();
 }
 
 // L_i = sum_p (loss_p + kept_p) N_ip of the bodies without an energy equation, then L_i / G_i, G_i the mass of gas. What
 // falls on nodes without gas the point keeps until there is some: kept_p = (loss_p + kept_p) sum_{i: G_i = 0} N_ip.
 // [Coupling 1]
-template <class G, class S, class T>
-void Mechanics<G, S, T>::hand_loss_over() {
+template <class G>
+void Mechanics<G>::hand_loss_over() {
   bool any = false;
   for (std::size_t b = 0; b < located_.size(); ++b) {
     if (!hands_over(b)) continue;
@@ -30,24 +30,20 @@ void Mechanics<G, S, T>::hand_loss_over() {
     }
     any = true;
     Body& body = scene_.bodies[b];
-    const Places places = this->places(body, located_[b]);
+    const Weights<dim>& at = located_[b].weights;
     const double* loss = body.points(column::transfer_loss);
     double* waiting = body.points(column::kept_loss);
-    for_chunks_writing_nodes(located_[b], [&](const Chunk& chunk) {
-      for_bins(located_[b].bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
-        Pack sums[nodes];
-        double bare[nodes];
-        for_stencil_nodes(print, [&](int k, std::size_t i) { bare[k] = field.gas_mass[i] > least_mass ? 0.0 : 1.0; });
-        for (Pack& s : sums) s = 0.0;
-        for_packs(first, last, [&](int p, int count) {
-          const PackStencil weights = stencil(places, anchor, p);
-          const Pack all = load(loss + p) + load(waiting + p);
-          weights.spread(kept(all, count), sums, 1);
-          store(waiting + p, all * weights.gather_array([&](int k) { return bare[k]; }).value, count);
-        });
-        add_to_nodes<1>(print, sums, [&](std::size_t i, const double* total) { field.loss[i] += total[0]; });
-      });
+    std::vector<double> bare(field.gas_mass.size()),
+        without_gas(static_cast<std::size_t>(body.points.points() + lanes));
+    field.for_touched(grid_, [&](std::size_t i) { bare[i] = field.gas_mass[i] > least_mass ? 0.0 : 1.0; });
+    const typename Loops::Spread all[] = {{waiting, nullptr, field.loss.data(), 1}};
+    const typename Loops::Gather rest[] = {{bare.data(), 1, without_gas.data()}};
+    for (int p = 0; p < body.points.points(); ++p) waiting[p] += loss[p];
+    for_chunks_writing_nodes(at.bins, options_.threads, [&](const Chunk& chunk) {
+      loops_->spread(body.points, at, chunk, all);
+      loops_->gather(body.points, at, chunk, rest);
     });
+    for (int p = 0; p < body.points.points(); ++p) waiting[p] *= without_gas[static_cast<std::size_t>(p)];
   }
   if (!any) return;
   for (Field& field : fields_) {
@@ -61,28 +57,19 @@ void Mechanics<G, S, T>::hand_loss_over() {
 }
 
 // Adds to what a gas point lost itself its share of what others lost at its nodes, m_p sum_i N_ip L_i / G_i.
-template <class G, class S, class T>
-void Mechanics<G, S, T>::take_loss(std::size_t b) {
+template <class G>
+void Mechanics<G>::take_loss(std::size_t b) {
   const Field& field = field_of(b);
   if (!scene_.loss_to_gas || !mixed(field)) return;
   Body& body = scene_.bodies[b];
-  const Places places = this->places(body, located_[b]);
+  const Weights<dim>& at = located_[b].weights;
   const double* mass = body.points(column::mass);
   double* loss = body.points(column::transfer_loss);
-  for_chunks(located_[b], [&](const Chunk& chunk) {
-    for_bins(located_[b].bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
-      double share[nodes], most = 0;
-      for_stencil_nodes(print, [&](int k, std::size_t i) {
-        share[k] = field.loss[i];
-        most = std::max(most, std::abs(share[k]));
-      });
-      if (most == 0) return;
-      for_packs(first, last, [&](int p, int count) {
-        const PackStencil weights = stencil(places, anchor, p);
-        const Pack taken = load(mass + p) * weights.gather_array([&](int k) { return share[k]; }).value;
-        store(loss + p, load(loss + p) + taken, count);
-      });
-    });
+  std::vector<double> share(static_cast<std::size_t>(body.points.points() + lanes));
+  const typename Loops::Gather shares[] = {{field.loss.data(), 1, share.data()}};
+  for_chunks(at.bins, options_.threads, [&](const Chunk& chunk) {
+    loops_->gather(body.points, at, chunk, shares);
+    for (int p = chunk.first; p < chunk.last; ++p) loss[p] += mass[p] * share[static_cast<std::size_t>(p)];
   });
 }
 
@@ -90,8 +77,8 @@ void Mechanics<G, S, T>::take_loss(std::size_t b) {
 //   dx_p = theta tau (F_p / m_p - sum_i N_ip A_i),  A_i = sum_p F_p N_ip / sum_p m_p N_ip,  tau = 1 / w^2 of the fastest,
 // towards the rest of that part of their forces, which releases elastic energy: under m the map to the nodes and back is
 // symmetric with eigenvalues from 0 to 1. Centre of mass and momentum stay; points on walls stay on them. [Coupling 2]
-template <class G, class S, class T>
-void Mechanics<G, S, T>::relax_chain(std::size_t b, MotionSums& sums) {
+template <class G>
+void Mechanics<G>::relax_chain(std::size_t b, MotionSums& sums) {
   Body& body = scene_.bodies[b];
   if (!body.chain || !(scene_.chain_relaxation > 0)) return;
   const double tau = scene_.chain_relaxation * body.material->point_forces(body.points, chain_force_);
@@ -101,58 +88,36 @@ void Mechanics<G, S, T>::relax_chain(std::size_t b, MotionSums& sums) {
   chain_shift_.resize(static_cast<std::size_t>(dim * n + lanes));
   if (!own_field_) own_field_.emplace(grid_);
   Field& field = *own_field_;
-  Located& at = located_[b];
+  const Weights<dim>& at = located_[b].weights;
   touch_alone(at, field);
   field.for_touched(grid_, [&](std::size_t i) { field.force[i].setZero(); });
-  const Places places = this->places(body, at);
   const double* mass = body.points(column::mass);
-  for_chunks_writing_nodes(at, [&](const Chunk& chunk) {
-    for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
-      constexpr int parts = 1 + dim;
-      Pack node_sums[nodes * parts];
-      for (Pack& s : node_sums) s = 0.0;
-      for_packs(first, last, [&](int p, int count) {
-        const PackStencil weights = stencil(places, anchor, p);
-        weights.spread(kept(load(mass + p), count), node_sums, parts);
-        for (int d = 0; d < dim; ++d) {
-          weights.spread(kept(load(chain_force_.data() + d * n + p), count), node_sums + 1 + d, parts);
-        }
-      });
-      add_to_nodes<parts>(print, node_sums, [&](std::size_t i, const double* total) {
-        field.mass[i] += total[0];
-        for (int d = 0; d < dim; ++d) field.force[i][d] += total[1 + d];
-      });
-    });
-  });
+  std::array<typename Loops::Spread, 1 + dim> to_nodes{{{mass, nullptr, field.mass.data(), 1}}};
+  std::array<typename Loops::Gather, dim> to_points;
+  for (int d = 0; d < dim; ++d) {
+    const auto k = static_cast<std::size_t>(d);
+    to_nodes[1 + k] = {chain_force_.data() + d * n, nullptr, component(field.force, d), dim};
+    to_points[k] = {component(field.end, d), dim, chain_shift_.data() + d * n};
+  }
+  for_chunks_writing_nodes(at.bins, options_.threads,
+                           [&](const Chunk& chunk) { loops_->spread(body.points, at, chunk, to_nodes); });
   walls_.fold_mass(field);
   walls_.fold(field, field.force);
   field.for_touched(grid_, [&](std::size_t i) {
     field.end[i] = field.mass[i] > least_mass ? Vec(field.force[i] / field.mass[i]) : Vec(Vec::Zero());
   });
   walls_.extend(field, field.end);
-  for_chunks(at, [&](const Chunk& chunk) {
-    for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
-      double seen[nodes][dim];
-      for_stencil_nodes(print, [&](int k, std::size_t i) {
-        for (int d = 0; d < dim; ++d) seen[k][d] = field.end[i][d];
-      });
-      for_packs(first, last, [&](int p, int count) {
-        const PackStencil weights = stencil(places, anchor, p);
-        for (int d = 0; d < dim; ++d) {
-          const Pack own = load(chain_force_.data() + d * n + p) / load(mass + p);
-          const Pack smooth = weights.gather_array([&](int k) { return seen[k][d]; }).value;
-          store(chain_shift_.data() + d * n + p, tau * (own - smooth), count);
-        }
-      });
-    });
-  });
+  for_chunks(at.bins, options_.threads, [&](const Chunk& chunk) { loops_->gather(body.points, at, chunk, to_points); });
+  for (int k = 0; k < dim * n; ++k) {
+    const auto at_k = static_cast<std::size_t>(k);
+    chain_shift_[at_k] = tau * (chain_force_[at_k] / mass[k % n] - chain_shift_[at_k]);
+  }
   shift_chain(body, sums);
 }
 
-template <class G, class S, class T>
-void Mechanics<G, S, T>::shift_chain(Body& body, MotionSums& sums) const {
+template <class G>
+void Mechanics<G>::shift_chain(Body& body, MotionSums& sums) const {
   const int n = body.points.points();
-  const std::size_t about = dim == 2 ? 2 : 0;
   const double* mass = body.points(column::mass);
   double *position[dim], *velocity[dim];
   for (int d = 0; d < dim; ++d) {
@@ -183,33 +148,20 @@ void Mechanics<G, S, T>::shift_chain(Body& body, MotionSums& sums) const {
 // Strains that points carry themselves have modes, too, that no node sees, and nothing stops them:
 //   eps_p += min(1, kappa dt c / h) (sum_i N_ip eps_i - eps_p),  eps_i = sum_p m_p eps_p N_ip / sum_p m_p N_ip.
 // What that stores or releases is booked, and goes where the other losses go. [Coupling 3]
-template <class G, class S, class T>
-void Mechanics<G, S, T>::smooth_strain(std::size_t b, double dt) {
+template <class G>
+void Mechanics<G>::smooth_strain(std::size_t b, double dt) {
   Body& body = scene_.bodies[b];
   if (!body.chain || !(scene_.strain_smoothing > 0) || body.material->measure() == StressMeasure::point_force) return;
   if (!own_field_) own_field_.emplace(grid_);
   Field& field = *own_field_;
-  Located& at = located_[b];
+  const Weights<dim>& at = located_[b].weights;
   touch_alone(at, field);
   field.for_touched(grid_, [&](std::size_t i) { field.heat[i] = 0; });
-  const Places places = this->places(body, at);
   const double *mass = body.points(column::mass), *strain = body.points(column::strain);
-  for_chunks_writing_nodes(at, [&](const Chunk& chunk) {
-    for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
-      Pack sums[nodes * 2];
-      for (Pack& s : sums) s = 0.0;
-      for_packs(first, last, [&](int p, int count) {
-        const PackStencil weights = stencil(places, anchor, p);
-        const Pack m = kept(load(mass + p), count);
-        weights.spread(m, sums, 2);
-        weights.spread(m * load(strain + p), sums + 1, 2);
-      });
-      add_to_nodes<2>(print, sums, [&](std::size_t i, const double* total) {
-        field.mass[i] += total[0];
-        field.heat[i] += total[1];
-      });
-    });
-  });
+  const typename Loops::Spread to_nodes[] = {{mass, nullptr, field.mass.data(), 1},
+                                             {strain, mass, field.heat.data(), 1}};
+  for_chunks_writing_nodes(at.bins, options_.threads,
+                           [&](const Chunk& chunk) { loops_->spread(body.points, at, chunk, to_nodes); });
   walls_.fold_mass(field);
   walls_.fold_even(field, field.heat);
   field.for_touched(
@@ -218,17 +170,12 @@ void Mechanics<G, S, T>::smooth_strain(std::size_t b, double dt) {
   const StepBounds bounds = body.material->step_bounds(body.points, all_points(body.points), dim);
   const double share = std::min(1.0, scene_.strain_smoothing * dt * bounds.fastest / grid_.h());
   chain_shift_.assign(static_cast<std::size_t>(body.points.points() + lanes), 0.0);
-  for_chunks(at, [&](const Chunk& chunk) {
-    for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
-      double seen[nodes];
-      for_stencil_nodes(print, [&](int k, std::size_t i) { seen[k] = field.heat[i]; });
-      for_packs(first, last, [&](int p, int count) {
-        const Pack smooth = stencil(places, anchor, p).gather_array([&](int k) { return seen[k]; }).value;
-        const Pack own = load(strain + p);
-        store(chain_shift_.data() + p, own + share * (smooth - own), count);  // [Coupling 3]
-      });
-    });
-  });
+  const typename Loops::Gather to_points[] = {{field.heat.data(), 1, chain_shift_.data()}};
+  for_chunks(at.bins, options_.threads, [&](const Chunk& chunk) { loops_->gather(body.points, at, chunk, to_points); });
+  for (int p = 0; p < body.points.points(); ++p) {
+    double& next = chain_shift_[static_cast<std::size_t>(p)];
+    next = strain[p] + share * (next - strain[p]);  // [Coupling 3]
+  }
   ledger_.energy.book(Flow::constitutive, body.material->set_strain(body.points, chain_shift_));
 }
 

@@ -6,30 +6,30 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "kernel/cell_volumes.hpp"
-#include "kernel/engine/chunks.hpp"
 #include "kernel/engine/mechanics.hpp"
 
 namespace plumbline {
 
-template <class G, class S, class T>
-Mechanics<G, S, T>::Mechanics(Scene& scene, Ledger& ledger, const EngineOptions& options)
+template <class G>
+Mechanics<G>::Mechanics(Scene& scene, Ledger& ledger, const EngineOptions& options)
     : scene_(scene),
       ledger_(ledger),
       options_(options),
       transfer_(transfer_choice(scene.transfer, scene.transfer_order)),
+      loops_(make_point_loops<G>(scene, transfer_)),
+      shape_(loops_->shape()),
       grid_(scene.grid),
       walls_(grid_),
       pistons_(scene),
-      sharpening_(grid_, scene.sharpening * S::blur),
-      inverse_volume_(inverse_cell_volumes<S>(grid_)),
+      sharpening_(grid_, scene.sharpening * shape_.blur),
+      inverse_volume_(loops_->inverse_volumes()),
       tangents_(scene.normals) {
   if ((transfer_.increments || transfer_.order > 0) && !pistons_.none()) {
     throw std::invalid_argument("pistons cannot work with the transfer " + scene.transfer +
                                 ": its points do not take the velocity that a piston gives its nodes");
   }
   for (int d = 0; d < dim; ++d) gravity_[d] = scene.gravity[static_cast<std::size_t>(d)];
-  contact_ = make_contact<dim>(scene.contact, grid_, S::support);
+  contact_ = make_contact<dim>(scene.contact, grid_, shape_.support);
   loaded_ = !gravity_.isZero(0);
   long points = 0;
   for (const Body& body : scene.bodies) points += body.points.points();
@@ -46,12 +46,12 @@ Mechanics<G, S, T>::Mechanics(Scene& scene, Ledger& ledger, const EngineOptions&
     }
     alone_.resize(fields_.size(), true);
     if (!first_of_field) alone_[at.field] = false;
-    at.lowest.resize(static_cast<std::size_t>(body.points.points()));
+    at.weights.lowest.resize(static_cast<std::size_t>(body.points.points()));
     located_.push_back(std::move(at));
     loaded_ = loaded_ || body.load;
     refuse_other_geometry(body);
-    if (T::affine) body.points.add(column::affine, dim * dim);
-    if (S::boxes) add_boxes(body);
+    if (transfer_.affine) body.points.add(column::affine, dim * dim);
+    if (shape_.boxes) add_boxes(body);
     if (options.keep_loss && body.material->takes_heat()) body.points.add(column::transfer_loss);
   }
   refuse_relaxation();
@@ -83,17 +83,17 @@ Mechanics<G, S, T>::Mechanics(Scene& scene, Ledger& ledger, const EngineOptions&
 }
 
 // Moving points without their velocities changes the inertia of boxes, and with it energy that is nobody's.
-template <class G, class S, class T>
-void Mechanics<G, S, T>::refuse_relaxation() const {
-  if (T::affine && !S::fixed_inertia && scene_.chain_relaxation > 0) {
+template <class G>
+void Mechanics<G>::refuse_relaxation() const {
+  if (transfer_.affine && !shape_.fixed_inertia && scene_.chain_relaxation > 0) {
     throw std::invalid_argument("chains cannot be relaxed with the shape " + scene_.shape + " and the transfer " +
                                 scene_.transfer + ": the affine inertia of points would change as they are moved");
   }
 }
 
 // Boxes start as cubes of the points' spacing.
-template <class G, class S, class T>
-void Mechanics<G, S, T>::add_boxes(Body& body) const {
+template <class G>
+void Mechanics<G>::add_boxes(Body& body) const {
   if (body.points.has(column::half_size)) return;
   body.points.add(column::half_size, dim);
   const bool deform = scene_.shape == "contiguous-gimp" && body.points.has(column::deformation);
@@ -109,54 +109,43 @@ void Mechanics<G, S, T>::add_boxes(Body& body) const {
 
 // A box follows its point's deformation by its second moments: l_d^2 = sum_e F_de^2 l0_e^2, whatever the rotation. With
 // it changes the inertia of the point's affine velocity, whose energy and spin are booked. [GIMP 2]
-template <class G, class S, class T>
-void Mechanics<G, S, T>::deform_boxes(Body& body) {
-  if constexpr (S::boxes) {
-    Columns& points = body.points;
-    if (!points.has(column::half_size_at_start)) return;
-    double energy = 0;
-    Turn spin{};
-    for (int p = 0; p < points.points(); ++p) {
-      double change[dim];  // of D
-      for (int d = 0; d < dim; ++d) {
-        double& half = points(column::half_size, d)[p];
-        const double before = inertia_of(points, d, p);
-        double square = 0;
-        for (int e = 0; e < dim; ++e) {
-          const double edge = points(column::deformation, d * dim + e)[p] * points(column::half_size_at_start, e)[p];
-          square += edge * edge;
-        }
-        half = std::sqrt(square);  // [GIMP 2]
-        change[d] = points(column::mass)[p] * (inertia_of(points, d, p) - before);
+template <class G>
+void Mechanics<G>::deform_boxes(Body& body) {
+  Columns& points = body.points;
+  if (!shape_.boxes || !points.has(column::half_size_at_start)) return;
+  double energy = 0;
+  Turn spin{};
+  for (int p = 0; p < points.points(); ++p) {
+    double change[dim];  // of D
+    for (int d = 0; d < dim; ++d) {
+      double& half = points(column::half_size, d)[p];
+      const double before = loops_->inertia(points, d, p);
+      double square = 0;
+      for (int e = 0; e < dim; ++e) {
+        const double edge = points(column::deformation, d * dim + e)[p] * points(column::half_size_at_start, e)[p];
+        square += edge * edge;
       }
-      if constexpr (T::affine) {
-        const auto c = [&](int d, int e) { return points(column::affine, d * dim + e)[p]; };
-        for (int d = 0; d < dim; ++d) {
-          for (int e = 0; e < dim; ++e) energy += 0.5 * change[e] * c(d, e) * c(d, e);
-        }
-        for (int k = 0; k < rotations; ++k) {
-          const int a = rotation_axis<dim>(k, 0), b = rotation_axis<dim>(k, 1);
-          spin[static_cast<std::size_t>(dim == 2 ? 2 : k)] += change[a] * c(b, a) - change[b] * c(a, b);
-        }
+      half = std::sqrt(square);  // [GIMP 2]
+      change[d] = points(column::mass)[p] * (loops_->inertia(points, d, p) - before);
+    }
+    if (transfer_.affine) {
+      const auto c = [&](int d, int e) { return points(column::affine, d * dim + e)[p]; };
+      for (int d = 0; d < dim; ++d) {
+        for (int e = 0; e < dim; ++e) energy += 0.5 * change[e] * c(d, e) * c(d, e);
+      }
+      for (int k = 0; k < rotations; ++k) {
+        const int a = rotation_axis<dim>(k, 0), b = rotation_axis<dim>(k, 1);
+        spin[about + static_cast<std::size_t>(k)] += change[a] * c(b, a) - change[b] * c(a, b);
       }
     }
-    ledger_.energy.book(Flow::transfer, energy);
-    for (std::size_t k = 0; k < 3; ++k) ledger_.angular_momentum[k].book(Flow::transfer, spin[k]);
   }
-}
-
-// D_p along d where the point stands, m^2.
-template <class G, class S, class T>
-double Mechanics<G, S, T>::inertia_of(const Columns& points, int d, int p) const {
-  const double cells = grid_.logical(points(column::position, d)[p], d);
-  double half = 0;
-  if constexpr (S::boxes) half = std::clamp(points(column::half_size, d)[p] / grid_.h(), S::narrowest, S::widest);
-  return inertia_at(cells, half) * grid_.h() * grid_.h();
+  ledger_.energy.book(Flow::transfer, energy);
+  for (std::size_t k = 0; k < 3; ++k) ledger_.angular_momentum[k].book(Flow::transfer, spin[k]);
 }
 
 // A body made for another dimension or geometry would be read beyond its columns.
-template <class G, class S, class T>
-void Mechanics<G, S, T>::refuse_other_geometry(const Body& body) {
+template <class G>
+void Mechanics<G>::refuse_other_geometry(const Body& body) {
   if (body.points.points() == 0) return;
   const auto expect = [&](const ColumnId& id, int components) {
     const int found = body.points.components(id);
@@ -173,8 +162,8 @@ void Mechanics<G, S, T>::refuse_other_geometry(const Body& body) {
   }
 }
 
-template <class G, class S, class T>
-auto Mechanics<G, S, T>::nodal(const Field& field, NodalVelocity which) const -> const std::vector<Vec>& {
+template <class G>
+auto Mechanics<G>::nodal(const Field& field, NodalVelocity which) const -> const std::vector<Vec>& {
   switch (which == NodalVelocity::current ? current_ : which) {
     case NodalVelocity::end:
       return field.end;
@@ -187,42 +176,29 @@ auto Mechanics<G, S, T>::nodal(const Field& field, NodalVelocity which) const ->
   }
 }
 
-template <class G, class S, class T>
-void Mechanics<G, S, T>::place(Body& body, Located& at) const {
-  std::array<const double*, dim> position;
-  for (int d = 0; d < dim; ++d) position[static_cast<std::size_t>(d)] = body.points(column::position, d);
-  std::vector<char> outside(static_cast<std::size_t>(1 + body.points.points() / place_stretch));
+template <class G>
+void Mechanics<G>::place(const Body& body, Weights<dim>& at) const {
+  const int points = body.points.points();
+  std::vector<char> outside(static_cast<std::size_t>(1 + points / place_stretch));
   for_each_piece(static_cast<int>(outside.size()), options_.threads, [&](int piece) {
-    const int first = piece * place_stretch, last = std::min(first + place_stretch, body.points.points());
-    PackMask inside = first_lanes(lanes);
-    for_packs(
-        first, last, [&](int p, int count) __attribute__((always_inline)) {
-          Pack node = 0.0;
-          for (int d = 0; d < dim; ++d) {
-            const Pack x = (load(position[static_cast<std::size_t>(d)] + p) - grid_.origin(d)) * (1 / grid_.h());
-            inside = inside && ((x >= -on_side && x <= grid_.cells(d) + on_side) || !first_lanes(count));
-            const Pack on_grid = min(max(x, Pack(0.0)), Pack(1.0 * grid_.cells(d)));
-            node += (S::anchor_node(on_grid, grid_.cells(d)) + (S::first + Grid<dim>::ghosts)) *
-                    (1.0 * grid_.stride(d));
-          }
-          store_as_integers(at.lowest.data() + p, node, count);
-        });
-    outside[static_cast<std::size_t>(piece)] = !all_of(inside);
+    const int first = piece * place_stretch;
+    const PointRange range{first, std::min(first + place_stretch, points)};
+    outside[static_cast<std::size_t>(piece)] = !loops_->find_lowest(body.points, range, at.lowest.data());
   });
   if (std::find(outside.begin(), outside.end(), 1) == outside.end()) return;
   for (int d = 0; d < dim; ++d) {
     for (int p = 0; p < body.points.points(); ++p) {
-      const double x = grid_.logical(position[static_cast<std::size_t>(d)][p], d);
+      const double x = grid_.logical(body.points(column::position, d)[p], d);
       if (x >= -on_side && x <= grid_.cells(d) + on_side) continue;
       throw InadmissibleState("a point left the grid", body.name, body.id[static_cast<std::size_t>(p)],
-                              column::position.name(), position[static_cast<std::size_t>(d)][p]);
+                              column::position.name(), body.points(column::position, d)[p]);
     }
   }
 }
 
 // By lowest node, and by number where that is the same.
-template <class G, class S, class T>
-bool Mechanics<G, S, T>::in_order(const Body& body, const Located& at) {
+template <class G>
+bool Mechanics<G>::in_order(const Body& body, const Weights<dim>& at) {
   for (std::size_t p = 1; p < at.lowest.size(); ++p) {
     const int step = at.lowest[p] - at.lowest[p - 1];
     if (step < 0 || (step == 0 && body.id[p] < body.id[p - 1])) return false;
@@ -231,8 +207,8 @@ bool Mechanics<G, S, T>::in_order(const Body& body, const Located& at) {
 }
 
 // Points are sorted whenever one has changed its bin; a chain keeps its order.
-template <class G, class S, class T>
-bool Mechanics<G, S, T>::sort_points(Body& body, Located& at) {
+template <class G>
+bool Mechanics<G>::sort_points(Body& body, Weights<dim>& at) {
   if (body.chain || in_order(body, at)) return false;
   const std::span<const int> order = at.bins_hold
                                          ? bin_sort_.sort_again(at.bins, at.lowest, body.id, grid_.node_count())
@@ -262,13 +238,13 @@ bool Mechanics<G, S, T>::sort_points(Body& body, Located& at) {
 }
 
 // Marks the nodes that the points reach.
-template <class G, class S, class T>
-void Mechanics<G, S, T>::touch(const Located& at, Field& field) const {
+template <class G>
+void Mechanics<G>::touch(const Weights<dim>& at, Field& field) const {
   const int length = grid_.row_length();
   for (int bin = 0; bin < at.bins.bins(); ++bin) {
-    const int node = at.bins.node(bin), row = node / length, first = node - row * length, last = first + support;
-    for (int z = 0; z < (dim > 2 ? support : 1); ++z) {
-      for (int y = 0; y < (dim > 1 ? support : 1); ++y) {
+    const int node = at.bins.node(bin), row = node / length, first = node - row * length, last = first + shape_.support;
+    for (int z = 0; z < (dim > 2 ? shape_.support : 1); ++z) {
+      for (int y = 0; y < (dim > 1 ? shape_.support : 1); ++y) {
         int here = row + y;
         if constexpr (dim > 2) here += z * (grid_.stride(2) / length);
         auto& range = field.touched[static_cast<std::size_t>(here)];
@@ -280,21 +256,22 @@ void Mechanics<G, S, T>::touch(const Located& at, Field& field) const {
 }
 
 // The same of one body's points alone, with no mass yet.
-template <class G, class S, class T>
-void Mechanics<G, S, T>::touch_alone(const Located& at, Field& field) const {
+template <class G>
+void Mechanics<G>::touch_alone(const Weights<dim>& at, Field& field) const {
   std::fill(field.touched.begin(), field.touched.end(), std::pair<int, int>{0, 0});
   touch(at, field);
   walls_.include_mirrors(field.touched);
   field.for_touched(grid_, [&](std::size_t i) { field.mass[i] = 0; });
 }
 
-template <class G, class S, class T>
-void Mechanics<G, S, T>::locate_points() {
+template <class G>
+void Mechanics<G>::locate_points() {
   for (Field& field : fields_) std::fill(field.touched.begin(), field.touched.end(), std::pair<int, int>{0, 0});
   for (std::size_t b = 0; b < located_.size(); ++b) {
     Body& body = scene_.bodies[b];
-    Located& at = located_[b];
+    Weights<dim>& at = located_[b].weights;
     deform_boxes(body);
+    at.release();
     place(body, at);
     if (sorting_) sort_points(body, at);
     at.bins.build(at.lowest, grid_.stride(dim - 1), block_height, sorting_ && !body.chain);

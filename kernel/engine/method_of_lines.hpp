@@ -6,13 +6,13 @@
 #include <string>
 #include <utility>
 
-#include "kernel/engine/chunks.hpp"
+#include "kernel/engine/mechanics.hpp"
 
 namespace plumbline {
 
-template <class G, class S, class T>
+template <class G>
 template <class Visit>
-void Mechanics<G, S, T>::for_state_columns(Visit&& visit) const {
+void Mechanics<G>::for_state_columns(Visit&& visit) const {
   for (std::size_t b = 0; b < located_.size(); ++b) {
     visit(b, column::position);
     visit(b, column::velocity);
@@ -20,8 +20,8 @@ void Mechanics<G, S, T>::for_state_columns(Visit&& visit) const {
   }
 }
 
-template <class G, class S, class T>
-State Mechanics<G, S, T>::state() const {
+template <class G>
+State Mechanics<G>::state() const {
   State state;
   for_state_columns([&](std::size_t b, const ColumnId& id) {
     const auto values = std::as_const(scene_.bodies[b].points).values(id);
@@ -30,8 +30,8 @@ State Mechanics<G, S, T>::state() const {
   return state;
 }
 
-template <class G, class S, class T>
-void Mechanics<G, S, T>::want_size(const State& state) const {
+template <class G>
+void Mechanics<G>::want_size(const State& state) const {
   std::size_t wanted = 0;
   for_state_columns(
       [&](std::size_t b, const ColumnId& id) { wanted += std::as_const(scene_.bodies[b].points).values(id).size(); });
@@ -40,8 +40,8 @@ void Mechanics<G, S, T>::want_size(const State& state) const {
                               std::to_string(wanted));
 }
 
-template <class G, class S, class T>
-void Mechanics<G, S, T>::set_state(const State& state) {
+template <class G>
+void Mechanics<G>::set_state(const State& state) {
   want_size(state);
   places_known_ = places_known_ && moved_;
   const Totals before = totals();
@@ -62,8 +62,8 @@ void Mechanics<G, S, T>::set_state(const State& state) {
   ledger_.energy.book(Flow::integration, -before.energy.total());
 }
 
-template <class G, class S, class T>
-State Mechanics<G, S, T>::velocities_of(State state) const {
+template <class G>
+State Mechanics<G>::velocities_of(State state) const {
   want_size(state);
   auto next = state.values.begin();
   for_state_columns([&](std::size_t b, const ColumnId& id) {
@@ -74,8 +74,8 @@ State Mechanics<G, S, T>::velocities_of(State state) const {
   return state;
 }
 
-template <class G, class S, class T>
-State Mechanics<G, S, T>::rate() {
+template <class G>
+State Mechanics<G>::rate() {
   if (!transfer_.increments) {
     throw std::logic_error("rates of change want the transfer flip: other transfers filter velocities once a step");
   }
@@ -96,27 +96,17 @@ State Mechanics<G, S, T>::rate() {
   State rate;
   for (std::size_t b = 0; b < located_.size(); ++b) {
     const Body& body = scene_.bodies[b];
-    const Located& at = located_[b];
+    const Weights<dim>& at = located_[b].weights;
     const Field& field = field_of(b);
     const auto n = static_cast<std::size_t>(body.points.points());
     const std::size_t start = rate.values.size();
     rate.values.resize(start + 2 * dim * n);
-    double* values = rate.values.data() + start;
-    const Places places = this->places(body, at);
-    for_chunks(at, [&](const Chunk& chunk) {
-      for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
-        for_packs(first, last, [&](int p, int count) {
-          const PackStencil weights = stencil(places, anchor, p);
-          for (std::size_t d = 0; d < dim; ++d) {
-            const auto gather = [&](const std::vector<Vec>& nodal_values) {
-              return weights.gather(print, [&](std::size_t i) { return nodal_values[i][static_cast<int>(d)]; }).value;
-            };
-            store(values + d * n + p, gather(field.start), count);
-            store(values + (dim + d) * n + p, gather(field.end), count);
-          }
-        });
-      });
-    });
+    std::array<typename Loops::Gather, 2 * dim> rates;
+    for (std::size_t k = 0; k < 2 * dim; ++k) {
+      const int d = static_cast<int>(k) % dim;
+      rates[k] = {component(k < dim ? field.start : field.end, d), dim, rate.values.data() + start + k * n};
+    }
+    for_chunks(at.bins, options_.threads, [&](const Chunk& chunk) { loops_->gather(body.points, at, chunk, rates); });
     const std::vector<double> internal = body.material->rates(body.points, context());
     rate.values.insert(rate.values.end(), internal.begin(), internal.end());
   }

@@ -1,9 +1,7 @@
-#include "kernel/engine/choice.hpp"
+#include "kernel/engine/step.hpp"
 
 namespace plumbline {
 
-std::unique_ptr<Engine> make_plane_engine(Scene& scene, Ledger& ledger, const EngineOptions& options) {
-  return engine_of<Plane>(scene, ledger, options);
-}
+template std::unique_ptr<Engine> make_engine_of<Plane>(Scene&, Ledger&, const EngineOptions&);
 
 }  // namespace plumbline

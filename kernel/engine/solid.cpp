@@ -1,9 +1,7 @@
-#include "kernel/engine/choice.hpp"
+#include "kernel/engine/step.hpp"
 
 namespace plumbline {
 
-std::unique_ptr<Engine> make_solid_engine(Scene& scene, Ledger& ledger, const EngineOptions& options) {
-  return engine_of<Solid>(scene, ledger, options);
-}
+template std::unique_ptr<Engine> make_engine_of<Solid>(Scene&, Ledger&, const EngineOptions&);
 
 }  // namespace plumbline

@@ -3,50 +3,12 @@
 
 #include <stdexcept>
 
-#include "kernel/engine/chunks.hpp"
+#include "kernel/engine/mechanics.hpp"
 
 namespace plumbline {
 
-template <class G, class S, class T>
-template <bool with_mass, bool with_momentum>
-void Mechanics<G, S, T>::scatter_mass_and_momentum(const Body& body, const Located& at, const Chunk& chunk,
-                                                   Field& field) const {
-  const Places places = this->places(body, at);
-  const double* mass = body.points(column::mass);
-  const double *velocity[dim], *affine[dim][dim] = {};
-  for (int d = 0; d < dim; ++d) {
-    velocity[d] = body.points(column::velocity, d);
-    for (int e = 0; T::affine && e < dim; ++e) affine[d][e] = body.points(column::affine, d * dim + e);
-  }
-  constexpr int parts = 1 + dim;
-  for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
-    Pack sums[nodes * parts];
-    for (Pack& s : sums) s = 0.0;
-    for_packs(first, last, [&](int p, int count) {
-      const PackStencil weights = stencil(places, anchor, p);
-      const Pack m = kept(load(mass + p), count);
-      if (with_mass) weights.spread(m, sums, parts);
-      if (!with_momentum) return;
-      for (int d = 0; d < dim; ++d) {
-        const Pack momentum = m * load(velocity[d] + p);
-        if constexpr (T::affine) {
-          Pack slope[dim];
-          for (int e = 0; e < dim; ++e) slope[e] = m * load(affine[d][e] + p);
-          weights.spread_moment(momentum, slope, sums + 1 + d, parts);  // [EC-APIC 1]
-        } else {
-          weights.spread(momentum, sums + 1 + d, parts);  // [York 3.16]
-        }
-      }
-    });
-    add_to_nodes<parts>(print, sums, [&](std::size_t i, const double* total) {
-      if (with_mass) field.mass[i] += total[0];
-      for (int d = 0; with_momentum && d < dim; ++d) field.momentum[i][d] += total[1 + d];
-    });
-  });
-}
-
-template <class G, class S, class T>
-void Mechanics<G, S, T>::solve_velocity(Field& field, std::vector<Vec>& velocity) const {
+template <class G>
+void Mechanics<G>::solve_velocity(Field& field, std::vector<Vec>& velocity) const {
   field.for_touched(
       grid_,
       [&](std::size_t i) {
@@ -57,16 +19,16 @@ void Mechanics<G, S, T>::solve_velocity(Field& field, std::vector<Vec>& velocity
 }
 
 // What pistons do to nodal velocities; returns their work, J.
-template <class G, class S, class T>
-double Mechanics<G, S, T>::drive(const Field& field, std::vector<Vec>& velocity, WallAction<dim>& action) const {
+template <class G>
+double Mechanics<G>::drive(const Field& field, std::vector<Vec>& velocity, WallAction<dim>& action) const {
   if (pistons_.none()) return 0;
   const double work = pistons_.drive(grid_, field, velocity, action);
   walls_.extend(field, velocity);
   return work;
 }
 
-template <class G, class S, class T>
-void Mechanics<G, S, T>::map_mass_and_momentum() {
+template <class G>
+void Mechanics<G>::map_mass_and_momentum() {
   want_places("map_mass_and_momentum");
   grid_mass_ = 0;
   pending_.map_wall = {};
@@ -83,8 +45,9 @@ void Mechanics<G, S, T>::map_mass_and_momentum() {
   for (const bool gas : {true, false}) {  // gases first: where others share their nodes, their mass is wanted alone
     for (std::size_t b = 0; b < located_.size(); ++b) {
       if (scene_.bodies[b].material->takes_heat() != gas) continue;
-      for_chunks_writing_nodes(located_[b], [&](const Chunk& chunk) {
-        scatter_mass_and_momentum<true, true>(scene_.bodies[b], located_[b], chunk, field_of(b));
+      const Weights<dim>& at = located_[b].weights;
+      for_chunks_writing_nodes(at.bins, options_.threads, [&](const Chunk& chunk) {
+        loops_->map_mass_and_momentum(scene_.bodies[b], at, chunk, field_of(b));
       });
     }
     for (Field& field : fields_) {
@@ -112,24 +75,26 @@ void Mechanics<G, S, T>::map_mass_and_momentum() {
   current_ = NodalVelocity::start;
 }
 
-template <class G, class S, class T>
-void Mechanics<G, S, T>::settle_loss() {
+template <class G>
+void Mechanics<G>::settle_loss() {
   if (!pending_.loss) return;
   for (std::size_t b = 0; b < located_.size(); ++b) {
-    pending_.map_loss += sum_over_chunks<double>(located_[b], [&](const Chunk& chunk) {
-      return gather_start(scene_.bodies[b], located_[b], chunk, {.loss = &field_of(b).start});
+    const Weights<dim>& at = located_[b].weights;
+    pending_.map_loss += sum_over_chunks<double>(at.bins, options_.threads, [&](const Chunk& chunk) {
+      return loops_->gather_start(scene_.bodies[b], at, chunk, {.loss = &field_of(b).start});
     });
   }
   pending_.loss = false;
 }
 
-template <class G, class S, class T>
-void Mechanics<G, S, T>::map_momentum() {
+template <class G>
+void Mechanics<G>::map_momentum() {
   want_places("map_momentum");
   for (Field& field : fields_) field.for_touched(grid_, [&](std::size_t i) { field.momentum[i].setZero(); });
   for (std::size_t b = 0; b < located_.size(); ++b) {
-    for_chunks_writing_nodes(located_[b], [&](const Chunk& chunk) {
-      scatter_mass_and_momentum<false, true>(scene_.bodies[b], located_[b], chunk, field_of(b));
+    const Weights<dim>& at = located_[b].weights;
+    for_chunks_writing_nodes(at.bins, options_.threads, [&](const Chunk& chunk) {
+      loops_->map_momentum(scene_.bodies[b], at, chunk, field_of(b));
     });
   }
   for (Field& field : fields_) {
@@ -146,91 +111,16 @@ void Mechanics<G, S, T>::map_momentum() {
   if (rate_of_ == NodalVelocity::remapped) rate_of_ = NodalVelocity::current;
 }
 
-// -sum_p V_p sigma_p grad N_ip [York 3.17] [EC-APIC 4]; returns what hoop stress adds to the radial momentum, N.
-// exchange: also sum_p m_p e_p N_ip and sum_p m_p N_ip max(0, -div v). [Exchange 1]
-template <class G, class S, class T>
-template <StressMeasure measure, bool exchange>
-double Mechanics<G, S, T>::scatter_forces(const Body& body, const Located& at, const Chunk& chunk, Field& field) const {
-  constexpr bool isotropic = measure == StressMeasure::pressure, full = measure == StressMeasure::full;
-  constexpr int strains = stress_components(measure, dim, G::axisymmetric), normals = isotropic ? 1 : G::normals;
-  constexpr int parts = dim + (exchange ? 2 : 0);
-  const Places places = this->places(body, at);
-  const double *volume = body.points(column::volume), *mass = body.points(column::mass);
-  const double* energy = exchange ? body.points(column::energy) : nullptr;
-  const double *stress[strains], *rate[strains];
-  for (int k = 0; k < strains; ++k) {
-    stress[k] = body.points(column::stress, k);
-    rate[k] = body.points(column::strain_rate, k);
-  }
-  Pack hoop_force = 0.0;
-  for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
-    Pack sums[nodes * parts];
-    for (Pack& s : sums) s = 0.0;
-    for_packs(first, last, [&](int p, int count) {
-      const PackStencil weights = stencil(places, anchor, p);
-      const Pack v = kept(-load(volume + p), count);
-      Pack s[strains];
-      for (int k = 0; k < strains; ++k) s[k] = v * load(stress[k] + p);
-      if constexpr (G::axisymmetric && measure != StressMeasure::point_force) {
-        const Pack hoop = kept(s[isotropic ? 0 : full ? dim * dim : 2] / load(places.x[0] + p), count);
-        hoop_force += hoop;
-        weights.spread(hoop, sums, parts);
-      }
-      if constexpr (isotropic) {
-        weights.spread_divergence(s[0], sums, parts);
-      } else if constexpr (measure == StressMeasure::point_force) {
-        for (int d = 0; d < dim; ++d) weights.spread(s[d], sums + d, parts);
-        if constexpr (G::axisymmetric)
-          hoop_force += s[0];  // forces along the surface cancel; what is left is the hoops'
-      } else {
-        Pack flux[dim][dim];
-        if constexpr (full) {
-          for (int k = 0; k < dim * dim; ++k) flux[k / dim][k % dim] = s[k];
-        } else {
-          G::flux(s, flux);
-        }
-        for (int d = 0; d < dim; ++d) weights.spread_gradient(Pack(0.0), flux[d], sums + d, parts);
-      }
-      if constexpr (exchange) {
-        const Pack m = kept(load(mass + p), count);
-        Pack divergence = load(rate[0] + p);
-        for (int k = 1; k < normals; ++k) divergence += load(rate[k] + p);
-        weights.spread(m * load(energy + p), sums + dim, parts);
-        weights.spread(m * max(-divergence, Pack(0.0)), sums + dim + 1, parts);
-      }
-    });
-    add_to_nodes<parts>(print, sums, [&](std::size_t i, const double* total) {
-      for (int d = 0; d < dim; ++d) field.force[i][d] += total[d];
-      if constexpr (exchange) {
-        field.heat[i] += total[dim];
-        field.exchange[i] += total[dim + 1];
-      }
-    });
-  });
-  return sum(hoop_force);
-}
-
-template <class G, class S, class T>
-double Mechanics<G, S, T>::scatter_forces(const Body& body, const Located& at, const Chunk& chunk, Field& field) const {
-  const bool exchange = exchanges_heat(body);
-  switch (body.material->measure()) {
-    case StressMeasure::pressure:
-      return exchange ? scatter_forces<StressMeasure::pressure, true>(body, at, chunk, field)
-                      : scatter_forces<StressMeasure::pressure, false>(body, at, chunk, field);
-    case StressMeasure::full:
-      return scatter_forces<StressMeasure::full, false>(body, at, chunk, field);
-    case StressMeasure::point_force:
-      return scatter_forces<StressMeasure::point_force, false>(body, at, chunk, field);
-    default:
-      return exchange ? scatter_forces<StressMeasure::symmetric, true>(body, at, chunk, field)
-                      : scatter_forces<StressMeasure::symmetric, false>(body, at, chunk, field);
-  }
+template <class G>
+double Mechanics<G>::map_forces(std::size_t b, const Chunk& chunk) {
+  const Body& body = scene_.bodies[b];
+  return loops_->map_forces(body, located_[b].weights, chunk, exchanges_heat(body), field_of(b));
 }
 
 // E_i = sum_p m_p e_p N_ip / M_i, alpha_i = min(1, kappa dt sum_p m_p N_ip max(0, -div v) / M_i), M_i of the gas.
 // [Exchange 1]
-template <class G, class S, class T>
-void Mechanics<G, S, T>::solve_exchange(Field& field, double dt) const {
+template <class G>
+void Mechanics<G>::solve_exchange(Field& field, double dt) const {
   walls_.fold_even(field, field.heat);
   walls_.fold_even(field, field.exchange);
   const std::vector<double>& mass = gas_mass(field);
@@ -246,8 +136,8 @@ void Mechanics<G, S, T>::solve_exchange(Field& field, double dt) const {
   walls_.extend_even(field, field.exchange);
 }
 
-template <class G, class S, class T>
-void Mechanics<G, S, T>::clear_forces() {
+template <class G>
+void Mechanics<G>::clear_forces() {
   hoop_force_ = 0;
   stress_turn_.setZero();
   for (Field& field : fields_) {
@@ -262,15 +152,14 @@ void Mechanics<G, S, T>::clear_forces() {
   }
 }
 
-template <class G, class S, class T>
-void Mechanics<G, S, T>::map_forces() {
+template <class G>
+void Mechanics<G>::map_forces() {
   want_places("map_forces");
   settle_pending_strain();
   clear_forces();
   for (std::size_t b = 0; b < located_.size(); ++b) {
-    hoop_force_ += sum_over_chunks_writing_nodes<double>(located_[b], [&](const Chunk& chunk) {
-      return scatter_forces(scene_.bodies[b], located_[b], chunk, field_of(b));
-    });
+    hoop_force_ += sum_over_chunks_writing_nodes<double>(located_[b].weights.bins, options_.threads,
+                                                         [&](const Chunk& chunk) { return map_forces(b, chunk); });
     add_stress_turn(b);
     map_load(b);
   }
@@ -279,19 +168,20 @@ void Mechanics<G, S, T>::map_forces() {
 
 // Stresses of another instant than the points' places turn a body: sum_i x_i x f_i is -sum_p V_p (sigma_ba - sigma_ab) of a
 // stress that is not symmetric, and sum_p x_p x F_p of forces between points where they will be.
-template <class G, class S, class T>
-void Mechanics<G, S, T>::add_stress_turn(std::size_t b) {
+template <class G>
+void Mechanics<G>::add_stress_turn(std::size_t b) {
   const Body& body = scene_.bodies[b];
   const StressMeasure measure = body.material->measure();
   const bool full = measure == StressMeasure::full;
   if (rotations == 0 || (!full && measure != StressMeasure::point_force)) return;
-  const Places places = this->places(body, located_[b]);
+  const Weights<dim>& at = located_[b].weights;
+  const Places<dim> places = at.places(body.points, false);
   const double* volume = body.points(column::volume);
   for (int k = 0; k < rotations; ++k) {
     const int d = rotation_axis<dim>(k, 0), e = rotation_axis<dim>(k, 1);
     const double *low = body.points(column::stress, full ? d * dim + e : d),
                  *high = body.points(column::stress, full ? e * dim + d : e);
-    stress_turn_[k] -= sum_over_chunks<double>(located_[b], [&](const Chunk& chunk) {
+    stress_turn_[k] -= sum_over_chunks<double>(at.bins, options_.threads, [&](const Chunk& chunk) {
       Pack turn = 0.0;
       for_packs(chunk.first, chunk.last, [&](int p, int count) {
         const Pack s = load(low + p), t = load(high + p);
@@ -303,35 +193,25 @@ void Mechanics<G, S, T>::add_stress_turn(std::size_t b) {
 }
 
 // sum_p m_p b_p N_ip of what a body's load gives its points at the time of the stresses. [York 3.18]
-template <class G, class S, class T>
-void Mechanics<G, S, T>::map_load(std::size_t b) {
+template <class G>
+void Mechanics<G>::map_load(std::size_t b) {
   Body& body = scene_.bodies[b];
   if (!body.load) return;
   body.points.add(column::body_force, dim);
   body.load(time_ + load_ahead_, body.points, body.id);
-  const Located& at = located_[b];
-  const Places places = this->places(body, at);
-  const double *mass = body.points(column::mass), *force[dim];
-  for (int d = 0; d < dim; ++d) force[d] = body.points(column::body_force, d);
-  for_chunks_writing_nodes(at, [&](const Chunk& chunk) {
-    for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
-      Pack sums[nodes * dim];
-      for (Pack& s : sums) s = 0.0;
-      for_packs(first, last, [&](int p, int count) {
-        const PackStencil weights = stencil(places, anchor, p);
-        const Pack m = kept(load(mass + p), count);
-        for (int d = 0; d < dim; ++d) weights.spread(m * load(force[d] + p), sums + d, dim);
-      });
-      add_to_nodes<dim>(print, sums, [&](std::size_t i, const double* total) {
-        for (int d = 0; d < dim; ++d) field_of(b).body_force[i][d] += total[d];
-      });
-    });
-  });
+  const Weights<dim>& at = located_[b].weights;
+  std::array<typename Loops::Spread, dim> forces;
+  for (int d = 0; d < dim; ++d) {
+    forces[static_cast<std::size_t>(d)] = {body.points(column::body_force, d), body.points(column::mass),
+                                           component(field_of(b).body_force, d), dim};
+  }
+  for_chunks_writing_nodes(at.bins, options_.threads,
+                           [&](const Chunk& chunk) { loops_->spread(body.points, at, chunk, forces); });
 }
 
 // Body forces fold like all others: what a point puts on a ghost node pulls the mirror node the other way.
-template <class G, class S, class T>
-void Mechanics<G, S, T>::add_body_force(Field& field, double dt) {
+template <class G>
+void Mechanics<G>::add_body_force(Field& field, double dt) {
   if (!loaded_) return;
   field.for_touched(grid_, [&](std::size_t i) {
     const Vec f = field.body_force[i] + field.own_mass[i] * gravity_;  // [York 3.18]
@@ -344,8 +224,8 @@ void Mechanics<G, S, T>::add_body_force(Field& field, double dt) {
 
 // Contact between velocity fields, decided at the first advance after a map. Its work is what the nodes' kinetic energy
 // changes by beyond the work of the other forces, as points will take it: FLIP from the velocity each field had.
-template <class G, class S, class T>
-void Mechanics<G, S, T>::touch_bodies(double dt) {
+template <class G>
+void Mechanics<G>::touch_bodies(double dt) {
   if (!contact_) return;
   if (contact_->changes_start()) settle_loss();
   if (!contact_decided_) contact_->find(scene_, field_indices(), fields_);
@@ -365,8 +245,8 @@ void Mechanics<G, S, T>::touch_bodies(double dt) {
   for (Field& field : fields_) walls_.extend(field, field.start);
 }
 
-template <class G, class S, class T>
-void Mechanics<G, S, T>::advance_momentum(double dt) {
+template <class G>
+void Mechanics<G>::advance_momentum(double dt) {
   want_places("advance_momentum");
   pending_.wall = {};
   pending_.body.setZero();

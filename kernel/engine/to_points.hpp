@@ -5,161 +5,13 @@
 #include <stdexcept>
 #include <string>
 
-#include "kernel/engine/chunks.hpp"
+#include "kernel/engine/mechanics.hpp"
 
 namespace plumbline {
 
-template <class G, class S, class T>
-auto Mechanics<G, S, T>::MotionSums::operator+=(const MotionSums& o) -> MotionSums& {
-  lost += o.lost;
-  for (std::size_t k = 0; k < 3; ++k) {
-    torque[k] += o.torque[k];
-    moved[k] += o.moved[k];
-    reflected[k] += o.reflected[k];
-    reflected_turn[k] += o.reflected_turn[k];
-  }
-  if (too_far < 0) too_far = o.too_far;
-  return *this;
-}
-
-// straining: also the strain rates of this nodal velocity. exchange: also e_p += sum_i N_ip alpha_i (E_i - e_p), which
-// conserves sum_p m_p e_p node by node, and leaves no energy negative: each becomes a mean of what points have. [Exchange 1]
-template <class G, class S, class T>
-auto Mechanics<G, S, T>::gather_motion(Body& body, const Located& at, const Chunk& chunk, const Field& field, double dt,
-                                       std::optional<double> drift, const std::vector<Vec>* straining, bool exchange,
-                                       const std::vector<Vec>* carrying) const -> MotionSums {
-  Columns& points = body.points;
-  const RateColumns rates = rate_columns(body);
-  double* energy = exchange ? points(column::energy) : nullptr;
-  const Places places = this->places(body, at);
-  const double* mass = points(column::mass);
-  double* loss = points.has(column::transfer_loss) ? points(column::transfer_loss) : nullptr;
-  double *velocity[dim], *position[dim], *affine[dim][dim] = {};
-  for (int d = 0; d < dim; ++d) {
-    velocity[d] = points(column::velocity, d);
-    position[d] = points(column::position, d);
-    for (int e = 0; T::affine && e < dim; ++e) affine[d][e] = points(column::affine, d * dim + e);
-  }
-  MotionSums sums;
-  Pack lost = 0.0, torque[3] = {0.0, 0.0, 0.0}, moved[3] = {0.0, 0.0, 0.0};
-  const bool increments = !T::affine && transfer_.increments, filters = !T::affine && transfer_.order > 0;
-  const bool loss_first = loss && increments;
-  for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
-    const BinVelocity end = bin_velocity(print, field.end);
-    double strained[nodes][dim], alpha[nodes], heat[nodes], most_exchange = 0;
-    for_stencil_nodes(print, [&](int k, std::size_t i) {
-      for (int d = 0; straining && d < dim; ++d) strained[k][d] = (*straining)[i][d];
-      if (!exchange) return;
-      alpha[k] = field.exchange[i];
-      heat[k] = alpha[k] * field.heat[i];
-      most_exchange = std::max(most_exchange, alpha[k]);
-    });
-    double change[nodes][dim], change_square[nodes], carried[nodes][dim];
-    if (increments || filters || carrying) {
-      for_stencil_nodes(print, [&](int k, std::size_t i) {
-        change_square[k] = 0;
-        for (int d = 0; d < dim; ++d) {
-          change[k][d] = increments ? field.end[i][d] - field.start[i][d]
-                         : filters  ? field.filtered[i][d] - end.base[d]
-                                    : 0;
-          change_square[k] += change[k][d] * change[k][d];
-          if (carrying) carried[k][d] = (*carrying)[i][d];
-        }
-      });
-    }
-    for_packs(first, last, [&](int p, int count) {
-      const PackStencil weights = stencil(places, anchor, p);
-      if (straining) {
-        store_strain_rates(rates, weights, load(places.x[0] + p), p, count,
-                           [&](int k, int d) { return strained[k][d]; });
-      }
-      if (most_exchange > 0) {
-        const Pack share = weights.gather_array([&](int k) { return alpha[k]; }).value, e = load(energy + p);
-        store(energy + p, e + (weights.gather_array([&](int k) { return heat[k]; }).value - share * e), count);
-      }
-      const Pack m = kept(load(mass + p), count);
-      Pack v[dim], v_new[dim], c[dim][dim], inertia[dim], here[dim];
-      for (int d = 0; d < dim; ++d) {
-        inertia[d] = weights.inertia(d);
-        here[d] = load(position[d] + p);
-      }
-      Pack square = 0.0;  // of what the grid carries, less what the point keeps of it
-      if (increments) {
-        square = weights.gather_array([&](int k) { return change_square[k]; }).value;
-      } else {
-        square = weights.gather_array([&](int k) { return end.square[k]; }).value;
-      }
-      for (int d = 0; d < dim; ++d) {
-        const auto u = weights.gather_array([&](int k) { return end.u[k][d]; });
-        v[d] = u.value + end.base[d];
-        if (increments) {
-          const auto a = weights.gather_array([&](int k) { return change[k][d]; });
-          v_new[d] = load(velocity[d] + p) + a.value;  // [York 3.22]
-          square -= a.value * a.value;
-          for (int e = 0; e < dim; ++e) c[d][e] = a.affine[e];
-        } else if (filters) {
-          const auto w = weights.gather_array([&](int k) { return change[k][d]; });
-          v_new[d] = w.value + end.base[d];
-          square += 2.0 * end.base[d] * (u.value - w.value) - w.value * w.value;
-          for (int e = 0; e < dim; ++e) c[d][e] = w.affine[e];
-        } else {
-          v_new[d] = v[d];
-          square -= u.value * u.value;
-          for (int e = 0; e < dim; ++e) c[d][e] = u.affine[e];  // [EC-APIC 5]
-        }
-        if (carrying) v[d] = weights.gather_array([&](int k) { return carried[k][d]; }).value;
-      }
-      PackMask too_far = first_lanes(0);
-      for (int d = 0; d < dim; ++d) {
-        const Pack step = drift ? *drift * v_new[d] : dt * v[d];
-        too_far = too_far || !(abs(step) <= grid_.h());
-        store(velocity[d] + p, v_new[d], count);
-        here[d] += step;
-        store(position[d] + p, here[d], count);  // [York 3.21]
-      }
-      if (sums.too_far < 0 && any_of(too_far && first_lanes(count))) sums.too_far = p;
-      for (int k = 0; k < rotations; ++k) {
-        const int a = rotation_axis<dim>(k, 0), b = rotation_axis<dim>(k, 1);
-        // N r x u, but for what an affine part keeps of it.
-        if constexpr (!T::affine || !S::fixed_inertia) torque[k] += m * (inertia[a] * c[b][a] - inertia[b] * c[a][b]);
-        if (!drift) moved[k] += m * dt * (v[a] * v_new[b] - v[b] * v_new[a]);
-      }
-      if constexpr (T::affine) {
-        // With the inertia of the new place: where that is another, so are the energy and the spin of the affine part.
-        for (int d = 0; !S::fixed_inertia && d < dim; ++d) {
-          const Pack cells = (here[d] - grid_.origin(d)) * (1 / grid_.h());
-          inertia[d] = inertia_at(cells, box(places, d, p)) * (grid_.h() * grid_.h());
-        }
-        for (int d = 0; d < dim; ++d) {
-          for (int e = 0; e < dim; ++e) {
-            square -= inertia[e] * c[d][e] * c[d][e];
-            store(affine[d][e] + p, c[d][e], count);
-          }
-        }
-        for (int k = 0; !S::fixed_inertia && k < rotations; ++k) {
-          const int a = rotation_axis<dim>(k, 0), b = rotation_axis<dim>(k, 1);
-          torque[k] -= m * (inertia[a] * c[b][a] - inertia[b] * c[a][b]);
-        }
-      }
-      // Never negative but by rounding, and a cold gas has nothing to pay that with. Only a changing inertia can give.
-      if (!filters && (!T::affine || S::fixed_inertia)) square = max(square, Pack(0.0));
-      const Pack given = 0.5 * m * square;  // [EC-APIC 5]
-      if (loss) store(loss + p, loss_first ? given : load(loss + p) + given, count);
-      lost += given;
-    });
-  });
-  sums.lost = sum(lost);
-  const std::size_t about = dim == 2 ? 2 : 0;
-  for (int k = 0; k < rotations; ++k) {
-    sums.torque[about + static_cast<std::size_t>(k)] = sum(torque[k]);
-    sums.moved[about + static_cast<std::size_t>(k)] = sum(moved[k]);
-  }
-  return sums;
-}
-
 // Least and largest of x over the range; where any is not a number, all is in between.
-template <class G, class S, class T>
-std::pair<double, double> Mechanics<G, S, T>::extent(const double* x, PointRange range) {
+template <class G>
+std::pair<double, double> Mechanics<G>::extent(const double* x, PointRange range) {
   Pack low = HUGE_VAL, high = -HUGE_VAL;
   for_packs(
       range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
@@ -171,8 +23,8 @@ std::pair<double, double> Mechanics<G, S, T>::extent(const double* x, PointRange
 }
 
 // Points beyond a wall change places with their mirror images. [EC-APIC walls]
-template <class G, class S, class T>
-void Mechanics<G, S, T>::reflect(Body& body, PointRange range, MotionSums& sums) const {
+template <class G>
+void Mechanics<G>::reflect(Body& body, PointRange range, MotionSums& sums) const {
   Columns& points = body.points;
   for (int d = 0; d < dim; ++d) {
     const auto [lowest, highest] = extent(points(column::position, d), range);
@@ -193,8 +45,8 @@ void Mechanics<G, S, T>::reflect(Body& body, PointRange range, MotionSums& sums)
   }
 }
 
-template <class G, class S, class T>
-void Mechanics<G, S, T>::reflect_point(Body& body, int p, int d, double wall, MotionSums& sums) const {
+template <class G>
+void Mechanics<G>::reflect_point(Body& body, int p, int d, double wall, MotionSums& sums) const {
   Columns& points = body.points;
   const int side = wall > grid_.origin(d) + 0.5 * grid_.h() ? 1 : 0;
   const bool no_slip = grid_.wall(d, side) == Wall::no_slip;
@@ -205,15 +57,14 @@ void Mechanics<G, S, T>::reflect_point(Body& body, int p, int d, double wall, Mo
     for (int k = 0; k < dim; ++k) {
       x[k] = points(column::position, k)[p];
       v[k] = points(column::velocity, k)[p];
-      for (int e = 0; T::affine && e < dim; ++e) c(k, e) = points(column::affine, k * dim + e)[p];
+      for (int e = 0; transfer_.affine && e < dim; ++e) c(k, e) = points(column::affine, k * dim + e)[p];
     }
     Spin<dim> turn = cross<dim>(x, v);
-    for (int k = 0; T::affine && k < rotation_count<dim>; ++k) {
+    for (int k = 0; transfer_.affine && k < rotation_count<dim>; ++k) {
       const int a = rotation_axis<dim>(k, 0), b = rotation_axis<dim>(k, 1);
-      const auto inertia = [&](int e) { return inertia_of(points, e, p); };
+      const auto inertia = [&](int e) { return loops_->inertia(points, e, p); };
       turn[k] += inertia(a) * c(b, a) - inertia(b) * c(a, b);
     }
-    const std::size_t about = dim == 2 ? 2 : 0;
     for (int k = 0; k < dim; ++k) sums.reflected[static_cast<std::size_t>(k)] += factor * m * v[k];
     for (int k = 0; k < rotations; ++k) {
       sums.reflected_turn[about + static_cast<std::size_t>(k)] += factor * m * turn[k];
@@ -224,31 +75,22 @@ void Mechanics<G, S, T>::reflect_point(Body& body, int p, int d, double wall, Mo
   for (int k = 0; k < dim; ++k) {
     const double sign = no_slip || k == d ? -1 : 1;
     points(column::velocity, k)[p] = sign * v[k];
-    for (int e = 0; T::affine && e < dim; ++e)
+    for (int e = 0; transfer_.affine && e < dim; ++e)
       points(column::affine, k * dim + e)[p] = (e == d ? -sign : sign) * c(k, e);
   }
   momenta(1);
 }
 
-// Weights stay those of where the points stood when they were located.
-template <class G, class S, class T>
-void Mechanics<G, S, T>::keep_places(Body& body, Located& at) const {
-  for (int d = 0; d < dim; ++d) {
-    const double* x = body.points(column::position, d);
-    at.frozen[static_cast<std::size_t>(d)].assign(x, x + body.points.points() + lanes - 1);
-  }
-}
-
 // Without its weights a stage would read and write anywhere.
-template <class G, class S, class T>
-void Mechanics<G, S, T>::want_places(const char* stage) const {
+template <class G>
+void Mechanics<G>::want_places(const char* stage) const {
   if (!places_known_)
     throw std::logic_error(std::string(stage) + " wants the points located: locate_points comes first");
 }
 
 // Points carry what the maps take only for integrators that were seen to give it back.
-template <class G, class S, class T>
-void Mechanics<G, S, T>::want_losses(const char* stage) const {
+template <class G>
+void Mechanics<G>::want_losses(const char* stage) const {
   for (const Body& body : scene_.bodies) {
     if (!body.material->takes_heat() || body.points.has(column::transfer_loss)) continue;
     throw std::logic_error(std::string(stage) +
@@ -256,8 +98,8 @@ void Mechanics<G, S, T>::want_losses(const char* stage) const {
   }
 }
 
-template <class G, class S, class T>
-void Mechanics<G, S, T>::stop_if_too_far(const MotionSums& sums, const Body& body) const {
+template <class G>
+void Mechanics<G>::stop_if_too_far(const MotionSums& sums, const Body& body) const {
   if (sums.too_far < 0) return;
   for (int p = sums.too_far; p < body.points.points(); ++p) {
     for (int d = 0; d < dim; ++d) {
@@ -269,8 +111,8 @@ void Mechanics<G, S, T>::stop_if_too_far(const MotionSums& sums, const Body& bod
   }
 }
 
-template <class G, class S, class T>
-void Mechanics<G, S, T>::book_motion(const MotionSums& sums, double dt) {
+template <class G>
+void Mechanics<G>::book_motion(const MotionSums& sums, double dt) {
   for (const Field& field : fields_) {
     WallAction<dim> action = walls_.extension_impulse(field, field.end);
     if (transfer_.increments) {
@@ -288,7 +130,6 @@ void Mechanics<G, S, T>::book_motion(const MotionSums& sums, double dt) {
     account.book(Flow::body_force, pending_.body[d]);
     if (contact_) account.book(Flow::contact, pending_.contact.linear[d]);
   }
-  const std::size_t about = dim == 2 ? 2 : 0;
   for (int k = 0; k < rotations; ++k) {
     const std::size_t axis = about + static_cast<std::size_t>(k);
     Account& account = ledger_.angular_momentum[axis];
@@ -309,34 +150,27 @@ void Mechanics<G, S, T>::book_motion(const MotionSums& sums, double dt) {
 }
 
 // to = P from: what the nodes have of `from` after it went to the points and back.
-template <class G, class S, class T>
-void Mechanics<G, S, T>::pass_to_points_and_back(std::size_t field_index, const std::vector<Vec>& from,
-                                                 std::vector<Vec>& to) {
+template <class G>
+void Mechanics<G>::pass_to_points_and_back(std::size_t field_index, const std::vector<Vec>& from,
+                                           std::vector<Vec>& to) {
   Field& field = fields_[field_index];
   field.for_touched(grid_, [&](std::size_t i) { field.momentum[i].setZero(); });
   for (std::size_t b = 0; b < located_.size(); ++b) {
-    const Located& at = located_[b];
-    if (at.field != field_index) continue;
-    const Body& body = scene_.bodies[b];
-    const Places places = this->places(body, at);
-    const double* mass = body.points(column::mass);
-    for_chunks_writing_nodes(at, [&](const Chunk& chunk) {
-      for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
-        Pack sums[nodes * dim];
-        for (Pack& s : sums) s = 0.0;
-        for_packs(first, last, [&](int p, int count) {
-          const PackStencil weights = stencil(places, anchor, p);
-          const Pack m = kept(load(mass + p), count);
-          for (int d = 0; d < dim; ++d) {
-            const Pack v = weights.gather(print, [&](std::size_t i) { return Pack(from[i][d]); }).value;
-            weights.spread(m * v, sums + d, dim);
-          }
-        });
-        add_to_nodes<dim>(print, sums, [&](std::size_t i, const double* total) {
-          for (int d = 0; d < dim; ++d) field.momentum[i][d] += total[d];
-        });
-      });
-    });
+    if (located_[b].field != field_index) continue;
+    const Columns& points = scene_.bodies[b].points;
+    const Weights<dim>& at = located_[b].weights;
+    const int n = points.points();
+    std::vector<double> seen(static_cast<std::size_t>(dim * n + lanes));
+    std::array<typename Loops::Gather, dim> there;
+    std::array<typename Loops::Spread, dim> back;
+    for (int d = 0; d < dim; ++d) {
+      const auto k = static_cast<std::size_t>(d);
+      there[k] = {component(from, d), dim, seen.data() + d * n};
+      back[k] = {seen.data() + d * n, points(column::mass), component(field.momentum, d), dim};
+    }
+    for_chunks(at.bins, options_.threads, [&](const Chunk& chunk) { loops_->gather(points, at, chunk, there); });
+    for_chunks_writing_nodes(at.bins, options_.threads,
+                             [&](const Chunk& chunk) { loops_->spread(points, at, chunk, back); });
   }
   walls_.fold(field, field.momentum);
   solve_velocity(field, to);
@@ -344,8 +178,8 @@ void Mechanics<G, S, T>::pass_to_points_and_back(std::size_t field_index, const 
 
 // w of the transfers xpic and fmpm: the velocity whose smoothing by a map is undone by m terms. Its momentum is that of
 // the grid but for what walls take meanwhile.
-template <class G, class S, class T>
-void Mechanics<G, S, T>::filter_velocities() {
+template <class G>
+void Mechanics<G>::filter_velocities() {
   if (transfer_.order == 0) return;
   for (std::size_t f = 0; f < fields_.size(); ++f) {
     Field& field = fields_[f];
@@ -370,20 +204,20 @@ void Mechanics<G, S, T>::filter_velocities() {
   }
 }
 
-template <class G, class S, class T>
-void Mechanics<G, S, T>::move_points(double dt, NodalVelocity carrying) {
+template <class G>
+void Mechanics<G>::move_points(double dt, NodalVelocity carrying) {
   want_places("move_points");
   gather_all_motion(dt, {}, carrying);
 }
 
-template <class G, class S, class T>
-void Mechanics<G, S, T>::kick_points(double dt) {
+template <class G>
+void Mechanics<G>::kick_points(double dt) {
   want_places("kick_points");
   gather_all_motion(dt, 0.0, NodalVelocity::end);
 }
 
-template <class G, class S, class T>
-void Mechanics<G, S, T>::gather_all_motion(double dt, std::optional<double> drift, NodalVelocity carrying) {
+template <class G>
+void Mechanics<G>::gather_all_motion(double dt, std::optional<double> drift, NodalVelocity carrying) {
   settle_power();
   settle_loss();
   filter_velocities();
@@ -391,10 +225,11 @@ void Mechanics<G, S, T>::gather_all_motion(double dt, std::optional<double> drif
   MotionSums sums;
   for (std::size_t b = 0; b < located_.size(); ++b) {
     Body& body = scene_.bodies[b];
-    keep_places(body, located_[b]);
-    const MotionSums own = sum_over_chunks<MotionSums>(located_[b], [&](const Chunk& chunk) {
-      const std::vector<Vec>* carried = carrying == NodalVelocity::end ? nullptr : &nodal(field_of(b), carrying);
-      return gather_motion(body, located_[b], chunk, field_of(b), dt, drift, nullptr, false, carried);
+    Weights<dim>& at = located_[b].weights;
+    at.keep(body.points);
+    const std::vector<Vec>* carried = carrying == NodalVelocity::end ? nullptr : &nodal(field_of(b), carrying);
+    const MotionSums own = sum_over_chunks<MotionSums>(at.bins, options_.threads, [&](const Chunk& chunk) {
+      return loops_->gather_motion(body, at, chunk, field_of(b), {.dt = dt, .drift = drift, .carrying = carried});
     });
     stop_if_too_far(own, body);
     sums += own;
@@ -406,29 +241,30 @@ void Mechanics<G, S, T>::gather_all_motion(double dt, std::optional<double> drif
   book_motion(sums, dt);
 }
 
-template <class G, class S, class T>
-void Mechanics<G, S, T>::drift_points(double dt) {
+template <class G>
+void Mechanics<G>::drift_points(double dt) {
   survey_.reset();
   places_known_ = places_known_ && moved_;  // what has moved before keeps the weights that moved it
   drifted_ += dt;
   MotionSums sums;
   for (std::size_t b = 0; b < located_.size(); ++b) {
     Body& body = scene_.bodies[b];
-    const MotionSums own = sum_over_chunks<MotionSums>(located_[b], [&](const Chunk& chunk) {
-      MotionSums one;
-      for (int d = 0; d < dim; ++d) {
-        double* x = body.points(column::position, d);
-        const double* v = body.points(column::velocity, d);
-        for_packs(
-            chunk.first, chunk.last, [&](int p, int count) __attribute__((always_inline)) {
-              const Pack step = dt * load(v + p);
-              if (one.too_far < 0 && any_of(!(abs(step) <= grid_.h()) && first_lanes(count))) one.too_far = p;
-              store(x + p, load(x + p) + step, count);  // [Leapfrog 1]
-            });
-      }
-      reflect(body, {chunk.first, chunk.last}, one);
-      return one;
-    });
+    const MotionSums own = sum_over_chunks<MotionSums>(
+        located_[b].weights.bins, options_.threads, [&](const Chunk& chunk) {
+          MotionSums one;
+          for (int d = 0; d < dim; ++d) {
+            double* x = body.points(column::position, d);
+            const double* v = body.points(column::velocity, d);
+            for_packs(
+                chunk.first, chunk.last, [&](int p, int count) __attribute__((always_inline)) {
+                  const Pack step = dt * load(v + p);
+                  if (one.too_far < 0 && any_of(!(abs(step) <= grid_.h()) && first_lanes(count))) one.too_far = p;
+                  store(x + p, load(x + p) + step, count);  // [Leapfrog 1]
+                });
+          }
+          reflect(body, {chunk.first, chunk.last}, one);
+          return one;
+        });
     pending_.dt = dt;
     stop_if_too_far(own, body);
     sums += own;
@@ -443,8 +279,8 @@ void Mechanics<G, S, T>::drift_points(double dt) {
   moved_ = true;
 }
 
-template <class G, class S, class T>
-void Mechanics<G, S, T>::return_transfer_loss() {
+template <class G>
+void Mechanics<G>::return_transfer_loss() {
   want_places("return_transfer_loss");
   want_losses("return_transfer_loss");
   survey_.reset();
@@ -454,28 +290,29 @@ void Mechanics<G, S, T>::return_transfer_loss() {
     if (!body.material->takes_heat()) continue;
     take_loss(b);
     const double* loss = body.points(column::transfer_loss);
-    const double returned = sum_over_chunks<double>(located_[b], [&](const Chunk& chunk) {
-      body.material->add_heat(body.points, {chunk.first, chunk.last}, loss);
-      double sum = 0;
-      for (int p = chunk.first; p < chunk.last; ++p) sum += loss[p];
-      return sum;
-    });
+    const double returned = sum_over_chunks<double>(
+        located_[b].weights.bins, options_.threads, [&](const Chunk& chunk) {
+          body.material->add_heat(body.points, {chunk.first, chunk.last}, loss);
+          double sum = 0;
+          for (int p = chunk.first; p < chunk.last; ++p) sum += loss[p];
+          return sum;
+        });
     ledger_.energy.book(Flow::transfer, returned);
   }
 }
 
-template <class G, class S, class T>
-void Mechanics<G, S, T>::move_and_heat_points(double dt) {
+template <class G>
+void Mechanics<G>::move_and_heat_points(double dt) {
   finish_points(dt, {});
 }
 
-template <class G, class S, class T>
-void Mechanics<G, S, T>::kick_heat_and_drift_points(double dt, double drift) {
+template <class G>
+void Mechanics<G>::kick_heat_and_drift_points(double dt, double drift) {
   finish_points(dt, drift);
 }
 
-template <class G, class S, class T>
-void Mechanics<G, S, T>::finish_points(double dt, std::optional<double> drift) {
+template <class G>
+void Mechanics<G>::finish_points(double dt, std::optional<double> drift) {
   const char* stage = drift ? "kick_heat_and_drift_points" : "move_and_heat_points";
   want_places(stage);
   want_losses(stage);
@@ -485,12 +322,11 @@ void Mechanics<G, S, T>::finish_points(double dt, std::optional<double> drift) {
     MotionSums motion;
     PowerSums power;
     Survey survey;
-    double stored = 0, returned = 0;
+    double returned = 0;
     Sums& operator+=(const Sums& o) {
       motion += o.motion;
       power += o.power;
       survey += o.survey;
-      stored += o.stored;
       returned += o.returned;
       return *this;
     }
@@ -505,45 +341,40 @@ void Mechanics<G, S, T>::finish_points(double dt, std::optional<double> drift) {
     const Field& field = field_of(b);
     const std::vector<Vec>& midpoint = rates_wanted ? straining_velocity(field_of(b), NodalVelocity::midpoint)
                                                     : field.midpoint;
-    const bool exchange = exchanges_heat(body);
+    const typename Loops::Motion motion{
+        .dt = dt, .drift = drift, .straining = rates_wanted ? &midpoint : nullptr, .exchange = exchanges_heat(body)};
+    Weights<dim>& at = located_[b].weights;
     if (heated) take_loss(b);
-    if (body.chain || hands_over(b)) keep_places(body, located_[b]);
-    const auto move = [&](const Chunk& chunk) {
-      return gather_motion(body, located_[b], chunk, field, dt, drift, rates_wanted ? &midpoint : nullptr, exchange,
-                           nullptr);
-    };
+    if (body.chain || hands_over(b)) at.keep(body.points);
+    const auto move = [&](const Chunk& chunk) { return loops_->gather_motion(body, at, chunk, field, motion); };
     Sums own;
     if (body.chain) {  // all points of a chain move before any looks where its neighbours stand
-      own.motion = sum_over_chunks<MotionSums>(located_[b], move);
+      own.motion = sum_over_chunks<MotionSums>(located_[b].weights.bins, options_.threads, move);
       stop_if_too_far(own.motion, body);
-      moved_ = true;
       relax_chain(b, own.motion);
-      moved_ = false;
     }
-    own = own + sum_over_chunks<Sums>(located_[b], [&](const Chunk& chunk) {
+    own = own + sum_over_chunks<Sums>(located_[b].weights.bins, options_.threads, [&](const Chunk& chunk) {
             const PointRange range{chunk.first, chunk.last};
             Sums sums;
             if (!body.chain) sums.motion = move(chunk);
             sums.power.power = stress_power(body, range, dt);
             sums.power.viscous = body.material->viscous_heat(body.points, range, context(), dt);
-            sums.stored = body.material->advance(body.points, range, context(), dt);  // [EC-APIC 6]
+            sums.power.stored = body.material->advance(body.points, range, context(), dt);  // [EC-APIC 6]
             if (loss) {
               body.material->add_heat(body.points, range, loss);
               for (int p = range.first; p < range.last; ++p) sums.returned += loss[p];
             }
             if (body.chain) return sums;
             if (drift) reflect(body, range, sums.motion);
-            sums.survey = survey(body, range);
+            sums.survey = loops_->survey(body, range);
             return sums;
           });
     if (body.chain) {
-      moved_ = true;
       smooth_strain(b, dt);
-      moved_ = false;
-      own = own + sum_over_chunks<Sums>(located_[b], [&](const Chunk& chunk) {
+      own = own + sum_over_chunks<Sums>(located_[b].weights.bins, options_.threads, [&](const Chunk& chunk) {
               Sums sums;
               if (drift) reflect(body, {chunk.first, chunk.last}, sums.motion);
-              sums.survey = survey(body, {chunk.first, chunk.last});
+              sums.survey = loops_->survey(body, {chunk.first, chunk.last});
               return sums;
             });
     }
@@ -555,9 +386,7 @@ void Mechanics<G, S, T>::finish_points(double dt, std::optional<double> drift) {
       if (scene_.bodies[b].material->takes_heat() == heated) finish(b);
     }
     if (heated) continue;
-    moved_ = true;
     hand_loss_over();
-    moved_ = false;
   }
   if (power_wanted) {
     pending_.stress_power = all.power.power;
@@ -566,7 +395,7 @@ void Mechanics<G, S, T>::finish_points(double dt, std::optional<double> drift) {
   }
   book_motion(all.motion, dt);
   ledger_.energy.book(Flow::integration, all.power.power);
-  ledger_.energy.book(Flow::constitutive, all.stored - all.power.power);
+  ledger_.energy.book(Flow::constitutive, all.power.stored - all.power.power);
   ledger_.energy.book(Flow::transfer, all.returned);
   rate_of_ = NodalVelocity::current;
   places_known_ = false;  // nobody kept where the points stood: a step ends here

@@ -1,0 +1,145 @@
+// Points to nodes.
+#pragma once
+
+#include "kernel/engine/loops/shape_loops.hpp"
+
+namespace plumbline {
+
+template <class G, class S>
+template <bool affine, bool with_mass>
+void ShapeLoops<G, S>::map_motion(const Body& body, const At& at, const Chunk& chunk, Field& field) const {
+  const Places<dim> places = at.places(body.points, S::boxes);
+  const double* mass = body.points(column::mass);
+  const double *velocity[dim], *twist[dim][dim] = {};
+  for (int d = 0; d < dim; ++d) {
+    velocity[d] = body.points(column::velocity, d);
+    for (int e = 0; affine && e < dim; ++e) twist[d][e] = body.points(column::affine, d * dim + e);
+  }
+  constexpr int parts = 1 + dim;
+  for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
+    Pack sums[nodes * parts];
+    for (Pack& s : sums) s = 0.0;
+    for_packs(first, last, [&](int p, int count) {
+      const PackStencil weights = stencil(places, anchor, p);
+      const Pack m = kept(load(mass + p), count);
+      if (with_mass) weights.spread(m, sums, parts);
+      for (int d = 0; d < dim; ++d) {
+        const Pack momentum = m * load(velocity[d] + p);
+        if constexpr (affine) {
+          Pack slope[dim];
+          for (int e = 0; e < dim; ++e) slope[e] = m * load(twist[d][e] + p);
+          weights.spread_moment(momentum, slope, sums + 1 + d, parts);  // [EC-APIC 1]
+        } else {
+          weights.spread(momentum, sums + 1 + d, parts);  // [York 3.16]
+        }
+      }
+    });
+    add_to_nodes<parts>(print, sums, [&](std::size_t i, const double* total) {
+      if (with_mass) field.mass[i] += total[0];
+      for (int d = 0; d < dim; ++d) field.momentum[i][d] += total[1 + d];
+    });
+  });
+}
+
+template <class G, class S>
+template <StressMeasure measure, bool exchange>
+double ShapeLoops<G, S>::map_forces(const Body& body, const At& at, const Chunk& chunk, Field& field) const {
+  constexpr bool isotropic = measure == StressMeasure::pressure, full = measure == StressMeasure::full;
+  constexpr int strains = stress_components(measure, dim, G::axisymmetric), normals = isotropic ? 1 : G::normals;
+  constexpr int parts = dim + (exchange ? 2 : 0);
+  const Places<dim> places = at.places(body.points, S::boxes);
+  const double *volume = body.points(column::volume), *mass = body.points(column::mass);
+  const double* energy = exchange ? body.points(column::energy) : nullptr;
+  const double *stress[strains], *rate[strains];
+  for (int k = 0; k < strains; ++k) {
+    stress[k] = body.points(column::stress, k);
+    rate[k] = body.points(column::strain_rate, k);
+  }
+  Pack hoop_force = 0.0;
+  for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
+    Pack sums[nodes * parts];
+    for (Pack& s : sums) s = 0.0;
+    for_packs(first, last, [&](int p, int count) {
+      const PackStencil weights = stencil(places, anchor, p);
+      const Pack v = kept(-load(volume + p), count);
+      Pack s[strains];
+      for (int k = 0; k < strains; ++k) s[k] = v * load(stress[k] + p);
+      if constexpr (G::axisymmetric && measure != StressMeasure::point_force) {
+        const Pack hoop = kept(s[isotropic ? 0 : full ? dim * dim : 2] / load(places.x[0] + p), count);
+        hoop_force += hoop;
+        weights.spread(hoop, sums, parts);
+      }
+      if constexpr (isotropic) {
+        weights.spread_divergence(s[0], sums, parts);
+      } else if constexpr (measure == StressMeasure::point_force) {
+        for (int d = 0; d < dim; ++d) weights.spread(s[d], sums + d, parts);
+        if constexpr (G::axisymmetric)
+          hoop_force += s[0];  // forces along the surface cancel; what is left is the hoops'
+      } else {
+        Pack flux[dim][dim];
+        if constexpr (full) {
+          for (int k = 0; k < dim * dim; ++k) flux[k / dim][k % dim] = s[k];
+        } else {
+          G::flux(s, flux);
+        }
+        for (int d = 0; d < dim; ++d) weights.spread_gradient(Pack(0.0), flux[d], sums + d, parts);
+      }
+      if constexpr (exchange) {
+        const Pack m = kept(load(mass + p), count);
+        Pack divergence = load(rate[0] + p);
+        for (int k = 1; k < normals; ++k) divergence += load(rate[k] + p);
+        weights.spread(m * load(energy + p), sums + dim, parts);
+        weights.spread(m * max(-divergence, Pack(0.0)), sums + dim + 1, parts);
+      }
+    });
+    add_to_nodes<parts>(print, sums, [&](std::size_t i, const double* total) {
+      for (int d = 0; d < dim; ++d) field.force[i][d] += total[d];
+      if constexpr (exchange) {
+        field.heat[i] += total[dim];
+        field.exchange[i] += total[dim + 1];
+      }
+    });
+  });
+  return sum(hoop_force);
+}
+
+template <class G, class S>
+double ShapeLoops<G, S>::map_forces(const Body& body, const At& at, const Chunk& chunk, bool exchange,
+                                    Field& field) const {
+  switch (body.material->measure()) {
+    case StressMeasure::pressure:
+      return exchange ? map_forces<StressMeasure::pressure, true>(body, at, chunk, field)
+                      : map_forces<StressMeasure::pressure, false>(body, at, chunk, field);
+    case StressMeasure::full:
+      return map_forces<StressMeasure::full, false>(body, at, chunk, field);
+    case StressMeasure::point_force:
+      return map_forces<StressMeasure::point_force, false>(body, at, chunk, field);
+    default:
+      return exchange ? map_forces<StressMeasure::symmetric, true>(body, at, chunk, field)
+                      : map_forces<StressMeasure::symmetric, false>(body, at, chunk, field);
+  }
+}
+
+template <class G, class S>
+void ShapeLoops<G, S>::spread(const Columns& points, const At& at, const Chunk& chunk,
+                              std::span<const Spread> all) const {
+  constexpr int most = Base::most_spread;
+  const Places<dim> places = at.places(points, S::boxes);
+  for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
+    Pack sums[nodes * most];
+    for (Pack& s : sums) s = 0.0;
+    for_packs(first, last, [&](int p, int count) {
+      const PackStencil weights = stencil(places, anchor, p);
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        const Pack q = load(all[k].values + p);
+        weights.spread(all[k].mass ? kept(load(all[k].mass + p), count) * q : kept(q, count), sums + k, most);
+      }
+    });
+    add_to_nodes<most>(print, sums, [&](std::size_t i, const double* total) {
+      for (std::size_t k = 0; k < all.size(); ++k)
+        all[k].nodes[i * static_cast<std::size_t>(all[k].stride)] += total[k];
+    });
+  });
+}
+
+}  // namespace plumbline

@@ -1,0 +1,263 @@
+// Nodes to points.
+#pragma once
+
+#include <algorithm>
+
+#include "kernel/engine/loops/shape_loops.hpp"
+#include "kernel/rotations.hpp"
+
+namespace plumbline {
+
+// Strain rates of a pack from the jets of the velocity components. [York 3.23]
+template <class G, class S>
+template <class Component>
+[[gnu::always_inline]] inline void ShapeLoops<G, S>::store_strain_rates(const RateColumns& rates,
+                                                                        const PackStencil& weights, const Pack& radius,
+                                                                        int p, int count, Component&& u) const {
+  Pack gradient[dim][dim], hoop_rate = 0.0;
+  for (int d = 0; d < dim; ++d) {
+    const auto jet = weights.gather_array([&](int k) { return u(k, d); });
+    if (rates.measure == StressMeasure::point_force) {
+      store(rates.at[d] + p, jet.value, count);
+      continue;
+    }
+    for (int e = 0; e < dim; ++e) gradient[d][e] = jet.gradient[e];
+    if constexpr (G::axisymmetric) {
+      if (d == 0) hoop_rate = jet.value / radius;
+    }
+  }
+  if (rates.measure == StressMeasure::point_force) return;
+  if (rates.measure == StressMeasure::pressure) {
+    Pack divergence = gradient[0][0] + hoop_rate;
+    for (int d = 1; d < dim; ++d) divergence += gradient[d][d];
+    store(rates.at[0] + p, divergence, count);
+    return;
+  }
+  if (rates.measure == StressMeasure::full) {
+    for (int d = 0; d < dim; ++d) {
+      for (int e = 0; e < dim; ++e) store(rates.at[d * dim + e] + p, gradient[d][e], count);
+    }
+    if constexpr (G::axisymmetric) store(rates.at[dim * dim] + p, hoop_rate, count);
+    return;
+  }
+  Pack rate[G::strains];
+  G::strain(gradient, hoop_rate, rate);
+  for (int k = 0; k < G::strains; ++k) store(rates.at[k] + p, rate[k], count);
+}
+
+template <class G, class S>
+auto ShapeLoops<G, S>::rate_columns(Body& body) -> RateColumns {
+  RateColumns rates;
+  rates.measure = body.material->measure();
+  for (int k = 0; k < stress_components(rates.measure, dim, G::axisymmetric); ++k) {
+    rates.at[k] = body.points(column::strain_rate, k);
+  }
+  return rates;
+}
+
+template <class G, class S>
+template <bool affine>
+double ShapeLoops<G, S>::gather_start(Body& body, const At& at, const Chunk& chunk, const Wanted& wanted) const {
+  const Places<dim> places = at.places(body.points, S::boxes);
+  const double* mass = body.points(column::mass);
+  const double *velocity[dim], *twist[dim][dim] = {};
+  for (int d = 0; d < dim; ++d) {
+    velocity[d] = body.points(column::velocity, d);
+    for (int e = 0; affine && e < dim; ++e) twist[d][e] = body.points(column::affine, d * dim + e);
+  }
+  double* loss = body.points.has(column::transfer_loss) ? body.points(column::transfer_loss) : nullptr;
+  double* volume = body.points(column::volume);
+  const RateColumns rates = rate_columns(body);
+  Pack total = 0.0;
+  for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
+    BinVelocity start;
+    double strained[nodes][dim], rho[nodes];
+    if (wanted.loss) start = bin_velocity(print, *wanted.loss);
+    for_stencil_nodes(print, [&](int k, std::size_t i) {
+      for (int d = 0; wanted.rates && d < dim; ++d) strained[k][d] = (*wanted.rates)[i][d];
+      if (wanted.density) rho[k] = (*wanted.density)[i];
+    });
+    for_packs(first, last, [&](int p, int count) {
+      const PackStencil weights = stencil(places, anchor, p);
+      if (wanted.rates) {
+        store_strain_rates(rates, weights, load(places.x[0] + p), p, count,
+                           [&](int k, int d) { return strained[k][d]; });
+      }
+      if (wanted.density) {
+        const Pack density = weights.gather_array([&](int k) { return rho[k]; }).value;
+        store(volume + p, wanted.specific ? load(mass + p) * density : load(mass + p) / density, count);
+      }
+      if (!wanted.loss) return;
+      Pack inertia[dim];
+      for (int d = 0; d < dim; ++d) inertia[d] = weights.inertia(d);
+      Pack spread = weights.gather_array([&](int k) { return start.square[k]; }).value, apart = 0.0;
+      for (int d = 0; d < dim; ++d) {
+        const auto u = weights.gather_array([&](int k) { return start.u[k][d]; });
+        const Pack off = load(velocity[d] + p) - start.base[d] - u.value;
+        apart += off * off;
+        spread -= u.value * u.value;
+        if constexpr (affine) {
+          for (int e = 0; e < dim; ++e) {
+            const Pack off_twist = load(twist[d][e] + p) - u.affine[e];
+            apart += inertia[e] * off_twist * off_twist;
+            spread -= inertia[e] * u.affine[e] * u.affine[e];
+          }
+        }
+      }
+      const Pack lost = 0.5 * load(mass + p) * (apart + max(spread, Pack(0.0)));
+      if (loss) store(loss + p, lost, count);
+      total += kept(lost, count);
+    });
+  });
+  return sum(total);
+}
+
+template <class G, class S>
+template <bool affine>
+auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chunk, const Field& field,
+                                     const Motion& motion) const -> MotionSums {
+  const auto [dt, drift, straining, carrying, exchange] = motion;
+  Columns& points = body.points;
+  const RateColumns rates = rate_columns(body);
+  double* energy = exchange ? points(column::energy) : nullptr;
+  const Places<dim> places = at.places(points, S::boxes);
+  const double* mass = points(column::mass);
+  double* loss = points.has(column::transfer_loss) ? points(column::transfer_loss) : nullptr;
+  double *velocity[dim], *position[dim], *twist[dim][dim] = {};
+  for (int d = 0; d < dim; ++d) {
+    velocity[d] = points(column::velocity, d);
+    position[d] = points(column::position, d);
+    for (int e = 0; affine && e < dim; ++e) twist[d][e] = points(column::affine, d * dim + e);
+  }
+  MotionSums sums;
+  Pack lost = 0.0, torque[3] = {0.0, 0.0, 0.0}, moved[3] = {0.0, 0.0, 0.0};
+  const bool increments = !affine && transfer_.increments, filters = !affine && transfer_.order > 0;
+  const bool loss_first = loss && increments;
+  for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
+    const BinVelocity end = bin_velocity(print, field.end);
+    double strained[nodes][dim], alpha[nodes], heat[nodes], most_exchange = 0;
+    for_stencil_nodes(print, [&](int k, std::size_t i) {
+      for (int d = 0; straining && d < dim; ++d) strained[k][d] = (*straining)[i][d];
+      if (!exchange) return;
+      alpha[k] = field.exchange[i];
+      heat[k] = alpha[k] * field.heat[i];
+      most_exchange = std::max(most_exchange, alpha[k]);
+    });
+    double change[nodes][dim], change_square[nodes], carried[nodes][dim];
+    if (increments || filters || carrying) {
+      for_stencil_nodes(print, [&](int k, std::size_t i) {
+        change_square[k] = 0;
+        for (int d = 0; d < dim; ++d) {
+          change[k][d] = increments ? field.end[i][d] - field.start[i][d]
+                         : filters  ? field.filtered[i][d] - end.base[d]
+                                    : 0;
+          change_square[k] += change[k][d] * change[k][d];
+          if (carrying) carried[k][d] = (*carrying)[i][d];
+        }
+      });
+    }
+    for_packs(first, last, [&](int p, int count) {
+      const PackStencil weights = stencil(places, anchor, p);
+      if (straining) {
+        store_strain_rates(rates, weights, load(places.x[0] + p), p, count,
+                           [&](int k, int d) { return strained[k][d]; });
+      }
+      if (most_exchange > 0) {
+        const Pack share = weights.gather_array([&](int k) { return alpha[k]; }).value, e = load(energy + p);
+        store(energy + p, e + (weights.gather_array([&](int k) { return heat[k]; }).value - share * e), count);
+      }
+      const Pack m = kept(load(mass + p), count);
+      Pack v[dim], v_new[dim], c[dim][dim], inertia[dim], here[dim];
+      for (int d = 0; d < dim; ++d) {
+        inertia[d] = weights.inertia(d);
+        here[d] = load(position[d] + p);
+      }
+      Pack square = 0.0;  // of what the grid carries, less what the point keeps of it
+      if (increments) {
+        square = weights.gather_array([&](int k) { return change_square[k]; }).value;
+      } else {
+        square = weights.gather_array([&](int k) { return end.square[k]; }).value;
+      }
+      for (int d = 0; d < dim; ++d) {
+        const auto u = weights.gather_array([&](int k) { return end.u[k][d]; });
+        v[d] = u.value + end.base[d];
+        if (increments) {
+          const auto a = weights.gather_array([&](int k) { return change[k][d]; });
+          v_new[d] = load(velocity[d] + p) + a.value;  // [York 3.22]
+          square -= a.value * a.value;
+          for (int e = 0; e < dim; ++e) c[d][e] = a.affine[e];
+        } else if (filters) {
+          const auto w = weights.gather_array([&](int k) { return change[k][d]; });
+          v_new[d] = w.value + end.base[d];
+          square += 2.0 * end.base[d] * (u.value - w.value) - w.value * w.value;
+          for (int e = 0; e < dim; ++e) c[d][e] = w.affine[e];
+        } else {
+          v_new[d] = v[d];
+          square -= u.value * u.value;
+          for (int e = 0; e < dim; ++e) c[d][e] = u.affine[e];  // [EC-APIC 5]
+        }
+        if (carrying) v[d] = weights.gather_array([&](int k) { return carried[k][d]; }).value;
+      }
+      PackMask too_far = first_lanes(0);
+      for (int d = 0; d < dim; ++d) {
+        const Pack step = drift ? *drift * v_new[d] : dt * v[d];
+        too_far = too_far || !(abs(step) <= grid_.h());
+        store(velocity[d] + p, v_new[d], count);
+        here[d] += step;
+        store(position[d] + p, here[d], count);  // [York 3.21]
+      }
+      if (sums.too_far < 0 && any_of(too_far && first_lanes(count))) sums.too_far = p;
+      for (int k = 0; k < rotations; ++k) {
+        const int a = rotation_axis<dim>(k, 0), b = rotation_axis<dim>(k, 1);
+        // N r x u, but for what an affine part keeps of it.
+        if constexpr (!affine || !S::fixed_inertia) torque[k] += m * (inertia[a] * c[b][a] - inertia[b] * c[a][b]);
+        if (!drift) moved[k] += m * dt * (v[a] * v_new[b] - v[b] * v_new[a]);
+      }
+      if constexpr (affine) {
+        // With the inertia of the new place: where that is another, so are the energy and the spin of the affine part.
+        for (int d = 0; !S::fixed_inertia && d < dim; ++d) {
+          const Pack cells = (here[d] - grid_.origin(d)) * (1 / grid_.h());
+          inertia[d] = inertia_at(cells, box(places.half_size[d], p)) * (grid_.h() * grid_.h());
+        }
+        for (int d = 0; d < dim; ++d) {
+          for (int e = 0; e < dim; ++e) {
+            square -= inertia[e] * c[d][e] * c[d][e];
+            store(twist[d][e] + p, c[d][e], count);
+          }
+        }
+        for (int k = 0; !S::fixed_inertia && k < rotations; ++k) {
+          const int a = rotation_axis<dim>(k, 0), b = rotation_axis<dim>(k, 1);
+          torque[k] -= m * (inertia[a] * c[b][a] - inertia[b] * c[a][b]);
+        }
+      }
+      // Never negative but by rounding, and a cold gas has nothing to pay that with. Only a changing inertia can give.
+      if (!filters && (!affine || S::fixed_inertia)) square = max(square, Pack(0.0));
+      const Pack given = 0.5 * m * square;  // [EC-APIC 5]
+      if (loss) store(loss + p, loss_first ? given : load(loss + p) + given, count);
+      lost += given;
+    });
+  });
+  sums.lost = sum(lost);
+  for (int k = 0; k < rotations; ++k) {
+    sums.torque[about + static_cast<std::size_t>(k)] = sum(torque[k]);
+    sums.moved[about + static_cast<std::size_t>(k)] = sum(moved[k]);
+  }
+  return sums;
+}
+
+template <class G, class S>
+void ShapeLoops<G, S>::gather(const Columns& points, const At& at, const Chunk& chunk,
+                              std::span<const Gather> all) const {
+  const Places<dim> places = at.places(points, S::boxes);
+  for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
+    for_packs(first, last, [&](int p, int count) {
+      const PackStencil weights = stencil(places, anchor, p);
+      for (const Gather& one : all) {
+        const auto at_node = [&](std::size_t i) { return Pack(one.nodes[i * static_cast<std::size_t>(one.stride)]); };
+        store(one.values + p, weights.gather(print, at_node).value, count);
+      }
+    });
+  });
+}
+
+}  // namespace plumbline

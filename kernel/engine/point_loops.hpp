@@ -1,0 +1,128 @@
+// The loops between the points of one chunk and the nodes they reach. A step calls them once a chunk and does not know
+// which shape or transfer they are compiled for.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "kernel/bins.hpp"
+#include "kernel/engine/sums.hpp"
+#include "kernel/engine/weights.hpp"
+#include "kernel/points/body.hpp"
+#include "kernel/scene.hpp"
+#include "kernel/transfers/transfers.hpp"
+#include "kernel/velocity_field.hpp"
+
+namespace plumbline {
+
+// So far beyond a side, in cells, a point still stands on it: on a wall it drifts by the rounding of a sum that is zero.
+inline constexpr double on_side = 1e-9;
+
+// Component d of a nodal array of vectors, `dim` numbers apart.
+template <class Vec>
+double* component(std::vector<Vec>& nodes, int d) {
+  return nodes.front().data() + d;
+}
+template <class Vec>
+const double* component(const std::vector<Vec>& nodes, int d) {
+  return nodes.front().data() + d;
+}
+
+// What a step asks of the shape by value.
+struct ShapeTraits {
+  int support;         // nodes per direction that a point reaches
+  double blur;         // theta of S(k) = 1 - theta k^2 h^2 + ... [Sharpening 1]
+  bool fixed_inertia;  // D_p is the same wherever a point stands
+  bool boxes;          // points have half sizes
+};
+
+template <class Geometry>
+class PointLoops {
+ public:
+  static constexpr int dim = Geometry::dim;
+  using Vec = Eigen::Matrix<double, dim, 1>;
+  using Field = VelocityField<dim>;
+
+  virtual ~PointLoops() = default;
+
+  // --- the shape
+  virtual ShapeTraits shape() const = 0;
+  // 1 / |cell_i| for each node of the flat arrays, m^-dim; axisymmetric per radian, m^-3. Zero where no space is.
+  virtual std::vector<double> inverse_volumes() const = 0;
+  // |cell_i| inside the closed line of a chain's points and corners, m^2 (m^3 per radian). Two dimensions. [Coupling 4]
+  virtual void find_enclosed_volumes(const Columns& chain, const std::vector<std::array<double, 2>>& corners,
+                                     std::vector<double>& volume) const = 0;
+  // Lowest nodes of the points; false: one of them stands outside of the grid.
+  virtual bool find_lowest(const Columns& points, PointRange range, int* lowest) const = 0;
+  // D_p along d where the point stands, m^2.
+  virtual double inertia(const Columns& points, int d, int p) const = 0;
+
+  // --- points to nodes
+  // M_i and M_i v_i. [York 3.15, 3.16] [EC-APIC 1]
+  virtual void map_mass_and_momentum(const Body& body, const Weights<dim>& at, const Chunk& chunk,
+                                     Field& field) const = 0;
+  // M_i v_i alone.
+  virtual void map_momentum(const Body& body, const Weights<dim>& at, const Chunk& chunk, Field& field) const = 0;
+  // -sum_p V_p sigma_p grad N_ip [York 3.17] [EC-APIC 4]; returns what hoop stress adds to the radial momentum, N.
+  // exchange: also sum_p m_p e_p N_ip and sum_p m_p N_ip max(0, -div v). [Exchange 1]
+  virtual double map_forces(const Body& body, const Weights<dim>& at, const Chunk& chunk, bool exchange,
+                            Field& field) const = 0;
+  // nodes_i += sum_p N_ip q_p of values q, weighted with the points' masses or not; nodes are `stride` numbers apart.
+  struct Spread {
+    const double *values, *mass;  // mass null: not weighted
+    double* nodes;
+    int stride;
+  };
+  static constexpr int most_spread = 1 + dim;
+  virtual void spread(const Columns& points, const Weights<dim>& at, const Chunk& chunk,
+                      std::span<const Spread> all) const = 0;
+
+  // --- nodes to points
+  // values_p = sum_i N_ip nodes_i.
+  struct Gather {
+    const double* nodes;
+    int stride;
+    double* values;
+  };
+  virtual void gather(const Columns& points, const Weights<dim>& at, const Chunk& chunk,
+                      std::span<const Gather> all) const = 0;
+  // Nodal arrays that gather_start reads; null: that part is not wanted.
+  struct Wanted {
+    const std::vector<Vec>* loss = nullptr;   // nodal velocity of the map
+    const std::vector<Vec>* rates = nullptr;  // nodal velocity that strains
+    const std::vector<double>* density = nullptr;
+    bool specific = false;  // `density` holds specific volumes
+    bool none() const { return !loss && !rates && !density; }
+  };
+  // What the points of a chunk take from the grid of the start of the step.
+  //   loss     sum_p m_p A_p with A_p = sum_i N_ip |v_p + C_p (x_i - x_p) - v_i|^2 / 2, returned, as the sum of three terms
+  //            that are never negative: what v_p and C_p differ by from the grid's, and what of the grid's velocity is
+  //            not affine [EC-APIC 1]
+  //   rates    strain rates of a nodal velocity [York 3.23]
+  //   density  V_p = m_p / rho_p, rho_p = sum_i N_ip rho_i [EC-APIC 2]; specific: V_p = m_p sum_i N_ip v_i [Coupling 4]
+  virtual double gather_start(Body& body, const Weights<dim>& at, const Chunk& chunk, const Wanted& wanted) const = 0;
+  // How gather_motion moves points.
+  struct Motion {
+    double dt;
+    std::optional<double> drift;  // how long they then move with the velocity they got; none: over dt with the grid's
+    const std::vector<Vec>* straining = nullptr;  // also the strain rates of this nodal velocity
+    const std::vector<Vec>* carrying = nullptr;   // nodal velocity that carries them; null: the end's
+    // Also e_p += sum_i N_ip alpha_i (E_i - e_p), which conserves sum_p m_p e_p node by node, and leaves no energy
+    // negative: each becomes a mean of what points have. [Exchange 1]
+    bool exchange = false;
+  };
+  virtual MotionSums gather_motion(Body& body, const Weights<dim>& at, const Chunk& chunk, const Field& field,
+                                   const Motion& motion) const = 0;
+
+  // --- points alone
+  virtual Survey survey(const Body& body, PointRange range) const = 0;
+};
+
+// Throws std::invalid_argument for an unknown shape.
+template <class Geometry>
+std::unique_ptr<PointLoops<Geometry>> make_point_loops(const Scene& scene, const TransferChoice& transfer);
+
+}  // namespace plumbline

@@ -1,0 +1,53 @@
+// Where the points of one body stand on the grid, as locate_points() finds it. Every later stage of the step reads these
+// places and none the positions, so that masses and weights never come from different instants.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "kernel/bins.hpp"
+#include "kernel/pack.hpp"
+#include "kernel/points/columns.hpp"
+
+namespace plumbline {
+
+// What the weights of points are functions of.
+template <int dim>
+struct Places {
+  const double *x[dim] = {}, *half_size[dim] = {};  // half sizes of boxes: null where the shape has none
+};
+
+template <int dim>
+struct Weights {
+  std::vector<int> lowest;  // flat index of the lowest node reached, per point
+  Bins bins;
+  bool bins_hold = false;  // the points are in the order of the bins, each sorted by id
+
+  // To be called before points move: from then on the places are copies. Calling it again changes nothing.
+  void keep(const Columns& points) {
+    if (kept_) return;
+    for (int d = 0; d < dim; ++d) {
+      const double* x = points(column::position, d);
+      copies_[static_cast<std::size_t>(d)].assign(x, x + points.points() + lanes - 1);
+    }
+    kept_ = true;
+  }
+  bool kept() const { return kept_; }
+  // The places are the positions again.
+  void release() { kept_ = false; }
+
+  Places<dim> places(const Columns& points, bool boxes) const {
+    Places<dim> places;
+    for (int d = 0; d < dim; ++d) {
+      places.x[d] = kept_ ? copies_[static_cast<std::size_t>(d)].data() : points(column::position, d);
+      if (boxes) places.half_size[d] = points(column::half_size, d);
+    }
+    return places;
+  }
+
+ private:
+  std::array<std::vector<double>, dim> copies_;
+  bool kept_ = false;
+};
+
+}  // namespace plumbline
