@@ -2,11 +2,11 @@
 import bars_and_strings_oracle as oracle
 import numpy
 import pytest
-from bars_and_strings_oracle import R, covers, mpmath
+from bars_and_strings_oracle import R, covers
 from evaluator import evaluate, request, wide
 
 
-def check(label, answer, true, width=None):
+def check(label, answer, true):
     assert len(answer) == len(true)
     for i, (got, exact) in enumerate(zip(answer, true)):
         assert covers(got, exact), (label, i, got, float(exact), float(abs(R(got[0]) - exact)))

@@ -71,7 +71,7 @@ def test_piston_shock():
 
 def test_affine_expansion():
     random = numpy.random.default_rng(1956)
-    problems, requests = [], []
+    problems = []
     for _ in range(1000):
         p = dict(dimension=int(random.integers(1, 4)), edge=wide(random), density=wide(random), pressure=wide(random),
                  gamma=some_gamma(random))
@@ -123,7 +123,7 @@ def test_simple_wave():
 def test_sedov():
     random = numpy.random.default_rng(1946)
     mp.dps = 30
-    problems, requests, at = [], [], []
+    problems = []
     for _ in range(120):
         p = dict(dimension=int(random.integers(1, 4)), density=wide(random), energy=wide(random), time=wide(random))
         p["gamma"] = float(random.choice([1.1, 1.2, 1.4, 5 / 3, 3.0, 2 + 1e-5, random.uniform(1.1, 6.5)]))
