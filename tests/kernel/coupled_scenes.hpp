@@ -2,7 +2,7 @@
 // exchange.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <map>
 #include <memory>
 #include <string>

@@ -4,7 +4,7 @@
 // axisymmetric scene, whose points may stand at negative radii as the mirror images of others.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <array>
 #include <cmath>
 #include <numbers>

@@ -2,7 +2,7 @@
 #include "kernel/sharpening.hpp"
 #include "kernel/rotations.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <numbers>
 
 #include "kernel/shapes/cubic.hpp"

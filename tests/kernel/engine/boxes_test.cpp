@@ -1,5 +1,5 @@
 // The boxes of points: how they start, how they follow the deformation, and what that does to the ledger.
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 
 #include "tests/kernel/solids.hpp"
 

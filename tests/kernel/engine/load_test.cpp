@@ -1,5 +1,5 @@
 // Body::load: body forces that a scene gives its points, each of them its own, at the time of the stresses.
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "tests/kernel/solids.hpp"
 

@@ -1,5 +1,5 @@
 // Fields whose answer is exact: affine motion, rigid motion, uniform stress, in all four geometries.
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "tests/kernel/scenes.hpp"
 

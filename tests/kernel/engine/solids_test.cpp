@@ -1,6 +1,6 @@
 // Solids on the grid: forces and strain rates are adjoint whatever the stress measure, and motions without strain or with
 // the same strain everywhere are exact, in all geometries and on all shapes.
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "tests/kernel/solids.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -78,8 +78,6 @@ inline Eigen::Matrix2d taylor(double z, int order) {
   for (int k = 0; k <= order; term = term * (z / ++k) * generator) sum += term;
   return sum;
 }
-
-inline double radius_of(const Eigen::MatrixXd& matrix) { return matrix.eigenvalues().cwiseAbs().maxCoeff(); }
 
 // Distance of (u, v) from (cos t, -sin t) at t = 2 after so many steps from (1, 0).
 inline double error_on_spring(TimeIntegrator& integrator, int steps) {

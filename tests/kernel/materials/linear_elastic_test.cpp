@@ -1,7 +1,8 @@
 #include "kernel/materials/linear_elastic.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
+#include "tests/kernel/dense.hpp"
 #include "tests/kernel/scenes.hpp"
 
 namespace plumbline {
@@ -63,7 +64,7 @@ Matrix stress_by_compliance(Space space, const std::vector<double>& strain, bool
     for (int j = 0; j < 3; ++j) rows(i, j) = given[i] ? (i == j ? 1 / e : -nu / e) : i == j;
     right[i] = given[i] ? eps(i, i) : 0;
   }
-  const Eigen::Vector3d normal = rows.fullPivLu().solve(right);
+  const Eigen::Vector3d normal = dense::solve(rows, right);
   Matrix sigma = e / (1 + nu) * eps;
   for (int i = 0; i < 3; ++i) sigma(i, i) = normal[i];
   return sigma;

@@ -1,7 +1,8 @@
 #include "kernel/materials/neo_hookean.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 
+#include "tests/kernel/dense.hpp"
 #include "tests/kernel/scenes.hpp"
 
 namespace plumbline {
@@ -236,8 +237,7 @@ double fastest_of_the_acoustic_tensor(const Tensor& tensor, const Matrix& f) {
     const Matrix in_space = q.topLeftCorner(3, 3);
     const int dim = tensor.dim();
     const Eigen::MatrixXd own = in_space.topLeftCorner(dim, dim);
-    const double square =
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>((own + own.transpose()) / 2).eigenvalues().maxCoeff();
+    const double square = dense::symmetric_spectrum(own).values.maxCoeff();
     fastest = std::max(fastest, std::sqrt(square / rho));
   }
   return fastest;

@@ -1,9 +1,10 @@
 // Segments as bands around an axis, and the forces between points alone. [Segments 3]
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <numbers>
 
 #include "kernel/materials/segment_membrane.hpp"
 #include "tests/kernel/coupled_scenes.hpp"
+#include "tests/kernel/dense.hpp"
 
 namespace plumbline {
 namespace {
@@ -283,8 +284,7 @@ double fastest_of(const SegmentMembrane& law, const Columns& points) {
       k(r, c) = -(over[i] - under[i]) / (2 * d) / std::sqrt(points(column::mass)[r % n] * points(column::mass)[c % n]);
     }
   }
-  const Eigen::MatrixXd symmetric = 0.5 * (k + k.transpose());
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric).eigenvalues().maxCoeff();
+  return dense::symmetric_spectrum(k).values.maxCoeff();
 }
 
 // 1 / tau is no less than w^2 of the fastest oscillation, and of an even chain, open or closed, no more than what is

@@ -1,6 +1,6 @@
 #include "kernel/materials/segment_membrane.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 
 #include "tests/kernel/scenes.hpp"
 

@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <numeric>
 
+#include "tests/kernel/dense.hpp"
 #include "tests/kernel/normals/curves.hpp"
 
 namespace plumbline {
@@ -77,7 +78,7 @@ TEST(CircleFit, IsTheMinimumOverAllPoints) {  // [Circle 1-3]
           if (intercept) a(at, 1) = root;
           b[at] = -root * (std::cos(angle) * rows[k].u + std::sin(angle) * rows[k].v);
         }
-        const Eigen::VectorXd solution = a.colPivHouseholderQr().solve(b);
+        const Eigen::VectorXd solution = dense::solve(a, b);
         bend = solution[0];
         return (a * solution - b).squaredNorm();
       };

@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
+#include "tests/kernel/dense.hpp"
 #include "tests/kernel/normals/curves.hpp"
 
 namespace plumbline {
@@ -39,7 +40,7 @@ void expect_colours(const char* method, const test::Curve& c, double other_r, do
   };
   for (std::size_t p = 0; p < c.size(); ++p) add(c.x[p], c.y[p], 1);
   add(other_r, other_s, 2);
-  const Eigen::VectorXd chi = t.fullPivLu().solve(rhs);
+  const Eigen::VectorXd chi = dense::solve(t, rhs);
   const test::Normals n = test::find(method, unit_cell, c);
   for (std::size_t p = 0; p < c.size(); ++p) {
     const double d = 1e-3;
@@ -74,7 +75,7 @@ void expect_least_colours(const char* method, const test::Curve& c, Shapes shape
   for (std::size_t p = 0; p < c.size(); ++p) a.row(static_cast<Eigen::Index>(p)) = shapes(c.x[p], c.y[p]).transpose();
   a.row(points) = shapes(0, 0).transpose();
   const Eigen::VectorXd colours = Eigen::VectorXd::Unit(points + 1, points);
-  const Eigen::VectorXd chi = a.transpose() * (a * a.transpose()).ldlt().solve(colours);
+  const Eigen::VectorXd chi = a.transpose() * dense::solve(a * a.transpose(), colours);
   const test::Normals n = test::find(method, unit_cell, c);
   for (std::size_t p = 0; p < c.size(); ++p) {
     const double d = 1e-3, x = c.x[p], y = c.y[p];
