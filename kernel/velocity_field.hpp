@@ -41,6 +41,10 @@ struct VelocityField {
     loss.resize(size(grid));
   }
 
+  // Whether gas shares the field's nodes with other bodies, and the mass of gas.
+  bool mixed() const { return !gas_mass.empty(); }
+  const std::vector<double>& mass_of_gas() const { return mixed() ? gas_mass : mass; }
+
   static std::size_t size(const Grid<dim>& grid) { return static_cast<std::size_t>(grid.node_count()); }
 
   std::vector<std::pair<int, int>> touched;  // [first, last) node of each row that a point reaches; empty: (0, 0)

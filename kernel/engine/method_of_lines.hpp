@@ -13,7 +13,7 @@ namespace plumbline {
 template <class G>
 template <class Visit>
 void Mechanics<G>::for_state_columns(Visit&& visit) const {
-  for (std::size_t b = 0; b < located_.size(); ++b) {
+  for (std::size_t b = 0; b < bodies(); ++b) {
     visit(b, column::position);
     visit(b, column::velocity);
     for (const ColumnId* id : scene_.bodies[b].material->internal_variables(context())) visit(b, *id);
@@ -43,7 +43,7 @@ void Mechanics<G>::want_size(const State& state) const {
 template <class G>
 void Mechanics<G>::set_state(const State& state) {
   want_size(state);
-  places_known_ = places_known_ && moved_;
+  for (Weights<dim>& at : layout_.weights) at.positions_changed();
   const Totals before = totals();
   auto next = state.values.begin();
   for_state_columns([&](std::size_t b, const ColumnId& id) {
@@ -76,7 +76,7 @@ State Mechanics<G>::velocities_of(State state) const {
 
 template <class G>
 State Mechanics<G>::rate() {
-  if (!transfer_.increments) {
+  if (!space_.transfer.increments) {
     throw std::logic_error("rates of change want the transfer flip: other transfers filter velocities once a step");
   }
   sorting_ = false;  // a State names points by their place
@@ -85,18 +85,12 @@ State Mechanics<G>::rate() {
   evaluate_stress(NodalVelocity::start);
   map_forces();
   advance_momentum(0.0);
-  pending_.power = false;
-  for (Field& field : fields_) {
-    field.for_touched(grid_, [&](std::size_t i) {
-      field.end[i] = field.mass[i] > least_mass ? Vec(field.force[i] / field.mass[i]) : Vec(Vec::Zero());
-    });
-    walls_.extend(field, field.end);
-  }
+  step_.power.emplace();  // of no step
+  for (Field& field : layout_.fields) momentum_.find_acceleration(field);
   find_all_strain_rates(NodalVelocity::start);
   State rate;
-  for (std::size_t b = 0; b < located_.size(); ++b) {
+  for (std::size_t b = 0; b < bodies(); ++b) {
     const Body& body = scene_.bodies[b];
-    const Weights<dim>& at = located_[b].weights;
     const Field& field = field_of(b);
     const auto n = static_cast<std::size_t>(body.points.points());
     const std::size_t start = rate.values.size();
@@ -106,7 +100,7 @@ State Mechanics<G>::rate() {
       const int d = static_cast<int>(k) % dim;
       rates[k] = {component(k < dim ? field.start : field.end, d), dim, rate.values.data() + start + k * n};
     }
-    for_chunks(at.bins, options_.threads, [&](const Chunk& chunk) { loops_->gather(body.points, at, chunk, rates); });
+    space_.gather(body.points, layout_.weights[b], rates);
     const std::vector<double> internal = body.material->rates(body.points, context());
     rate.values.insert(rate.values.end(), internal.begin(), internal.end());
   }

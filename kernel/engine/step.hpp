@@ -1,9 +1,8 @@
 // All parts of the step. Included only by the files that instantiate it, one a geometry.
 #pragma once
 
-#include "kernel/engine/coupling.hpp"
-#include "kernel/engine/locate.hpp"
 #include "kernel/engine/method_of_lines.hpp"
+#include "kernel/engine/set_up.hpp"
 #include "kernel/engine/strain.hpp"
 #include "kernel/engine/survey.hpp"
 #include "kernel/engine/to_grid.hpp"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <numeric>
 
 #include "kernel/engine/mechanics.hpp"
 
@@ -12,10 +11,10 @@ template <class G>
 const Survey& Mechanics<G>::surveyed() const {
   if (!survey_) {
     Survey all;
-    for (std::size_t b = 0; b < located_.size(); ++b) {
+    for (std::size_t b = 0; b < bodies(); ++b) {
       if (scene_.bodies[b].points.points() == 0) continue;
-      all += sum_over_chunks<Survey>(located_[b].weights.bins, options_.threads, [&](const Chunk& chunk) {
-        return loops_->survey(scene_.bodies[b], {chunk.first, chunk.last});
+      all += space_.template sum_over_chunks<Survey>(layout_.weights[b], [&](const Chunk& chunk) {
+        return space_.loops->survey(scene_.bodies[b], {chunk.first, chunk.last});
       });
     }
     all.totals.grid_mass = grid_mass_;
@@ -38,8 +37,8 @@ void Mechanics<G>::check() const {
     };
     for (int d = 0; d < dim; ++d) {
       const double *x = body.points(column::position, d), *v = body.points(column::velocity, d);
-      const double low = grid_.origin(d) - on_side * grid_.h();
-      const double high = grid_.origin(d) + (grid_.cells(d) + on_side) * grid_.h();
+      const double low = space_.grid.origin(d) - on_side * space_.grid.h();
+      const double high = space_.grid.origin(d) + (space_.grid.cells(d) + on_side) * space_.grid.h();
       for (int p = 0; p < body.points.points(); ++p) {
         if (!std::isfinite(v[p])) stop(p, column::velocity.name(), v[p], "the velocity must be finite");
         if (x[p] >= low && x[p] <= high) continue;
@@ -56,46 +55,10 @@ template <class G>
 double Mechanics<G>::step_limit() const {
   const StepBounds& bounds = surveyed().bounds;
   double limit = HUGE_VAL;
-  if (bounds.fastest > 0) limit = std::min(limit, grid_.h() / bounds.fastest);
-  if (bounds.diffusivity > 0) limit = std::min(limit, grid_.h() * grid_.h() / (2 * dim * bounds.diffusivity));
+  if (bounds.fastest > 0) limit = std::min(limit, space_.grid.h() / bounds.fastest);
+  if (bounds.diffusivity > 0)
+    limit = std::min(limit, space_.grid.h() * space_.grid.h() / (2 * dim * bounds.diffusivity));
   return limit;
-}
-
-// Until they are located, points of a body that has more or fewer of them than before count in the order they have.
-template <class G>
-void Mechanics<G>::points_added() {
-  survey_.reset();
-  places_known_ = false;
-  for (std::size_t b = 0; b < located_.size(); ++b) {
-    Weights<dim>& at = located_[b].weights;
-    const auto points = static_cast<std::size_t>(scene_.bodies[b].points.points());
-    at.bins_hold = false;
-    if (at.lowest.size() == points) continue;
-    at.lowest.assign(points, 0);
-    std::iota(at.lowest.begin(), at.lowest.end(), 0);
-    at.bins.build(at.lowest, grid_.stride(dim - 1), block_height, false);
-  }
-}
-
-template <class G>
-void Mechanics<G>::initialise() {
-  survey_.reset();
-  for (Body& body : scene_.bodies) {
-    if (!options_.evaluates_stress_first) continue;
-    const auto rates = body.points.values(column::strain_rate);  // of points as they stood before they were sorted
-    std::fill(rates.begin(), rates.end(), 0.0);
-  }
-  locate_points();
-  map_mass_and_momentum();
-  rate_of_ = NodalVelocity::start;  // the rates that the points carry serve
-  pending_.loss = false;
-  evaluate_stress(NodalVelocity::start);
-  for (Body& body : scene_.bodies) body.material->describe(body.points);
-}
-
-template <class G>
-void Mechanics<G>::refresh_density() {
-  initialise();
 }
 
 }  // namespace plumbline

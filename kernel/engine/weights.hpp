@@ -23,7 +23,15 @@ struct Weights {
   Bins bins;
   bool bins_hold = false;  // the points are in the order of the bins, each sorted by id
 
-  // To be called before points move: from then on the places are copies. Calling it again changes nothing.
+  // Whether the places are at hand.
+  bool known() const { return known_; }
+  // They are the positions, whatever they were.
+  void release() {
+    known_ = true;
+    kept_ = false;
+  }
+  // To be called before a stage moves points that later stages may follow: from then on the places are copies. Calling it
+  // again changes nothing.
   void keep(const Columns& points) {
     if (kept_) return;
     for (int d = 0; d < dim; ++d) {
@@ -33,8 +41,10 @@ struct Weights {
     kept_ = true;
   }
   bool kept() const { return kept_; }
-  // The places are the positions again.
-  void release() { kept_ = false; }
+  // To be called when positions change otherwise: only copies stay.
+  void positions_changed() { known_ = known_ && kept_; }
+  // None of the stages that follow may use them.
+  void drop() { known_ = false; }
 
   Places<dim> places(const Columns& points, bool boxes) const {
     Places<dim> places;
@@ -47,7 +57,7 @@ struct Weights {
 
  private:
   std::array<std::vector<double>, dim> copies_;
-  bool kept_ = false;
+  bool known_ = false, kept_ = false;
 };
 
 }  // namespace plumbline

@@ -1,0 +1,62 @@
+// Boxes of points, of shapes that are averages over them.
+#pragma once
+
+#include <cmath>
+
+#include "kernel/engine/discretisation.hpp"
+#include "kernel/ledger.hpp"
+#include "kernel/rotations.hpp"
+
+namespace plumbline {
+
+// They start as cubes of the points' spacing. deforming: they follow the deformation of points that carry one.
+template <class G>
+void add_boxes(Body& body, bool deforming) {
+  if (body.points.has(column::half_size)) return;
+  body.points.add(column::half_size, G::dim);
+  const bool deform = deforming && body.points.has(column::deformation);
+  if (deform) body.points.add(column::half_size_at_start, G::dim);
+  for (int p = 0; p < body.points.points(); ++p) {
+    const double half = 0.5 * point_spacing(body, p, G::dim, G::axisymmetric);
+    for (int d = 0; d < G::dim; ++d) {
+      body.points(column::half_size, d)[p] = half;
+      if (deform) body.points(column::half_size_at_start, d)[p] = half;
+    }
+  }
+}
+
+// A box follows its point's deformation by its second moments: l_d^2 = sum_e F_de^2 l0_e^2, whatever the rotation. With
+// it changes the inertia of the point's affine velocity, whose energy and spin are booked. [GIMP 2]
+template <class G>
+void deform_boxes(const Discretisation<G>& space, Columns& points, Ledger& ledger) {
+  constexpr int dim = G::dim;
+  if (!space.shape.boxes || !points.has(column::half_size_at_start)) return;
+  double energy = 0;
+  Turn spin{};
+  for (int p = 0; p < points.points(); ++p) {
+    double change[dim];  // of D
+    for (int d = 0; d < dim; ++d) {
+      const double before = space.loops->inertia(points, d, p);
+      double square = 0;
+      for (int e = 0; e < dim; ++e) {
+        const double edge = points(column::deformation, d * dim + e)[p] * points(column::half_size_at_start, e)[p];
+        square += edge * edge;
+      }
+      points(column::half_size, d)[p] = std::sqrt(square);  // [GIMP 2]
+      change[d] = points(column::mass)[p] * (space.loops->inertia(points, d, p) - before);
+    }
+    if (!space.transfer.affine) continue;
+    const auto c = [&](int d, int e) { return points(column::affine, d * dim + e)[p]; };
+    for (int d = 0; d < dim; ++d) {
+      for (int e = 0; e < dim; ++e) energy += 0.5 * change[e] * c(d, e) * c(d, e);
+    }
+    for (int k = 0; k < G::rotations; ++k) {
+      const int a = rotation_axis<dim>(k, 0), b = rotation_axis<dim>(k, 1);
+      spin[Discretisation<G>::about + static_cast<std::size_t>(k)] += change[a] * c(b, a) - change[b] * c(a, b);
+    }
+  }
+  ledger.energy.book(Flow::transfer, energy);
+  for (std::size_t k = 0; k < 3; ++k) ledger.angular_momentum[k].book(Flow::transfer, spin[k]);
+}
+
+}  // namespace plumbline

@@ -1,0 +1,239 @@
+// The momentum equation on the nodes, with walls, pistons, contact, sharpening and body forces.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "kernel/contact/contact.hpp"
+#include "kernel/engine/discretisation.hpp"
+#include "kernel/engine/step_record.hpp"
+#include "kernel/pistons.hpp"
+#include "kernel/sharpening.hpp"
+
+namespace plumbline {
+
+// Forces on the nodes beside what their fields hold.
+template <int dim>
+struct MappedForces {
+  double hoop = 0;                     // what hoop stress adds to the radial momentum, N
+  Spin<dim> turn = Spin<dim>::Zero();  // torque that should be none, N m
+};
+
+template <class Geometry>
+class NodalMomentum {
+ public:
+  using Space = Discretisation<Geometry>;
+  static constexpr int dim = Geometry::dim;
+  using Vec = typename Space::Vec;
+  using Field = typename Space::Field;
+
+  // field_of_body: index of its field for each body of the scene, which must outlive this.
+  NodalMomentum(const Space& space, const Scene& scene, std::vector<std::size_t> field_of_body)
+      : space_(space),
+        scene_(scene),
+        field_of_body_(std::move(field_of_body)),
+        pistons_(scene),
+        sharpening_(space.grid, scene.sharpening * space.shape.blur),
+        contact_(make_contact<dim>(scene.contact, space.grid, space.shape.support)) {
+    for (int d = 0; d < dim; ++d) gravity_[d] = scene.gravity[static_cast<std::size_t>(d)];
+    loaded_ = !gravity_.isZero(0);
+    for (const Body& body : scene.bodies) loaded_ = loaded_ || body.load;
+  }
+
+  bool has_pistons() const { return !pistons_.none(); }
+  bool has_contact() const { return contact_ != nullptr; }
+  bool contact_changes_start() const { return contact_ && contact_->changes_start(); }
+  // Pistons stand where they do `time` s after the start.
+  void set_time(double time) { pistons_.set_time(time); }
+  void pass_time(double dt) { pistons_.advance(dt); }
+
+  void clear_map(Field& field) const {
+    for_touched(field, [&](std::size_t i) {
+      field.mass[i] = 0;
+      field.momentum[i].setZero();
+    });
+  }
+
+  // Velocities of the start from the momenta that all bodies of a field have mapped; returns the mass on its nodes.
+  template <int rotations>
+  double start(Field& field, StepRecord<dim, rotations>& record) const {
+    double mass = 0;
+    field.for_touched(space_.grid, [&](std::size_t i) { mass += field.own_mass[i] = field.mass[i]; });
+    space_.walls.fold_mass(field);
+    WallAction<dim> action = space_.walls.fold(field, field.momentum);
+    space_.divide_by_mass(field, field.momentum, field.start);
+    record.map_wall_work += drive(field, field.start, action);
+    if (!space_.transfer.increments) {
+      record.map_wall.linear += action.linear;
+      record.map_wall.angular += action.angular;
+    }
+    return mass;
+  }
+
+  // Velocities from momenta that were mapped anew. [York 3.24]
+  void start_again(std::vector<Field>& fields) const {
+    for (Field& field : fields) {
+      space_.walls.fold(field, field.momentum);
+      space_.divide_by_mass(field, field.momentum, field.remapped);
+    }
+    if (contact_) contact_->apply_to_remapped(fields);
+    for (Field& field : fields) {
+      space_.walls.extend(field, field.remapped);
+      WallAction<dim> not_kept;
+      drive(field, field.remapped, not_kept);
+    }
+  }
+
+  void clear_forces(Field& field) const {
+    for_touched(field, [&](std::size_t i) {
+      field.force[i].setZero();
+      field.body_force[i].setZero();
+      field.heat[i] = field.exchange[i] = 0;
+    });
+  }
+
+  // v~_i = v_i + dt f_i / M_i. decide: choose the nodes that are in contact; otherwise those of the last call are again.
+  AdvanceRecord<dim> advance(std::vector<Field>& fields, const MappedForces<dim>& forces, double dt, bool decide) {
+    AdvanceRecord<dim> record;
+    record.dt = dt;
+    record.turn = dt * forces.turn;
+    for (Field& field : fields) {
+      add_body_force(field, dt, record);
+      const WallAction<dim> action = space_.walls.fold(field, field.force);
+      record.wall.linear += dt * action.linear;
+      record.wall.angular += dt * action.angular;
+      advance_alone(field, dt, record);
+    }
+    if (contact_) touch(fields, dt, decide, record.contact);
+    for (Field& field : fields) {
+      space_.walls.extend(field, field.end);
+      space_.walls.extend(field, field.midpoint);
+      record.wall_work += drive(field, field.end, record.wall);
+      WallAction<dim> counted;
+      drive(field, field.midpoint, counted);
+      if (scene_.heat_exchange > 0) solve_exchange(field, dt);
+      if (!loaded_) continue;
+      const std::vector<Vec>& straining = straining_velocity(field, field.midpoint);
+      field.for_touched(space_.grid,
+                        [&](std::size_t i) { record.body.work += dt * field.body_force[i].dot(straining[i]); });
+    }
+    record.wall.linear[0] += dt * forces.hoop;
+    return record;
+  }
+
+  // The nodal velocity whose gradients strain the points: sharpened as the accelerations are. [Sharpening 1]
+  const std::vector<Vec>& straining_velocity(Field& field, const std::vector<Vec>& velocity) const {
+    if (sharpening_.none()) return velocity;
+    sharpening_.apply(field, velocity, field.straining, space_.threads);
+    space_.walls.extend(field, field.straining);
+    return field.straining;
+  }
+
+  // f_i / M_i of the forces as they are, in field.end.
+  void find_acceleration(Field& field) const { space_.divide_by_mass(field, field.force, field.end); }
+
+  // What walls give to the points in a map back. [EC-APIC walls]
+  void add_wall_impulse(const Field& field, WallAction<dim>& wall) const {
+    WallAction<dim> action = space_.walls.extension_impulse(field, field.end);
+    if (space_.transfer.increments) {
+      const WallAction<dim> before = space_.walls.extension_impulse(field, field.start);
+      action.linear -= before.linear;
+      action.angular -= before.angular;
+    }
+    wall.linear += action.linear;
+    wall.angular += action.angular;
+  }
+
+ private:
+  template <class Visit>
+  void for_touched(Field& field, Visit&& visit) const {
+    field.for_touched(space_.grid, visit, space_.threads);
+  }
+
+  // What pistons do to nodal velocities; returns their work, J.
+  double drive(const Field& field, std::vector<Vec>& velocity, WallAction<dim>& action) const {
+    if (pistons_.none()) return 0;
+    const double work = pistons_.drive(space_.grid, field, velocity, action);
+    space_.walls.extend(field, velocity);
+    return work;
+  }
+
+  // Body forces fold like all others: what a point puts on a ghost node pulls the mirror node the other way.
+  void add_body_force(Field& field, double dt, AdvanceRecord<dim>& record) const {
+    if (!loaded_) return;
+    field.for_touched(space_.grid, [&](std::size_t i) {
+      const Vec f = field.body_force[i] + field.own_mass[i] * gravity_;  // [York 3.18]
+      field.body_force[i] = f;
+      field.force[i] += f;
+      record.body.linear += dt * f;
+      record.body.angular += dt * cross<dim>(space_.grid.position(static_cast<int>(i)), f);
+    });
+  }
+
+  // Without contact.
+  void advance_alone(Field& field, double dt, AdvanceRecord<dim>& record) const {
+    for_touched(field, [&](std::size_t i) {
+      const double m = field.mass[i];
+      field.end[i] = m > least_mass ? Vec(field.force[i] / m) : Vec(Vec::Zero());  // [York 3.19]
+    });
+    if (!sharpening_.none()) {
+      const SharpeningAction<dim> added = sharpening_.apply_to_accelerations(field, field.end, field.midpoint,
+                                                                             space_.threads);  // [Sharpening 1]
+      record.wall.linear += dt * added.walls.linear;
+      record.wall.angular += dt * added.walls.angular;
+      record.turn += dt * added.turn;
+    }
+    const std::vector<Vec>& acceleration = sharpening_.none() ? field.end : field.midpoint;
+    for_touched(field, [&](std::size_t i) {
+      const Vec dv = dt * acceleration[i];
+      field.end[i] = field.start[i] + dv;  // [York 3.20]
+      field.midpoint[i] = field.start[i] + 0.5 * dv;
+    });
+  }
+
+  // Contact between velocity fields. Its work is what the nodes' kinetic energy changes by beyond the work of the other
+  // forces, as points will take it: FLIP from the velocity each field had.
+  void touch(std::vector<Field>& fields, double dt, bool decide, Exchange<dim>& record) {
+    if (decide) contact_->find(scene_, field_of_body_, fields);
+    const bool increments = space_.transfer.increments;
+    contact_->apply(fields, dt, decide, [&](const ContactChange<dim>& c) {
+      const Vec impulse = c.mass * (c.end - c.start) - c.mass * (c.own_end - c.own_start);
+      const Vec kick = c.end - c.start, mean = 0.5 * (c.end + c.start);
+      const Vec own_work = increments ? Vec(c.own_start + 0.5 * kick) : Vec(0.5 * (c.end + c.own_start));
+      const Vec gained = increments ? kick : Vec(c.end - c.own_start);
+      record.work += c.mass * gained.dot(own_work) - c.mass * (c.own_end - c.own_start).dot(mean);
+      const Vec given = increments ? impulse : Vec(c.mass * (c.end - c.own_end));
+      record.linear += given;
+      record.angular += cross<dim>(space_.grid.position(c.node), given);
+    });
+    if (!contact_->changes_start()) return;
+    for (Field& field : fields) space_.walls.extend(field, field.start);
+  }
+
+  // E_i = sum_p m_p e_p N_ip / M_i, alpha_i = min(1, kappa dt sum_p m_p N_ip max(0, -div v) / M_i), M_i of the gas.
+  // [Exchange 1]
+  void solve_exchange(Field& field, double dt) const {
+    space_.walls.fold_even(field, field.heat);
+    space_.walls.fold_even(field, field.exchange);
+    const std::vector<double>& mass = field.mass_of_gas();
+    for_touched(field, [&](std::size_t i) {
+      const double share = mass[i] > least_mass ? 1 / mass[i] : 0.0;
+      field.heat[i] *= share;
+      field.exchange[i] = std::min(1.0, scene_.heat_exchange * dt * field.exchange[i] * share);
+    });
+    space_.walls.extend_even(field, field.heat);
+    space_.walls.extend_even(field, field.exchange);
+  }
+
+  const Space& space_;
+  const Scene& scene_;
+  std::vector<std::size_t> field_of_body_;
+  Pistons<dim> pistons_;
+  Sharpening<dim> sharpening_;
+  std::unique_ptr<Contact<dim>> contact_;  // null: none
+  Vec gravity_;
+  bool loaded_;  // whether any point feels a body force
+};
+
+}  // namespace plumbline
