@@ -17,6 +17,14 @@ struct EngineOptions {
 
 class Engine : public Stages {
  public:
+  // Several stages in one pass over the points; see fusions() (engine/stage_queue.hpp).
+  // predict_stress(ahead), map_forces:
+  virtual void predict_stress_and_map_forces(double ahead) = 0;
+  // move_points, strain_points with the midpoint velocity, return_transfer_loss:
+  virtual void move_and_heat_points(double dt) = 0;
+  // The same with kick_points in place of move_points, and drift_points(drift) at the end:
+  virtual void kick_heat_and_drift_points(double dt, double drift) = 0;
+
   // Initial densities and stresses, with strain rates zero.
   virtual void initialise() = 0;
   // Everything that the ledger's identity compares, summed from the points.

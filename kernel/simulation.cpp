@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "kernel/engine/stage_queue.hpp"
 #include "kernel/integrator_traits.hpp"
 #include "kernel/splitting.hpp"
 #include "kernel/step_under_way.hpp"
@@ -36,7 +37,7 @@ void Simulation::step(double longest) {
     ++step_;
     const InStep here(step_, time_);
     engine_->set_time(time_);
-    integrator_->step(*engine_, last_dt_);
+    take_step(*integrator_, *engine_, last_dt_, control_.fusing);
     if (split_points(scene_, time_ + last_dt_, control_.threads, ledger_) > 0) engine_->points_added();
     ledger_.close_step(engine_->totals());
     engine_->check();

@@ -19,6 +19,7 @@ struct StepControl {
   double cfl = 0.3;                               // > 0
   std::optional<double> dt;                       // s, > 0; overrides cfl
   int threads = 1;                                // >= 1; no result depends on it
+  bool fusing = true;                             // several stages in one pass, see engine/stage_queue.hpp
   std::map<std::string, double> parameters = {};  // of the integrator, by name; those of others may stand here too
 };
 

@@ -73,12 +73,6 @@ class Stages {
   // The same `ahead` seconds later, as the strain rates of a nodal velocity foretell it; nothing is advanced.
   virtual void predict_stress(double ahead, NodalVelocity velocity = NodalVelocity::start) = 0;
 
-  // predict_stress, then map_forces. An engine may do it in one pass over the points.
-  virtual void predict_stress_and_map_forces(double ahead) {
-    predict_stress(ahead);
-    map_forces();
-  }
-
   // strain_points, then evaluate_stress.
   void update_stress(double dt, NodalVelocity velocity = NodalVelocity::current) {
     strain_points(dt, velocity);
@@ -90,24 +84,9 @@ class Stages {
   virtual bool reverse_cooling() = 0;
 
   // Gives what the maps of this step took from each point back as heat, where its material has an energy equation;
-  // elsewhere it stays booked as lost. [EC-APIC 6]
+  // elsewhere it stays booked as lost. [EC-APIC 6] Gases of integrators that call it also exchange heat among their points,
+  // as these are moved or kicked, where the scene says so. [Exchange 1]
   virtual void return_transfer_loss() = 0;
-
-  // What ends an energy-conserving step: move_points, strain_points with the midpoint velocity, return_transfer_loss.
-  // An engine may do it in one pass over the points.
-  virtual void move_and_heat_points(double dt) {
-    move_points(dt);
-    strain_points(dt, NodalVelocity::midpoint);
-    return_transfer_loss();
-  }
-
-  // The same with kick_points and drift_points(drift).
-  virtual void kick_heat_and_drift_points(double dt, double drift) {
-    kick_points(dt);
-    strain_points(dt, NodalVelocity::midpoint);
-    return_transfer_loss();
-    drift_points(drift);
-  }
 
   // For methods of lines (Runge-Kutta, implicit): the state, its rate of change where it stands (forces evaluated there),
   // and setting it. Wants a FLIP transfer. Work between states set by hand is booked under `integration`. A state of another

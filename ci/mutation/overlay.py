@@ -232,7 +232,7 @@ class _Recipe:
             self.compile(own)
         words = self.base.link_words(f"{part}_test", f"tests/{part}_test")
         others = f"tests/CMakeFiles/{part}_test.dir/"
-        words = [word for word in words if word == own or not word.startswith(others)]
+        words = [word for word in words if word == own or not (word.startswith(others) and word.endswith("_test.cpp.o"))]
         name = path.removeprefix("tests/").removesuffix(".cpp").replace("/", "-")
         whole = f"tests/{part}_test"
         here = self.link(None, whole, words=words, as_name=f"bin/{name}")

@@ -83,7 +83,10 @@ class Mechanics final : public Engine {
   MaterialContext context(double ahead = 0) const;
   const std::vector<Vec>& nodal(const Field& field, NodalVelocity which) const;
   std::vector<ColumnId> stale_columns(const Body& body) const;
-  bool exchanges_heat(const Body& body) const { return scene_.heat_exchange > 0 && body.material->takes_heat(); }
+  // Heat is exchanged as points move or are kicked, by integrators that give heat back. [Exchange 1]
+  bool exchanges_heat(const Body& body) const {
+    return scene_.heat_exchange > 0 && options_.keep_loss && body.material->takes_heat();
+  }
   void want_places(const char* stage) const;
   void want_losses(const char* stage) const;
 

@@ -161,7 +161,8 @@ void Mechanics<G>::predict_stress(double ahead, NodalVelocity velocity) {
 template <class G>
 void Mechanics<G>::predict_stress_and_map_forces(double ahead) {
   if (std::any_of(layout_.weights.begin(), layout_.weights.end(), [](const auto& at) { return at.kept(); })) {
-    return Stages::predict_stress_and_map_forces(ahead);
+    predict_stress(ahead, NodalVelocity::start);
+    return map_forces();
   }
   settle_pending_strain();
   clear_forces();

@@ -67,8 +67,10 @@ void Mechanics<G>::gather_all_motion(double dt, std::optional<double> drift, Nod
     Weights<dim>& at = layout_.weights[b];
     Field& field = field_of(b);
     at.keep(body.points);
-    const typename Loops::Motion motion{
-        .dt = dt, .drift = drift, .carrying = carrying == NodalVelocity::end ? nullptr : &nodal(field, carrying)};
+    const typename Loops::Motion motion{.dt = dt,
+                                        .drift = drift,
+                                        .carrying = carrying == NodalVelocity::end ? nullptr : &nodal(field, carrying),
+                                        .exchange = exchanges_heat(body)};
     const MotionSums own = space_.template sum_over_chunks<MotionSums>(
         at, [&](const Chunk& chunk) { return space_.loops->gather_motion(body, at, chunk, field, motion); });
     stop_if_too_far(own, body, dt);

@@ -29,7 +29,9 @@ class EnergyConserving final : public TimeIntegrator {
       mpm.map_forces();
       mpm.advance_momentum(dt);
     }
-    mpm.move_and_heat_points(dt);  // [EC-APIC 5, 6]
+    mpm.move_points(dt);  // [EC-APIC 5]
+    mpm.strain_points(dt, NodalVelocity::midpoint);
+    mpm.return_transfer_loss();  // [EC-APIC 6]
   }
 };
 

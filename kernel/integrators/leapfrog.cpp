@@ -17,10 +17,14 @@ class Leapfrog final : public TimeIntegrator {
   void step(Stages& mpm, double dt) override {
     mpm.drift_points(dt / 2);  // [Leapfrog 1]
     mpm.locate_points();
-    mpm.map_mass_and_momentum();                // [EC-APIC 1]
-    mpm.predict_stress_and_map_forces(dt / 2);  // [Leapfrog 2] [EC-APIC 4]
+    mpm.map_mass_and_momentum();  // [EC-APIC 1]
+    mpm.predict_stress(dt / 2);   // [Leapfrog 2]
+    mpm.map_forces();             // [EC-APIC 4]
     mpm.advance_momentum(dt);
-    mpm.kick_heat_and_drift_points(dt, dt / 2);  // [EC-APIC 5, 6] [Leapfrog 3]
+    mpm.kick_points(dt);  // [EC-APIC 5]
+    mpm.strain_points(dt, NodalVelocity::midpoint);
+    mpm.return_transfer_loss();  // [EC-APIC 6]
+    mpm.drift_points(dt / 2);    // [Leapfrog 3]
   }
 };
 

@@ -65,9 +65,13 @@ inline void leapfrog(Stages& mpm, double dt, double first, double ahead, double 
   mpm.drift_points(first * dt);
   mpm.locate_points();
   mpm.map_mass_and_momentum();
-  mpm.predict_stress_and_map_forces(ahead * dt);
+  mpm.predict_stress(ahead * dt);
+  mpm.map_forces();
   mpm.advance_momentum(by.force * dt);
-  mpm.kick_heat_and_drift_points(dt, last * dt);
+  mpm.kick_points(dt);
+  mpm.strain_points(dt, NodalVelocity::midpoint);
+  mpm.return_transfer_loss();
+  mpm.drift_points(last * dt);
 }
 
 // The same with the last stages one by one; losses: how often what the maps took is given back.

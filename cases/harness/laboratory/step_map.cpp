@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "cases/harness/files/signals.hpp"
+#include "kernel/engine/stage_queue.hpp"
 #include "kernel/integrator_traits.hpp"
 
 namespace plumbline {
@@ -37,7 +38,7 @@ StepMap::StepMap(Scene scene, const Units& units, const IntegratorChoice& integr
   ledger_->open(engine_->totals());
   add_slots();
   const std::vector<double> start = state();
-  integrator_->step(*engine_, dt_);
+  take_step(*integrator_, *engine_, dt_);
   add_memory_slots();
   // What the step left in stresses and volumes is what steps of this integrator leave there; positions and velocities, and
   // what advances with them, are the scene's again.
@@ -175,7 +176,7 @@ void StepMap::set_state(const std::vector<double>& state) {
 void StepMap::step() {
   throw_if_interrupted();
   engine_->set_time(0);
-  integrator_->step(*engine_, dt_);
+  take_step(*integrator_, *engine_, dt_);
 }
 
 }  // namespace plumbline

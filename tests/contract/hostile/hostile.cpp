@@ -63,8 +63,8 @@ void misdo(const std::string& how) {
 void one_stage(Stages& mpm, double dt, unsigned which) {
   constexpr NodalVelocity velocities[] = {NodalVelocity::current, NodalVelocity::start, NodalVelocity::end,
                                           NodalVelocity::midpoint, NodalVelocity::remapped};
-  const NodalVelocity velocity = velocities[which / 17 % 5];
-  switch (which % 17) {
+  const NodalVelocity velocity = velocities[which / 14 % 5];
+  switch (which % 14) {
     case 0:
       return mpm.locate_points();
     case 1:
@@ -88,15 +88,9 @@ void one_stage(Stages& mpm, double dt, unsigned which) {
     case 10:
       return mpm.predict_stress(dt, velocity);
     case 11:
-      return mpm.predict_stress_and_map_forces(dt);
-    case 12:
       return static_cast<void>(mpm.reverse_cooling());
-    case 13:
+    case 12:
       return mpm.return_transfer_loss();
-    case 14:
-      return mpm.move_and_heat_points(dt);
-    case 15:
-      return mpm.kick_heat_and_drift_points(dt, dt);
     default:
       return mpm.set_state(mpm.state());
   }
@@ -163,7 +157,9 @@ class Hostile final : public TimeIntegrator {
     mpm.evaluate_stress(NodalVelocity::start);
     mpm.map_forces();
     mpm.advance_momentum(dt);
-    mpm.move_and_heat_points(dt);
+    mpm.move_points(dt);
+    mpm.strain_points(dt, NodalVelocity::midpoint);
+    mpm.return_transfer_loss();
   }
 
   int steps_ = 0;

@@ -62,7 +62,9 @@ class Heating final : public TimeIntegrator {
     mpm.map_forces();
     mpm.advance_momentum(dt);
     if (mpm.reverse_cooling()) mpm.advance_momentum(dt);
-    mpm.move_and_heat_points(dt);
+    mpm.move_points(dt);
+    mpm.strain_points(dt, NodalVelocity::midpoint);
+    mpm.return_transfer_loss();
   }
 };
 PLUMBLINE_INTEGRATOR(Heating, "test-heating", "forgets a force", "this test");

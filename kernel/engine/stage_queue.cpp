@@ -1,0 +1,103 @@
+#include "kernel/engine/stage_queue.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace plumbline {
+namespace {
+
+using Stage = StageCall::Stage;
+using Calls = std::vector<StageCall>;
+
+bool begins_with(const std::vector<Stage>& stages, const Calls& calls) {
+  return calls.size() <= stages.size() &&
+         std::equal(calls.begin(), calls.end(), stages.begin(),
+                    [](const StageCall& call, Stage stage) { return call.stage == stage; });
+}
+
+// Whether the calls are the fusion's first ones.
+bool may_become(const Fusion& fusion, const Calls& calls) {
+  return begins_with(fusion.stages, calls) && fusion.holds(calls);
+}
+
+// The points' strain over the step that moved or kicked them.
+bool strains_with_midpoint(const Calls& calls) {
+  return calls.size() < 2 || (calls[1].time == calls[0].time && calls[1].velocity == NodalVelocity::midpoint);
+}
+
+}  // namespace
+
+// The stress at the half step and its forces; motion, strain and heat at the end of a step. [Leapfrog 2, 3] [EC-APIC 5, 6]
+const std::vector<Fusion>& fusions() {
+  static const std::vector<Fusion> all{
+      {"predict stress, map forces",
+       {Stage::predict_stress, Stage::map_forces},
+       [](const Calls& calls) { return calls[0].velocity == NodalVelocity::start; },
+       [](Engine& engine, const Calls& calls) { engine.predict_stress_and_map_forces(calls[0].time); },
+       false},
+      {"move, strain, heat",
+       {Stage::move_points, Stage::strain_points, Stage::return_transfer_loss},
+       [](const Calls& calls) { return calls[0].velocity == NodalVelocity::end && strains_with_midpoint(calls); },
+       [](Engine& engine, const Calls& calls) { engine.move_and_heat_points(calls[0].time); },
+       true},
+      {"kick, strain, heat, drift",
+       {Stage::kick_points, Stage::strain_points, Stage::return_transfer_loss, Stage::drift_points},
+       strains_with_midpoint,
+       [](Engine& engine, const Calls& calls) { engine.kick_heat_and_drift_points(calls[0].time, calls[3].time); },
+       true}};
+  return all;
+}
+
+void StageCall::run(Engine& engine) const {
+  switch (stage) {
+    case Stage::predict_stress:
+      return engine.predict_stress(time, velocity);
+    case Stage::map_forces:
+      return engine.map_forces();
+    case Stage::move_points:
+      return engine.move_points(time, velocity);
+    case Stage::kick_points:
+      return engine.kick_points(time);
+    case Stage::strain_points:
+      return engine.strain_points(time, velocity);
+    case Stage::return_transfer_loss:
+      return engine.return_transfer_loss();
+    case Stage::drift_points:
+      return engine.drift_points(time);
+  }
+}
+
+void StageQueue::add(const StageCall& call) {
+  if (!fusing_) return call.run(engine_);
+  waiting_.push_back(call);
+  for (const Fusion& fusion : fusions()) {
+    if (!may_become(fusion, waiting_)) continue;
+    if (waiting_.size() < fusion.stages.size() || fusion.drops_weights) return;
+    return fusion.run(engine_, std::exchange(waiting_, {}));
+  }
+  // What waited becomes no fusion with this call, which may begin one of its own.
+  waiting_.pop_back();
+  if (waiting_.empty()) return call.run(engine_);
+  run_waiting();
+  add(call);
+}
+
+void StageQueue::finish() {
+  for (const Fusion& fusion : fusions()) {
+    if (waiting_.size() != fusion.stages.size() || !may_become(fusion, waiting_)) continue;
+    return fusion.run(engine_, std::exchange(waiting_, {}));
+  }
+  run_waiting();
+}
+
+void StageQueue::run_waiting() const {
+  for (const StageCall& call : std::exchange(waiting_, {})) call.run(engine_);
+}
+
+void take_step(TimeIntegrator& integrator, Engine& engine, double dt, bool fusing) {
+  StageQueue stages(engine, fusing);
+  integrator.step(stages, dt);
+  stages.finish();
+}
+
+}  // namespace plumbline
