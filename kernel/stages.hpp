@@ -96,6 +96,9 @@ class Stages {
   virtual State rate() = 0;
   // The same, with zeros for everything but velocities.
   virtual State velocities_of(State state) const = 0;
+
+  // No stage: whoever calls an integrator's step() says here that it has ended, so that nothing waits any longer.
+  virtual void end_step() {}
 };
 
 }  // namespace plumbline

@@ -82,7 +82,7 @@ void StageQueue::add(const StageCall& call) {
   add(call);
 }
 
-void StageQueue::finish() {
+void StageQueue::end_step() {
   for (const Fusion& fusion : fusions()) {
     if (waiting_.size() != fusion.stages.size() || !may_become(fusion, waiting_)) continue;
     return fusion.run(engine_, std::exchange(waiting_, {}));
@@ -97,7 +97,7 @@ void StageQueue::run_waiting() const {
 void take_step(TimeIntegrator& integrator, Engine& engine, double dt, bool fusing) {
   StageQueue stages(engine, fusing);
   integrator.step(stages, dt);
-  stages.finish();
+  stages.end_step();
 }
 
 }  // namespace plumbline

@@ -37,17 +37,16 @@ struct Fusion {
 };
 const std::vector<Fusion>& fusions();
 
-// Passes stages on to an engine, fused where the table of fusions says so. The last of them may wait until finish().
+// Passes stages on to an engine, fused where the table of fusions says so. The last of them may wait until end_step().
 class StageQueue final : public Stages {
  public:
   // fusing false: every stage by itself, at once. `engine` must outlive this.
   explicit StageQueue(Engine& engine, bool fusing = true) : engine_(engine), fusing_(fusing) {}
 
-  // To be called at the end of a step: what waits is done.
-  void finish();
+  void end_step() override;
 
   void locate_points() override {
-    finish();
+    end_step();
     engine_.locate_points();
   }
   void map_mass_and_momentum() override {

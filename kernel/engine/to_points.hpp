@@ -157,9 +157,8 @@ void Mechanics<G>::kick_heat_and_drift_points(double dt, double drift) {
 
 template <class G>
 void Mechanics<G>::finish_points(double dt, std::optional<double> drift) {
-  const char* stage = drift ? "kick_heat_and_drift_points" : "move_and_heat_points";
-  want_places(stage);
-  want_losses(stage);
+  want_places(drift ? "kick_points" : "move_points");
+  want_losses("return_transfer_loss");
   settle_loss();
   filter_velocities();
   struct Sums {

@@ -115,7 +115,10 @@ class Guarded final : public TimeIntegrator {
     if (steps_ % between_counts == 0) numbers_ = mpm.state().values.size();
     ++steps_;
     time_ += dt;
-    watched(original_, call, [&] { integrator_->step(mpm, dt); });
+    watched(original_, call, [&] {
+      integrator_->step(mpm, dt);
+      mpm.end_step();
+    });
   }
 
   std::vector<IntegratorParameter> parameters() override {

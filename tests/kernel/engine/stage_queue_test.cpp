@@ -57,7 +57,7 @@ Said asked(const std::function<void(Stages&)>& step, bool fusing = true) {
   Notes notes;
   StageQueue stages(notes, fusing);
   step(stages);
-  stages.finish();
+  stages.end_step();
   return notes.said;
 }
 
