@@ -1,0 +1,216 @@
+// Parts of the engine, each built without the others.
+#include <gmock/gmock.h>
+
+#include "kernel/engine/placing.hpp"
+#include "kernel/engine/reflection.hpp"
+#include "kernel/engine/step_record.hpp"
+#include "kernel/engine/velocity_filter.hpp"
+#include "tests/kernel/scenes.hpp"
+
+namespace plumbline {
+namespace {
+
+using testing::ElementsAre;
+
+// Four cells of 0.5 m along each direction, with points of 2 kg at these places.
+Scene points_at(const std::vector<std::array<double, 2>>& places, Wall wall = Wall::symmetry,
+                const std::string& transfer = "flip") {
+  Scene scene;
+  scene.grid = scenes::box(scenes::Space::plane, {4, 4, 1}, 0.5, scenes::walls_everywhere(wall));
+  scene.shape = "quadratic";
+  scene.transfer = transfer;
+  Body body = make_body("gas", std::make_shared<IdealGas>(), static_cast<int>(places.size()), 2);
+  for (int p = 0; p < body.points.points(); ++p) {
+    for (int d = 0; d < 2; ++d) {
+      body.points(column::position, d)[p] = places[static_cast<std::size_t>(p)][static_cast<std::size_t>(d)];
+    }
+    body.points(column::mass)[p] = 2;
+  }
+  if (transfer == "apic") body.points.add(column::affine, 4);
+  scene.bodies.push_back(std::move(body));
+  return scene;
+}
+
+// --- weights ------------------------------------------------------------------------------------------------------------
+
+TEST(Weights, KeepThePlacesOfBeforeTheFirstMotion) {
+  Scene scene = points_at({{0.6, 0.7}});
+  Columns& points = scene.bodies[0].points;
+  Weights<2> at;
+  EXPECT_FALSE(at.known());
+  at.release();
+  at.keep(points);
+  points(column::position)[0] = 0.8;
+  at.keep(points);  // as a second stage that moves points does
+  at.positions_changed();
+  EXPECT_TRUE(at.known() && at.kept());
+  EXPECT_EQ(at.places(points, false).x[0][0], 0.6);
+  at.release();
+  EXPECT_EQ(at.places(points, false).x[0][0], 0.8);
+}
+
+TEST(Weights, AreLostWhenPositionsChangeThatNobodyKept) {
+  Weights<2> at;
+  at.release();
+  at.positions_changed();
+  EXPECT_FALSE(at.known());
+}
+
+// --- placing ------------------------------------------------------------------------------------------------------------
+
+// The lowest nodes reached are the nearest less one, ghosts counted: (0, 0), (3, 0) and twice (1, 2) of 7 x 7 nodes.
+TEST(Placing, SortsPointsByNodeAndThenByNumber) {
+  Scene scene = points_at({{0.6, 1.1}, {1.6, 0.1}, {0.4, 0.9}, {0.1, 0.1}});
+  Body& body = scene.bodies[0];
+  const Discretisation<Plane> space(scene, 1);
+  Placing<Plane> placing(space);
+  Weights<2> at;
+  at.lowest.resize(4);
+  const std::vector<double> before(body.points(column::position), body.points(column::position) + 4);
+  placing.locate(body, at, false, {});
+  EXPECT_THAT(body.id, ElementsAre(0, 1, 2, 3));
+  placing.locate(body, at, true, {});
+  EXPECT_THAT(body.id, ElementsAre(3, 1, 0, 2));
+  EXPECT_THAT(at.lowest, ElementsAre(0, 3, 15, 15));
+  EXPECT_EQ(at.bins.bins(), 3);
+  for (std::size_t p = 0; p < 4; ++p) {
+    EXPECT_EQ(body.points(column::position)[p], before[static_cast<std::size_t>(body.id[p])]);
+  }
+  EXPECT_THAT(placing.here(body).lowest, ElementsAre(0, 3, 15, 15));
+}
+
+TEST(Placing, LeavesChainsInTheirOrder) {
+  Scene scene = points_at({{1.6, 0.1}, {0.1, 0.1}});
+  scene.bodies[0].chain = true;
+  const Discretisation<Plane> space(scene, 1);
+  Weights<2> at;
+  at.lowest.resize(2);
+  Placing<Plane>(space).locate(scene.bodies[0], at, true, {});
+  EXPECT_THAT(scene.bodies[0].id, ElementsAre(0, 1));
+  EXPECT_THAT(at.lowest, ElementsAre(3, 0));
+}
+
+TEST(Placing, NamesThePointThatLeftTheGrid) {
+  Scene scene = points_at({{0.1, 0.1}, {0.1, 2.1}});
+  const Discretisation<Plane> space(scene, 1);
+  try {
+    Placing<Plane>(space).here(scene.bodies[0]);
+    FAIL() << "a point outside was placed";
+  } catch (const InadmissibleState& state) {
+    EXPECT_EQ(state.point, 1);
+    EXPECT_EQ(state.value, 2.1);
+  }
+}
+
+// --- reflection ---------------------------------------------------------------------------------------------------------
+
+// A point 0.1 m beyond a wall comes back as its mirror image; the wall gives what its momentum changed by, and its turn about
+// the origin: 2 kg (x x v) after less before.
+TEST(Reflection, MirrorsPointAndVelocity) {
+  for (const Wall wall : {Wall::symmetry, Wall::no_slip}) {
+    Scene scene = points_at({{-0.1, 0.7}, {0.3, 0.7}}, wall, "apic");
+    Columns& points = scene.bodies[0].points;
+    points(column::velocity, 0)[0] = -3;
+    points(column::velocity, 1)[0] = 5;
+    for (int k = 0; k < 4; ++k) points(column::affine, k)[0] = k + 1;
+    const Discretisation<Plane> space(scene, 1);
+    MotionSums sums;
+    Reflection<Plane>(space).apply(points, all_points(points), sums);
+    const double along = wall == Wall::no_slip ? -1 : 1;
+    EXPECT_DOUBLE_EQ(points(column::position)[0], 0.1);
+    EXPECT_DOUBLE_EQ(points(column::velocity, 0)[0], 3);
+    EXPECT_DOUBLE_EQ(points(column::velocity, 1)[0], 5 * along);
+    EXPECT_DOUBLE_EQ(points(column::affine, 0)[0], 1);  // dv_x/dx: both signs change
+    EXPECT_DOUBLE_EQ(points(column::affine, 1)[0], -2);
+    EXPECT_DOUBLE_EQ(points(column::affine, 2)[0], -3 * along);
+    EXPECT_DOUBLE_EQ(points(column::affine, 3)[0], 4 * along);
+    EXPECT_DOUBLE_EQ(sums.reflected[0], 2 * 6);
+    EXPECT_DOUBLE_EQ(sums.reflected[1], 2 * 5 * (along - 1));
+    const double inertia = 0.25 * 0.25;  // D = h^2/4 [EC-APIC 5]
+    const double turn_before = -0.1 * 5 - 0.7 * -3 + inertia * (3 - 2);
+    const double turn_after = 0.1 * 5 * along - 0.7 * 3 + inertia * (-3 * along + 2);
+    EXPECT_NEAR(sums.reflected_turn[2], 2 * (turn_after - turn_before), 1e-14);
+    EXPECT_EQ(points(column::position)[1], 0.3);
+  }
+}
+
+// --- step record --------------------------------------------------------------------------------------------------------
+
+TEST(StepRecord, BooksEveryExchangeOnce) {
+  StepRecord<2, 1> record;
+  record.map_wall.linear = {1, 2};
+  record.map_wall_work = 3;
+  record.map_loss = 4;
+  AdvanceRecord<2>& advance = record.advance.emplace();
+  advance.wall.linear = {10, 20};
+  advance.body.linear = {30, 40};
+  advance.body.work = 50;
+  advance.contact.linear = {60, 70};
+  advance.contact.work = 80;
+  advance.wall_work = 90;
+  record.power = PowerSums{.power = 100, .viscous = 7};
+  MotionSums motion;
+  motion.lost = 1000;
+  motion.reflected[0] = 200;
+  for (const bool with_contact : {true, false}) {
+    Ledger ledger;
+    record.book(ledger, motion, with_contact);
+    EXPECT_EQ(ledger.momentum[0].flow(Flow::walls), 1 + 10 + 200);
+    EXPECT_EQ(ledger.momentum[1].flow(Flow::walls), 2 + 20);
+    EXPECT_EQ(ledger.momentum[0].flow(Flow::body_force), 30);
+    EXPECT_EQ(ledger.momentum[0].flow(Flow::contact), with_contact ? 60 : 0);
+    EXPECT_EQ(ledger.energy.flow(Flow::walls), 3 + 90);
+    EXPECT_EQ(ledger.energy.flow(Flow::body_force), 50);
+    EXPECT_EQ(ledger.energy.flow(Flow::contact), with_contact ? 80 : 0);
+    EXPECT_EQ(ledger.energy.flow(Flow::transfer), -4 - 1000);
+    EXPECT_EQ(ledger.energy.flow(Flow::integration), -100);
+    EXPECT_EQ(ledger.viscous, 7);
+  }
+}
+
+// Where its power is wanted: from an advance until it is summed.
+TEST(StepRecord, WantsThePowerOfTheLastAdvance) {
+  StepRecord<2, 1> record;
+  EXPECT_FALSE(record.wants_power());
+  record.advance.emplace();
+  EXPECT_TRUE(record.wants_power());
+  record.power.emplace();
+  EXPECT_FALSE(record.wants_power());
+}
+
+// --- velocity filter ----------------------------------------------------------------------------------------------------
+
+// A velocity that is the same everywhere passes to the points and back unchanged: nothing of it is filtered, and walls give
+// nothing. [XPIC 1] [FMPM 1]
+TEST(VelocityFilter, LeavesTheMotionOfAWhole) {
+  for (const char* transfer : {"xpic", "fmpm"}) {
+    Scene scene = points_at({{0.6, 0.7}, {0.9, 1.2}, {1.3, 1.3}}, Wall::free, "flip");
+    scene.transfer = transfer;
+    scene.transfer_order = 3;
+    const Discretisation<Plane> space(scene, 1);
+    Body& body = scene.bodies[0];
+    Placing<Plane> placing(space);
+    Weights<2> at;
+    at.lowest.resize(3);
+    placing.locate(body, at, true, {});
+    VelocityField<2> field(space.grid);
+    space.touch_alone(at, field);
+    space.for_chunks_writing_nodes(
+        at, [&](const Chunk& chunk) { space.loops->map_mass_and_momentum(body, at, chunk, field); });
+    field.own_mass = field.mass;
+    field.for_touched(space.grid, [&](std::size_t i) {
+      if (field.mass[i] > 0) field.start[i] = field.end[i] = {3, -4};
+    });
+    Eigen::Vector2d given = Eigen::Vector2d::Zero();
+    Spin<2> turn = Spin<2>::Zero();
+    VelocityFilter<Plane>(space).apply({{&body.points, &at}}, field, given, turn);
+    field.for_touched(space.grid, [&](std::size_t i) {
+      if (!(field.mass[i] > 0)) return;
+      EXPECT_NEAR((field.filtered[i] - field.end[i]).norm(), 0, 1e-13) << transfer;
+    });
+    EXPECT_NEAR(given.norm(), 0, 1e-13);
+  }
+}
+
+}  // namespace
+}  // namespace plumbline
