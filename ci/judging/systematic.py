@@ -45,7 +45,7 @@ class Change:
     @property
     def name(self):
         """As an integrator; also the key of what is argued in tests/judges/equivalent.json."""
-        place = {"call": "", "value": "-value"}.get(self.what, "-" + self.what.replace(" ", ""))
+        place = {"call": "", "value": "-value"}.get(self.what, "-" + self.what.replace("argument ", "arg"))
         return f"{PREFIX}-{self.integrator}-{self.call:02}-{self.stage}{place}-{self.kind}"
 
     @property

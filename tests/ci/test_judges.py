@@ -206,12 +206,12 @@ def test_without_a_change_the_step_is_the_original(steps):
     [
         ("01-map_forces-left-out", "move 2 ask set 206"),
         ("01-map_forces-doubled", "forces forces move 2 ask set 206"),
-        ("02-move_points-argument1-x0.999", "forces move 1.998 ask set 206"),
-        ("02-move_points-argument1-x1.001", "forces move 2.002 ask set 206"),
+        ("02-move_points-arg1-x0.999", "forces move 1.998 ask set 206"),
+        ("02-move_points-arg1-x1.001", "forces move 2.002 ask set 206"),
         ("02-move_points-left-out", "forces ask set 206"),
         ("03-reverse_cooling-left-out", "forces move 2"),
         ("03-reverse_cooling-doubled", "forces move 2 ask ask set 206"),
-        ("04-set_state-argument1-x1.001", "forces move 2 ask set 206.206"),
+        ("04-set_state-arg1-x1.001", "forces move 2 ask set 206.206"),
         ("05-state-value-x0.999", "forces move 2 ask set 205.994"),
         ("05-state-value-left-out", "forces move 2 ask set 200"),
         ("06-velocities_of-left-out", "forces move 2 ask set 6"),
@@ -224,6 +224,7 @@ def test_each_change_does_what_it_says(steps, change, did):
 
 def test_every_built_in_integrator_is_changed():
     names = [change.name for change in systematic.all_changes()]
+    assert all(len(name) <= 63 for name in names), "the program takes no longer ones"
     assert len(set(names)) == len(names) and len(systematic.built_in()) == len({change.integrator for change in systematic.all_changes()})
     for path in systematic.built_in():
         assert "PLUMBLINE_INTEGRATOR" not in systematic.source(path)
