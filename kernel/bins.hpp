@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "kernel/points/columns.hpp"
+
 namespace plumbline {
 
 // Consecutive bins of a few hundred points: a piece of work that stays in the cache, and whose sums are summed alone.
@@ -22,7 +24,10 @@ class Bins {
   // the part of the flat index below the last direction; a block is `height` layers. in_order: nodes do not decrease;
   // otherwise (a chain of points) all is one block.
   void build(std::span<const int> lowest, int layer, int height, bool in_order);
+  // The same of bins in order: start: the first point of each, and behind them how many points there are.
+  void build(std::span<const int> node, std::span<const int> start, int layer, int height);
 
+  int points() const { return start_.empty() ? 0 : start_.back(); }
   int node(int bin) const { return node_[static_cast<std::size_t>(bin)]; }
   int start(int bin) const { return start_[static_cast<std::size_t>(bin)]; }
   int end(int bin) const { return start_[static_cast<std::size_t>(bin) + 1]; }
@@ -37,6 +42,7 @@ class Bins {
   const std::vector<Block>& blocks(int colour) const { return blocks_[colour]; }
 
  private:
+  void find_chunks(int layer, int height, bool in_order);
   void close_chunk(int first_bin, int last_bin, int block);
 
   std::vector<int> node_, start_;
@@ -45,20 +51,34 @@ class Bins {
   int open_block_ = -1;
 };
 
-// The order of points by (lowest node, id), from the order they have. Scratch grows as needed.
+// A point that has come to another bin, and that bin's node.
+struct Mover {
+  int point, node;
+};
+
+// The order of points by (lowest node, id): it depends on where points stand, not on how they came there. Scratch grows as
+// needed.
 class BinSort {
  public:
-  // From any order.
+  // From any order: which point becomes the k-th.
   std::span<const int> sort(std::span<const int> lowest, std::span<const int> id, int nodes);
-  // From the order of `bins`, in each of which ids ascend: points that stay in their bin are not looked at twice.
-  std::span<const int> sort_again(const Bins& bins, std::span<const int> lowest, std::span<const int> id, int nodes);
+
+  // From the order of `bins`, in each of which ids ascend. movers: in the order of the points. Finds the new bins, whose
+  // points are the runs() of what they were.
+  void sort_again(const Bins& bins, std::span<const Mover> movers, std::span<const int> id, int nodes);
+  std::span<const int> node() const { return node_; }
+  std::span<const int> start() const { return start_; }  // and behind the last bin's how many points there are
+  std::span<const PointRun> runs() const { return runs_; }
 
  private:
-  void place_from_counts();
-  void insert(int point, int node, std::span<const int> id);
+  void sort_arrivals(std::span<const Mover> movers, std::span<const int> id, int nodes);
+  void append(int first, int last);
 
-  std::vector<int> start_, next_;  // per node: where its points begin in the order, and where the next goes
-  std::vector<int> order_, movers_;
+  std::vector<int> next_;              // per node: where its next point goes
+  std::vector<int> order_, arrivals_;  // arrivals_: movers by (node, id)
+  std::vector<int> node_, start_;
+  std::vector<PointRun> runs_;
+  int placed_ = 0;
 };
 
 }  // namespace plumbline

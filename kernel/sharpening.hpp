@@ -6,6 +6,7 @@
 // the work that strains through Q give back. Across a wall the mirror images are the neighbours. [Sharpening 1]
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "kernel/rotations.hpp"
@@ -40,7 +41,7 @@ class Sharpening {
   // to = Q from, on the touched nodes that are not ghosts of a wall.
   void apply(const VelocityField<dim>& field, const std::vector<Vec>& from, std::vector<Vec>& to, int threads) const {
     for_each_piece(grid_.rows(), threads,
-                   [&](int row) { apply_to_row(field, row, from, to, [](int, int, int, const Vec&) {}); });
+                   [&](int row) { apply_to_row(field, row, from, to, [](int, int, int, const Vec&, bool) {}); });
   }
 
   // The same; returns what Q adds to sum_i M_i a_i and sum_i x_i x M_i a_i.
@@ -49,14 +50,14 @@ class Sharpening {
     std::vector<SharpeningAction<dim>> rows(static_cast<std::size_t>(grid_.rows()));
     for_each_piece(grid_.rows(), threads, [&](int row) {
       SharpeningAction<dim>& all = rows[static_cast<std::size_t>(row)];
-      apply_to_row(field, row, from, to, [&](int i, int j, int d, const Vec& change) {
-        if (on_wall(i, d)) return;  // counted from inside
+      apply_to_row(field, row, from, to, [&](int i, int j, int d, const Vec& change, bool off_walls) {
+        if (!off_walls && on_wall(i, d)) return;  // counted from inside
         // Node i is pulled from node j, which node i pulls back: a couple with the arm x_i - x_j, half of it counted from
         // each side, all of it where the other node stands on a wall.
         const Vec pull = field.mass[static_cast<std::size_t>(i)] * change;
-        const bool walled_in = on_wall(j, d);
+        const bool walled_in = !off_walls && on_wall(j, d);
         Vec arm = Vec::Zero();
-        arm[d] = (walled_in ? 1.0 : 0.5) * grid_.h() * (grid_.index(i, d) - grid_.index(j, d));
+        arm[d] = (walled_in ? 1.0 : 0.5) * grid_.h() * (i > j ? 1 : -1);
         all.turn += cross<dim>(arm, pull);
         if (!walled_in) return;
         // The node on the wall takes what is even of the other half; what is odd the wall takes.
@@ -92,23 +93,51 @@ class Sharpening {
     if (walled(0, 1)) to = std::min(to, last(0) + 1);
     for (int i = from; i < to; ++i) visit(row * grid_.row_length() + i);
   }
-  // visit(i, j, direction, what neighbour j adds to (Q u)_i) for neighbours that are no mirror images.
+  // visit(i, j, direction, what neighbour j adds to (Q u)_i, whether neither can stand on a wall) for neighbours that are no
+  // mirror images.
   template <class Visit>
   void apply_to_row(const VelocityField<dim>& field, int row, const std::vector<Vec>& from, std::vector<Vec>& to,
                     Visit&& visit) const {
     if (ghost_row(row)) return;
+    const auto [plain_from, plain_to] = plain_nodes(field, row);
     for_own_nodes(field, row, [&](int i) {
       const auto at = static_cast<std::size_t>(i);
       Vec sum = Vec::Zero();
-      for_neighbours(field, row, i, [&](int j, int d, bool mirrored, double share) {
+      const bool plain = i >= plain_from && i < plain_to;
+      const auto add = [&](int j, int d, bool mirrored, double share) __attribute__((always_inline)) {
         Vec other = from[static_cast<std::size_t>(j)];
         if (mirrored) other = image(other, i, d);
         const Vec change = theta_ * share * (from[at] - other);
         sum += change;
-        if (!mirrored) visit(i, j, d, change);
-      });
+        if (!mirrored) visit(i, j, d, change, plain);
+      };
+      if (plain) {
+        for_plain_neighbours(field, i, add);
+      } else {
+        for_neighbours(field, row, i, add);
+      }
       to[at] = from[at] + sum;
     });
+  }
+
+  // The nodes of a row, [first, last), all of whose neighbours are touched and, like they, off the walls.
+  std::pair<int, int> plain_nodes(const VelocityField<dim>& field, int row) const {
+    auto [from, to] = field.touched[static_cast<std::size_t>(row)];
+    from = std::max(from + 1, walled(0, 0) ? first(0) + 2 : 1);
+    to = std::min(to - 1, walled(0, 1) ? last(0) - 1 : grid_.nodes(0) - 1);
+    if constexpr (dim > 1) {
+      for (int d = 1; d < dim; ++d) {
+        const int k = grid_.row_index(row, d), step = grid_.stride(d) / grid_.row_length();
+        if (k < (walled(d, 0) ? first(d) + 2 : 1) || k > (walled(d, 1) ? last(d) - 2 : grid_.nodes(d) - 2))
+          return {0, 0};
+        for (const int beside : {row - step, row + step}) {
+          from = std::max(from, field.touched[static_cast<std::size_t>(beside)].first);
+          to = std::min(to, field.touched[static_cast<std::size_t>(beside)].second);
+        }
+      }
+    }
+    const int base = row * grid_.row_length();
+    return {base + from, base + to};
   }
   // The value beyond a wall of direction d that mirrors `value`, seen from the node i on it.
   Vec image(Vec value, int i, int d) const {
@@ -119,6 +148,18 @@ class Sharpening {
   }
   Vec held_by(const Vec& value, int node, int d) const { return 0.5 * (value - image(value, node, d)); }
 
+  // The same as below of a plain node.
+  template <class Visit>
+  void for_plain_neighbours(const VelocityField<dim>& field, int i, Visit&& visit) const {
+    const double mass = field.mass[static_cast<std::size_t>(i)];
+    if (!(mass > least_mass)) return;
+    for (int d = 0; d < dim; ++d) {
+      for (const int j : {i - grid_.stride(d), i + grid_.stride(d)}) {
+        const double other = field.mass[static_cast<std::size_t>(j)];
+        if (other > least_mass) visit(j, d, false, 2 * other / (mass + other));
+      }
+    }
+  }
   // visit(neighbour, direction, whether it stands for a mirror image, K_ij / M_i).
   template <class Visit>
   void for_neighbours(const VelocityField<dim>& field, int row, int i, Visit&& visit) const {

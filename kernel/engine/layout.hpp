@@ -30,7 +30,7 @@ Layout<dim> layout_of(const std::vector<Body>& bodies, const Grid<dim>& grid) {
       names.push_back(body.field);
       layout.fields.emplace_back(grid);
     }
-    layout.weights.emplace_back().lowest.resize(static_cast<std::size_t>(body.points.points()));
+    layout.weights.emplace_back();
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     int companions = 0, gases = 0;  // of the same field

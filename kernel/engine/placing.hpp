@@ -23,41 +23,50 @@ class Placing {
   void locate(Body& body, Weights<dim>& at, bool sorting, std::span<const ColumnId> stale) {
     const bool in_bins = sorting && !body.chain;
     at.release();
-    find_lowest(body, at);
-    if (in_bins && !in_order(body, at)) sort(body, at, stale);
-    build(at, in_bins);
+    if (in_bins && at.bins_hold) {
+      follow(body, at, stale);
+    } else {
+      find_lowest(body, lowest_);
+      if (in_bins) sort(body, stale);
+      build(lowest_, at, in_bins);
+    }
     at.bins_hold = in_bins;
   }
 
   // Weights of where the points stand now, in the order they have.
   Weights<dim> here(const Body& body) const {
     Weights<dim> at;
-    at.lowest.resize(static_cast<std::size_t>(body.points.points()));
     at.release();
-    find_lowest(body, at);
-    build(at, false);
+    std::vector<int> lowest;
+    find_lowest(body, lowest);
+    build(lowest, at, false);
     return at;
   }
 
-  void build(Weights<dim>& at, bool in_bins) const {
-    at.bins.build(at.lowest, space_.grid.stride(dim - 1), block_height, in_bins);
+  // lowest: of each point the lowest node it reaches.
+  void build(std::span<const int> lowest, Weights<dim>& at, bool in_bins) const {
+    at.bins.build(lowest, space_.grid.stride(dim - 1), block_height, in_bins);
   }
 
  private:
   static constexpr int block_height = dim == 1 ? 64 : 4;  // layers; a stencil reaches 3 beyond its own
   static constexpr int stretch = 4096;                    // points that one thread takes at a time
 
-  void find_lowest(const Body& body, Weights<dim>& at) const {
+  void find_lowest(const Body& body, std::vector<int>& lowest) const {
     const int points = body.points.points();
+    lowest.resize(static_cast<std::size_t>(points));
     std::vector<char> outside(static_cast<std::size_t>(1 + points / stretch));
     for_each_piece(static_cast<int>(outside.size()), space_.threads, [&](int piece) {
       const PointRange range{piece * stretch, std::min((piece + 1) * stretch, points)};
-      outside[static_cast<std::size_t>(piece)] = !space_.loops->find_lowest(body.points, range, at.lowest.data());
+      outside[static_cast<std::size_t>(piece)] = !space_.loops->find_lowest(body.points, range, lowest.data());
     });
-    if (std::find(outside.begin(), outside.end(), 1) == outside.end()) return;
+    if (std::find(outside.begin(), outside.end(), 1) != outside.end()) stop_outside(body);
+  }
+
+  void stop_outside(const Body& body) const {
     for (int d = 0; d < dim; ++d) {
       const double* position = body.points(column::position, d);
-      for (int p = 0; p < points; ++p) {
+      for (int p = 0; p < body.points.points(); ++p) {
         const double x = space_.grid.logical(position[p], d);
         if (x >= -on_side && x <= space_.grid.cells(d) + on_side) continue;
         throw InadmissibleState("a point left the grid", body.name, body.id[static_cast<std::size_t>(p)],
@@ -66,35 +75,63 @@ class Placing {
     }
   }
 
-  // By lowest node, and by number where that is the same.
-  static bool in_order(const Body& body, const Weights<dim>& at) {
-    for (std::size_t p = 1; p < at.lowest.size(); ++p) {
-      const int step = at.lowest[p] - at.lowest[p - 1];
-      if (step < 0 || (step == 0 && body.id[p] < body.id[p - 1])) return false;
-    }
-    return true;
+  // From any order.
+  void sort(Body& body, std::span<const ColumnId> stale) {
+    const std::span<const int> order = bin_sort_.sort(lowest_, body.id, space_.grid.node_count());
+    find_runs(order, runs_);
+    reorder(body, runs_, stale);
+    take(runs_, lowest_);
   }
 
-  void sort(Body& body, Weights<dim>& at, std::span<const ColumnId> stale) {
-    const int nodes = space_.grid.node_count();
-    const std::span<const int> order = at.bins_hold ? bin_sort_.sort_again(at.bins, at.lowest, body.id, nodes)
-                                                    : bin_sort_.sort(at.lowest, body.id, nodes);
-    body.points.reorder(order, stale, space_.threads);
-    const auto reorder = [&](std::vector<int>& values) {
-      spare_.resize(values.size());
-      for_each_index(static_cast<int>(order.size()), space_.threads, [&](int k) {
-        const auto at_k = static_cast<std::size_t>(k);
-        spare_[at_k] = values[static_cast<std::size_t>(order[at_k])];
-      });
-      std::swap(spare_, values);
-    };
-    reorder(body.id);
-    reorder(at.lowest);
+  // From the order of the bins: only points that have come to another bin are looked at.
+  void follow(Body& body, Weights<dim>& at, std::span<const ColumnId> stale) {
+    const int chunks = at.bins.chunk_count();
+    movers_of_.resize(std::max(movers_of_.size(), static_cast<std::size_t>(chunks)));
+    std::vector<char> outside(static_cast<std::size_t>(chunks));
+    for_each_piece(chunks, space_.threads, [&](int k) {
+      const auto c = static_cast<std::size_t>(k);
+      movers_of_[c].clear();
+      outside[c] = !space_.loops->find_movers(body.points, at.bins, at.bins.chunks()[c], movers_of_[c]);
+    });
+    if (std::find(outside.begin(), outside.end(), 1) != outside.end()) stop_outside(body);
+    movers_.clear();
+    for (std::size_t c = 0; c < outside.size(); ++c) {
+      movers_.insert(movers_.end(), movers_of_[c].begin(), movers_of_[c].end());
+    }
+    if (movers_.empty()) return;
+    bin_sort_.sort_again(at.bins, movers_, body.id, space_.grid.node_count());
+    reorder(body, bin_sort_.runs(), stale);
+    at.bins.build(bin_sort_.node(), bin_sort_.start(), space_.grid.stride(dim - 1), block_height);
+  }
+
+  void reorder(Body& body, std::span<const PointRun> runs, std::span<const ColumnId> stale) {
+    if (runs.size() < 3 && runs.front().from <= 0) return;  // as they were
+    body.points.reorder(runs, stale, space_.threads);
+    take(runs, body.id);
+  }
+  void take(std::span<const PointRun> runs, std::vector<int>& values) {
+    constexpr int at_once = 8;  // most runs are shorter; what one writes beyond its end, the next writes over
+    spare_.resize(values.size());
+    const int last = static_cast<int>(values.size()) - at_once;
+    for (std::size_t r = 0; r + 1 < runs.size(); ++r) {
+      const auto [to, from] = runs[r];
+      const int length = runs[r + 1].to - to;
+      const bool is_short = length <= at_once && from <= last && to <= last;
+      if (is_short) {
+        std::copy_n(values.data() + from, at_once, spare_.data() + to);
+      } else {
+        std::copy_n(values.data() + from, length, spare_.data() + to);
+      }
+    }
+    std::swap(spare_, values);
   }
 
   const Space& space_;
   BinSort bin_sort_;
-  std::vector<int> spare_;
+  std::vector<std::vector<Mover>> movers_of_;  // of each chunk; scratch, as are the others
+  std::vector<Mover> movers_;
+  std::vector<PointRun> runs_;
+  std::vector<int> lowest_, spare_;
 };
 
 }  // namespace plumbline

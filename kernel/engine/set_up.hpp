@@ -127,13 +127,13 @@ void Mechanics<G>::points_added() {
   survey_.reset();
   for (std::size_t b = 0; b < bodies(); ++b) {
     Weights<dim>& at = layout_.weights[b];
-    const auto points = static_cast<std::size_t>(scene_.bodies[b].points.points());
+    const int points = scene_.bodies[b].points.points();
     at.drop();
     at.bins_hold = false;
-    if (at.lowest.size() == points) continue;
-    at.lowest.resize(points);
-    std::iota(at.lowest.begin(), at.lowest.end(), 0);
-    placing_.build(at, false);
+    if (at.bins.points() == points) continue;
+    std::vector<int> alone(static_cast<std::size_t>(points));
+    std::iota(alone.begin(), alone.end(), 0);
+    placing_.build(alone, at, false);
   }
 }
 

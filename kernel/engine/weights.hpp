@@ -19,7 +19,6 @@ struct Places {
 
 template <int dim>
 struct Weights {
-  std::vector<int> lowest;  // flat index of the lowest node reached, per point
   Bins bins;
   bool bins_hold = false;  // the points are in the order of the bins, each sorted by id
 

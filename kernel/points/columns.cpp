@@ -1,6 +1,7 @@
 #include "kernel/points/columns.hpp"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 #include "kernel/pack.hpp"
@@ -51,61 +52,83 @@ int Columns::components(const ColumnId& id) const {
   return index < columns_.size() && points_ > 0 ? columns_[index].components : 0;
 }
 
-void Columns::find_runs(std::span<const int> order, int threads) {
-  const int pieces = (points_ + stretch - 1) / stretch;
-  runs_.resize(static_cast<std::size_t>(points_ + pieces));
-  run_count_.resize(static_cast<std::size_t>(pieces));
-  for_each_piece(pieces, threads, [&](int piece) {
-    const int first = piece * stretch, last = std::min(first + stretch, points_);
-    Run* runs = runs_.data() + first + piece;
-    int count = 0, expected = -1;
-    for (int p = first; p < last; ++p) {
-      const int from = order[static_cast<std::size_t>(p)];
-      runs[count] = {p, from};
-      count += from != expected;
-      expected = from + 1;
-    }
-    runs[count] = {last, -1};
-    run_count_[static_cast<std::size_t>(piece)] = count;
-  });
+void find_runs(std::span<const int> order, std::vector<PointRun>& runs) {
+  runs.clear();
+  int expected = -1;
+  for (std::size_t p = 0; p < order.size(); ++p) {
+    if (order[p] != expected) runs.push_back({static_cast<int>(p), order[p]});
+    expected = order[p] + 1;
+  }
+  runs.push_back({static_cast<int>(order.size()), -1});
 }
 
-// Run after run in whole packs: what one writes beyond its end, the next writes over.
-void Columns::copy_runs(int piece, const double* from, double* to) const {
-  using std::experimental::element_aligned;
-  constexpr int at_once = padding;
-  const Run* run = runs_.data() + piece * (stretch + 1);
-  const Run* last = run + run_count_[static_cast<std::size_t>(piece)];
-  for (; run < last; ++run) {
-    const int length = run[1].to - run->to;
-    if (run[1].to + at_once > last->to) {
-      std::copy_n(from + run->from, length, to + run->to);
-      continue;
-    }
-    for (int start = 0; start < length; start += at_once) {  // hardly ever twice: a loop that is easily foretold
-      for (int k = start; k < start + at_once; k += lanes) {
-        load(from + run->from + k).copy_to(to + run->to + k, element_aligned);
+// Run after run in whole packs: what one writes beyond its end, the next writes over. The last of `runs` is their end.
+void Columns::copy_runs(std::span<const PointRun> runs, const Copied& all) {
+  const int end = runs.back().to;
+  for (std::size_t r = 0; r + 1 < runs.size(); ++r) {
+    const auto [to, from] = runs[r];
+    const int length = runs[r + 1].to - to;
+    const auto copy_packs = [&](auto packs) __attribute__((always_inline)) {
+      for (int a = 0; a < all.count; ++a) {
+        Pack values[packs];
+        for (int k = 0; k < packs; ++k) values[k] = load(all.from[a] + from + k * lanes);
+        for (int k = 0; k < packs; ++k) store(all.to[a] + to + k * lanes, values[k], lanes);
       }
+    };
+    static_assert(4 * lanes <= padding);
+    if (length <= 2 * lanes && to + 2 * lanes <= end) {
+      copy_packs(std::integral_constant<int, 2>());
+    } else if (length <= 4 * lanes && to + 4 * lanes <= end) {
+      copy_packs(std::integral_constant<int, 4>());
+    } else {
+      for (int a = 0; a < all.count; ++a) std::copy_n(all.from[a] + from, length, all.to[a] + to);
     }
   }
 }
 
 void Columns::reorder(std::span<const int> order, std::span<const ColumnId> stale, int threads) {
-  find_runs(order, threads);
+  std::vector<PointRun> runs;
+  find_runs(order, runs);
+  reorder(runs, stale, threads);
+}
+
+void Columns::reorder(std::span<const PointRun> runs, std::span<const ColumnId> stale, int threads) {
+  const int pieces = (static_cast<int>(runs.size()) - 2) / piece + 1;
+  std::vector<Column*> group;
+  Copied all;
+  const auto copy_group = [&] {
+    for_each_piece(pieces, threads, [&](int k) {
+      const std::size_t first = static_cast<std::size_t>(k) * piece;
+      copy_runs(runs.subspan(first, std::min(static_cast<std::size_t>(piece) + 1, runs.size() - first)), all);
+    });
+    for (std::size_t g = 0; g < group.size(); ++g) std::swap(spare_[g], group[g]->values);
+    group.clear();
+    all.count = 0;
+  };
+  constexpr int most = static_cast<int>(std::size(Copied().to));
   for (std::size_t c = 0; c < columns_.size(); ++c) {
     Column& column = columns_[c];
     const auto is_it = [&](const ColumnId& id) { return static_cast<std::size_t>(id.index()) == c; };
     if (column.components == 0 || std::any_of(stale.begin(), stale.end(), is_it)) continue;
-    spare_.resize(column.values.size());
-    for_each_piece(static_cast<int>(run_count_.size()), threads, [&](int piece) {
-      for (int k = 0; k < column.components; ++k) {
-        const std::size_t start = static_cast<std::size_t>(k) * stride();
-        copy_runs(piece, column.values.data() + start, spare_.data() + start);
+    if (all.count > 0 && all.count + column.components > most) copy_group();
+    if (spare_.size() <= group.size()) spare_.emplace_back();
+    std::vector<double>& spare = spare_[group.size()];
+    spare.resize(column.values.size());
+    std::copy(column.values.end() - padding, column.values.end(), spare.end() - padding);
+    group.push_back(&column);
+    for (int k = 0; k < column.components; ++k) {
+      if (all.count == most) {  // a column of many components takes several turns
+        std::vector<Column*> later;
+        std::swap(group, later);
+        copy_group();
+        std::swap(group, later);
       }
-    });
-    std::copy(column.values.end() - padding, column.values.end(), spare_.end() - padding);
-    std::swap(spare_, column.values);
+      const std::size_t start = static_cast<std::size_t>(k) * stride();
+      all.from[all.count] = column.values.data() + start;
+      all.to[all.count++] = spare.data() + start;
+    }
   }
+  copy_group();
 }
 
 void Columns::append_copies(std::span<const int> of) {

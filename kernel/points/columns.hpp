@@ -10,6 +10,13 @@
 
 namespace plumbline {
 
+// Points that stay neighbours when they are reordered: to, to + 1, ... were from, from + 1, ... up to the next run's `to`.
+struct PointRun {
+  int to, from;
+};
+// The runs of an order, in which point k was order[k], and behind them {points, -1}. Replaces what `runs` holds.
+void find_runs(std::span<const int> order, std::vector<PointRun>& runs);
+
 class Columns {
  public:
   explicit Columns(int points = 0) : points_(points) {}
@@ -36,6 +43,8 @@ class Columns {
   // Point k becomes what point order[k] was. `order` is a permutation of 0 ... points()-1. Columns in `stale` hold nothing
   // that will be read and stay as they are.
   void reorder(std::span<const int> order, std::span<const ColumnId> stale = {}, int threads = 1);
+  // The same of the runs of such an order, as find_runs() gives them.
+  void reorder(std::span<const PointRun> runs, std::span<const ColumnId> stale = {}, int threads = 1);
 
   // One more point behind the others for each of `of`, with the values of that point in every column.
   void append_copies(std::span<const int> of);
@@ -55,21 +64,20 @@ class Columns {
     return columns_[static_cast<std::size_t>(id.index())].values;
   }
 
-  // Points that stay neighbours when they are reordered: to, to + 1, ... were from, from + 1, ... up to the next run.
-  struct Run {
-    int to, from;
+  // Components that are reordered together: a run is looked up once for them all.
+  struct Copied {
+    const double* from[4];
+    double* to[4];
+    int count = 0;
   };
-  static constexpr int padding = 16;    // values behind the last component
-  static constexpr int stretch = 4096;  // points that one thread takes at a time
+  static constexpr int padding = 16;  // values behind the last component
+  static constexpr int piece = 1024;  // runs that one thread takes at a time
 
-  void find_runs(std::span<const int> order, int threads);
-  void copy_runs(int piece, const double* from, double* to) const;
+  static void copy_runs(std::span<const PointRun> runs, const Copied& all);
 
   int points_;
-  std::vector<Column> columns_;  // by ColumnId::index()
-  std::vector<double> spare_;    // takes the next column that is reordered
-  std::vector<Run> runs_;        // of each stretch, and an end; scratch of reorder()
-  std::vector<int> run_count_;
+  std::vector<Column> columns_;             // by ColumnId::index()
+  std::vector<std::vector<double>> spare_;  // take the next columns that are reordered
 };
 
 }  // namespace plumbline

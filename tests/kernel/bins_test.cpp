@@ -158,6 +158,13 @@ std::vector<int> taken(const std::vector<int>& values, const std::vector<int>& o
   return result;
 }
 std::vector<int> copy_of(std::span<const int> order) { return {order.begin(), order.end()}; }
+std::vector<int> order_of(std::span<const PointRun> runs) {
+  std::vector<int> order;
+  for (std::size_t r = 0; r + 1 < runs.size(); ++r) {
+    for (int p = runs[r].to; p < runs[r + 1].to; ++p) order.push_back(runs[r].from + p - runs[r].to);
+  }
+  return order;
+}
 
 // Whatever the order they are given in, and as often as the same sorter is used, for fewer nodes and points as for more.
 TEST(BinSort, PointsAreSortedByNodeAndNumber) {
@@ -184,18 +191,33 @@ TEST(BinSort, SortingAgainIsSorting) {
       bins.build(lowest, layer, height, true);
     };
     take(copy_of(sorter.sort(lowest, id, nodes)));
-    int moved = 0;
+    std::size_t moved = 0;
     for (int step = 0; step < 12; ++step) {
-      for (int& node : lowest) {
+      std::vector<Mover> movers;
+      for (std::size_t p = 0; p < lowest.size(); ++p) {
         if (random(0, 1) >= share) continue;
-        const int far = static_cast<int>(random(0, nodes)), near = std::min(nodes - 1, node + 1);
+        const int far = static_cast<int>(random(0, nodes)), near = std::min(nodes - 1, lowest[p] + 1);
         const int next = step % 2 ? far : near;
-        moved += next != node;
-        node = next;
+        if (next == lowest[p]) continue;
+        movers.push_back({static_cast<int>(p), next});
+        lowest[p] = next;
       }
-      const std::vector<int> order = copy_of(sorter.sort_again(bins, lowest, id, nodes));
+      moved += movers.size();
+      sorter.sort_again(bins, movers, id, nodes);
+      const std::vector<int> order = order_of(sorter.runs());
       ASSERT_EQ(order, expected_order(lowest, id)) << "step " << step;
+      std::vector<PointRun> fewest;
+      find_runs(order, fewest);
+      EXPECT_EQ(sorter.runs().size(), fewest.size());
       take(order);
+      Bins same;
+      same.build(sorter.node(), sorter.start(), layer, height);
+      ASSERT_EQ(same.bins(), bins.bins());
+      for (int bin = 0; bin < bins.bins(); ++bin) {
+        ASSERT_EQ(same.node(bin), bins.node(bin));
+        ASSERT_EQ(same.end(bin), bins.end(bin));
+      }
+      ASSERT_EQ(same.chunk_count(), bins.chunk_count());
     }
     EXPECT_EQ(moved > 0, share > 0);
   }

@@ -35,6 +35,8 @@ class ShapeLoops final : public PointLoops<Geometry> {
       throw std::logic_error("only in two dimensions does a chain of points enclose a gas");
   }
   bool find_lowest(const Columns& points, PointRange range, int* lowest) const override;
+  bool find_movers(const Columns& points, const Bins& bins, const Chunk& chunk,
+                   std::vector<Mover>& movers) const override;
   double inertia(const Columns& points, int d, int p) const override;
 
   void map_mass_and_momentum(const Body& body, const At& at, const Chunk& chunk, Field& field) const override {
@@ -100,6 +102,7 @@ class ShapeLoops final : public PointLoops<Geometry> {
   static void for_stencil_nodes(const Print& print, Visit&& visit);
   PackStencil stencil(const Places<dim>& places, const double (&anchor)[dim], int p) const;
   Pack box(const double* half_size, int p) const;
+  Pack lowest_node(const double* const (&position)[dim], int p, int count, PackMask& inside) const;
   template <class Number>
   static Number inertia_at(const Number& x, const Number& half);
   // Sums the lanes of a bin's node sums into `to[node]` (component k of each node's value).
@@ -121,15 +124,16 @@ template <class Visit>
                                                               Visit&& visit) const {
   Print print;
   for (int d = 0; d < dim; ++d) print.stride[d] = grid_.stride(d);
+  const int length = grid_.row_length();
+  int row = -1;
+  double anchor[dim];
   for (int bin = chunk.first_bin; bin < chunk.last_bin; ++bin) {
     print.lowest = bins.node(bin);
-    double anchor[dim];
-    int rest = print.lowest;
-    for (int d = dim - 1; d >= 0; --d) {
-      const int index = rest / grid_.stride(d);
-      rest -= index * grid_.stride(d);
-      anchor[d] = index - Grid<dim>::ghosts - S::first;
+    if (row < 0 || print.lowest < row * length || print.lowest >= (row + 1) * length) {
+      row = print.lowest / length;
+      for (int d = 1; d < dim; ++d) anchor[d] = grid_.row_index(row, d) - Grid<dim>::ghosts - S::first;
     }
+    anchor[0] = print.lowest - row * length - Grid<dim>::ghosts - S::first;
     visit(print, anchor, bins.start(bin), bins.end(bin));
   }
 }
@@ -178,6 +182,20 @@ double ShapeLoops<G, S>::inertia(const Columns& points, int d, int p) const {
   return inertia_at(cells, half) * grid_.h() * grid_.h();
 }
 
+// The lowest node of a pack of points. inside: whether all so far stand on the grid.
+template <class G, class S>
+[[gnu::always_inline]] inline Pack ShapeLoops<G, S>::lowest_node(const double* const (&position)[dim], int p, int count,
+                                                                 PackMask& inside) const {
+  Pack node = 0.0;
+  for (int d = 0; d < dim; ++d) {
+    const Pack x = (load(position[d] + p) - grid_.origin(d)) * (1 / grid_.h());
+    inside = inside && ((x >= -on_side && x <= grid_.cells(d) + on_side) || !first_lanes(count));
+    const Pack on_grid = min(max(x, Pack(0.0)), Pack(1.0 * grid_.cells(d)));
+    node += (S::anchor_node(on_grid, grid_.cells(d)) + (S::first + Grid<dim>::ghosts)) * (1.0 * grid_.stride(d));
+  }
+  return node;
+}
+
 template <class G, class S>
 bool ShapeLoops<G, S>::find_lowest(const Columns& points, PointRange range, int* lowest) const {
   const double* position[dim];
@@ -185,15 +203,29 @@ bool ShapeLoops<G, S>::find_lowest(const Columns& points, PointRange range, int*
   PackMask inside = first_lanes(lanes);
   for_packs(
       range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
-        Pack node = 0.0;
-        for (int d = 0; d < dim; ++d) {
-          const Pack x = (load(position[d] + p) - grid_.origin(d)) * (1 / grid_.h());
-          inside = inside && ((x >= -on_side && x <= grid_.cells(d) + on_side) || !first_lanes(count));
-          const Pack on_grid = min(max(x, Pack(0.0)), Pack(1.0 * grid_.cells(d)));
-          node += (S::anchor_node(on_grid, grid_.cells(d)) + (S::first + Grid<dim>::ghosts)) * (1.0 * grid_.stride(d));
-        }
-        store_as_integers(lowest + p, node, count);
+        store_as_integers(lowest + p, lowest_node(position, p, count, inside), count);
       });
+  return all_of(inside);
+}
+
+template <class G, class S>
+bool ShapeLoops<G, S>::find_movers(const Columns& points, const Bins& bins, const Chunk& chunk,
+                                   std::vector<Mover>& movers) const {
+  const double* position[dim];
+  for (int d = 0; d < dim; ++d) position[d] = points(column::position, d);
+  PackMask inside = first_lanes(lanes);
+  for (int bin = chunk.first_bin; bin < chunk.last_bin; ++bin) {
+    const double own = bins.node(bin);
+    for_packs(
+        bins.start(bin), bins.end(bin), [&](int p, int count) __attribute__((always_inline)) {
+          const Pack node = lowest_node(position, p, count, inside);
+          if (none_of(node != own && first_lanes(count))) return;
+          for (int k = 0; k < count; ++k) {
+            const double there = node[static_cast<std::size_t>(k)];
+            if (there != own) movers.push_back({p + k, static_cast<int>(there)});
+          }
+        });
+  }
   return all_of(inside);
 }
 

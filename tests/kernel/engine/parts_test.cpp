@@ -58,6 +58,14 @@ TEST(Weights, AreLostWhenPositionsChangeThatNobodyKept) {
 
 // --- placing ------------------------------------------------------------------------------------------------------------
 
+// Of each point the lowest node it reaches.
+std::vector<int> nodes_of(const Bins& bins) {
+  std::vector<int> nodes;
+  for (int bin = 0; bin < bins.bins(); ++bin)
+    nodes.insert(nodes.end(), static_cast<std::size_t>(bins.end(bin) - bins.start(bin)), bins.node(bin));
+  return nodes;
+}
+
 // The lowest nodes reached are the nearest less one, ghosts counted: (0, 0), (3, 0) and twice (1, 2) of 7 x 7 nodes.
 TEST(Placing, SortsPointsByNodeAndThenByNumber) {
   Scene scene = points_at({{0.6, 1.1}, {1.6, 0.1}, {0.4, 0.9}, {0.1, 0.1}});
@@ -65,18 +73,16 @@ TEST(Placing, SortsPointsByNodeAndThenByNumber) {
   const Discretisation<Plane> space(scene, 1);
   Placing<Plane> placing(space);
   Weights<2> at;
-  at.lowest.resize(4);
   const std::vector<double> before(body.points(column::position), body.points(column::position) + 4);
   placing.locate(body, at, false, {});
   EXPECT_THAT(body.id, ElementsAre(0, 1, 2, 3));
   placing.locate(body, at, true, {});
   EXPECT_THAT(body.id, ElementsAre(3, 1, 0, 2));
-  EXPECT_THAT(at.lowest, ElementsAre(0, 3, 15, 15));
-  EXPECT_EQ(at.bins.bins(), 3);
+  EXPECT_THAT(nodes_of(at.bins), ElementsAre(0, 3, 15, 15));
   for (std::size_t p = 0; p < 4; ++p) {
     EXPECT_EQ(body.points(column::position)[p], before[static_cast<std::size_t>(body.id[p])]);
   }
-  EXPECT_THAT(placing.here(body).lowest, ElementsAre(0, 3, 15, 15));
+  EXPECT_THAT(nodes_of(placing.here(body).bins), ElementsAre(0, 3, 15, 15));
 }
 
 TEST(Placing, LeavesChainsInTheirOrder) {
@@ -84,10 +90,9 @@ TEST(Placing, LeavesChainsInTheirOrder) {
   scene.bodies[0].chain = true;
   const Discretisation<Plane> space(scene, 1);
   Weights<2> at;
-  at.lowest.resize(2);
   Placing<Plane>(space).locate(scene.bodies[0], at, true, {});
   EXPECT_THAT(scene.bodies[0].id, ElementsAre(0, 1));
-  EXPECT_THAT(at.lowest, ElementsAre(3, 0));
+  EXPECT_THAT(nodes_of(at.bins), ElementsAre(3, 0));
 }
 
 TEST(Placing, NamesThePointThatLeftTheGrid) {
@@ -191,7 +196,6 @@ TEST(VelocityFilter, LeavesTheMotionOfAWhole) {
     Body& body = scene.bodies[0];
     Placing<Plane> placing(space);
     Weights<2> at;
-    at.lowest.resize(3);
     placing.locate(body, at, true, {});
     VelocityField<2> field(space.grid);
     space.touch_alone(at, field);
