@@ -74,6 +74,7 @@ double fma_rate(int threads) {
     Packet sum[sums];
     for (Packet& s : sum) s = factor;
     for (int k = 0; k < products; ++k) {
+#pragma GCC unroll 12                                     // else the sums stay in memory
       for (Packet& s : sum) s = pmadd(s, factor, added);  // Eigen's own product and sum, fused on every instruction set
     }
     for (int k = 1; k < sums; ++k) sum[0] = padd(sum[0], sum[k]);
