@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "kernel/points/columns.hpp"
+#include "kernel/points/runs.hpp"
 
 namespace plumbline {
 

@@ -93,8 +93,7 @@ class Sharpening {
     if (walled(0, 1)) to = std::min(to, last(0) + 1);
     for (int i = from; i < to; ++i) visit(row * grid_.row_length() + i);
   }
-  // visit(i, j, direction, what neighbour j adds to (Q u)_i, whether neither can stand on a wall) for neighbours that are no
-  // mirror images.
+  // visit(i, j, direction, what neighbour j adds to (Q u)_i, whether i is plain) for neighbours that are no mirror images.
   template <class Visit>
   void apply_to_row(const VelocityField<dim>& field, int row, const std::vector<Vec>& from, std::vector<Vec>& to,
                     Visit&& visit) const {
@@ -148,7 +147,7 @@ class Sharpening {
   }
   Vec held_by(const Vec& value, int node, int d) const { return 0.5 * (value - image(value, node, d)); }
 
-  // The same as below of a plain node.
+  // for_neighbours() of a plain node, all of whose neighbours count in full and none is a mirror image.
   template <class Visit>
   void for_plain_neighbours(const VelocityField<dim>& field, int i, Visit&& visit) const {
     const double mass = field.mass[static_cast<std::size_t>(i)];

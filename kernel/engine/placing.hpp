@@ -110,19 +110,8 @@ class Placing {
     take(runs, body.id);
   }
   void take(std::span<const PointRun> runs, std::vector<int>& values) {
-    constexpr int at_once = 8;  // most runs are shorter; what one writes beyond its end, the next writes over
     spare_.resize(values.size());
-    const int last = static_cast<int>(values.size()) - at_once;
-    for (std::size_t r = 0; r + 1 < runs.size(); ++r) {
-      const auto [to, from] = runs[r];
-      const int length = runs[r + 1].to - to;
-      const bool is_short = length <= at_once && from <= last && to <= last;
-      if (is_short) {
-        std::copy_n(values.data() + from, at_once, spare_.data() + to);
-      } else {
-        std::copy_n(values.data() + from, length, spare_.data() + to);
-      }
-    }
+    copy_runs(runs, values.data(), spare_.data(), static_cast<int>(values.size()));
     std::swap(spare_, values);
   }
 

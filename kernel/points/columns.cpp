@@ -1,10 +1,8 @@
 #include "kernel/points/columns.hpp"
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
-#include "kernel/pack.hpp"
 #include "kernel/parallel.hpp"
 #include "kernel/points/column_registry.hpp"
 
@@ -52,40 +50,6 @@ int Columns::components(const ColumnId& id) const {
   return index < columns_.size() && points_ > 0 ? columns_[index].components : 0;
 }
 
-void find_runs(std::span<const int> order, std::vector<PointRun>& runs) {
-  runs.clear();
-  int expected = -1;
-  for (std::size_t p = 0; p < order.size(); ++p) {
-    if (order[p] != expected) runs.push_back({static_cast<int>(p), order[p]});
-    expected = order[p] + 1;
-  }
-  runs.push_back({static_cast<int>(order.size()), -1});
-}
-
-// Run after run in whole packs: what one writes beyond its end, the next writes over. The last of `runs` is their end.
-void Columns::copy_runs(std::span<const PointRun> runs, const Copied& all) {
-  const int end = runs.back().to;
-  for (std::size_t r = 0; r + 1 < runs.size(); ++r) {
-    const auto [to, from] = runs[r];
-    const int length = runs[r + 1].to - to;
-    const auto copy_packs = [&](auto packs) __attribute__((always_inline)) {
-      for (int a = 0; a < all.count; ++a) {
-        Pack values[packs];
-        for (int k = 0; k < packs; ++k) values[k] = load(all.from[a] + from + k * lanes);
-        for (int k = 0; k < packs; ++k) store(all.to[a] + to + k * lanes, values[k], lanes);
-      }
-    };
-    static_assert(4 * lanes <= padding);
-    if (length <= 2 * lanes && to + 2 * lanes <= end) {
-      copy_packs(std::integral_constant<int, 2>());
-    } else if (length <= 4 * lanes && to + 4 * lanes <= end) {
-      copy_packs(std::integral_constant<int, 4>());
-    } else {
-      for (int a = 0; a < all.count; ++a) std::copy_n(all.from[a] + from, length, all.to[a] + to);
-    }
-  }
-}
-
 void Columns::reorder(std::span<const int> order, std::span<const ColumnId> stale, int threads) {
   std::vector<PointRun> runs;
   find_runs(order, runs);
@@ -93,42 +57,23 @@ void Columns::reorder(std::span<const int> order, std::span<const ColumnId> stal
 }
 
 void Columns::reorder(std::span<const PointRun> runs, std::span<const ColumnId> stale, int threads) {
-  const int pieces = (static_cast<int>(runs.size()) - 2) / piece + 1;
-  std::vector<Column*> group;
-  Copied all;
-  const auto copy_group = [&] {
-    for_each_piece(pieces, threads, [&](int k) {
-      const std::size_t first = static_cast<std::size_t>(k) * piece;
-      copy_runs(runs.subspan(first, std::min(static_cast<std::size_t>(piece) + 1, runs.size() - first)), all);
-    });
-    for (std::size_t g = 0; g < group.size(); ++g) std::swap(spare_[g], group[g]->values);
-    group.clear();
-    all.count = 0;
-  };
-  constexpr int most = static_cast<int>(std::size(Copied().to));
+  const int count = static_cast<int>(runs.size()) - 1, pieces = (count + piece - 1) / piece;
   for (std::size_t c = 0; c < columns_.size(); ++c) {
     Column& column = columns_[c];
     const auto is_it = [&](const ColumnId& id) { return static_cast<std::size_t>(id.index()) == c; };
     if (column.components == 0 || std::any_of(stale.begin(), stale.end(), is_it)) continue;
-    if (all.count > 0 && all.count + column.components > most) copy_group();
-    if (spare_.size() <= group.size()) spare_.emplace_back();
-    std::vector<double>& spare = spare_[group.size()];
-    spare.resize(column.values.size());
-    std::copy(column.values.end() - padding, column.values.end(), spare.end() - padding);
-    group.push_back(&column);
-    for (int k = 0; k < column.components; ++k) {
-      if (all.count == most) {  // a column of many components takes several turns
-        std::vector<Column*> later;
-        std::swap(group, later);
-        copy_group();
-        std::swap(group, later);
+    spare_.resize(column.values.size());
+    for_each_piece(pieces, threads, [&](int k) {
+      const int first = k * piece, last = std::min(first + piece, count);
+      const auto own = runs.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first + 1));
+      for (int d = 0; d < column.components; ++d) {
+        const std::size_t start = static_cast<std::size_t>(d) * stride();
+        copy_runs(own, column.values.data() + start, spare_.data() + start, points_ + padding);
       }
-      const std::size_t start = static_cast<std::size_t>(k) * stride();
-      all.from[all.count] = column.values.data() + start;
-      all.to[all.count++] = spare.data() + start;
-    }
+    });
+    std::copy(column.values.end() - padding, column.values.end(), spare_.end() - padding);
+    std::swap(spare_, column.values);
   }
-  copy_group();
 }
 
 void Columns::append_copies(std::span<const int> of) {

@@ -7,15 +7,9 @@
 #include <vector>
 
 #include "kernel/points/column_names.hpp"
+#include "kernel/points/runs.hpp"
 
 namespace plumbline {
-
-// Points that stay neighbours when they are reordered: to, to + 1, ... were from, from + 1, ... up to the next run's `to`.
-struct PointRun {
-  int to, from;
-};
-// The runs of an order, in which point k was order[k], and behind them {points, -1}. Replaces what `runs` holds.
-void find_runs(std::span<const int> order, std::vector<PointRun>& runs);
 
 class Columns {
  public:
@@ -64,20 +58,12 @@ class Columns {
     return columns_[static_cast<std::size_t>(id.index())].values;
   }
 
-  // Components that are reordered together: a run is looked up once for them all.
-  struct Copied {
-    const double* from[4];
-    double* to[4];
-    int count = 0;
-  };
   static constexpr int padding = 16;  // values behind the last component
   static constexpr int piece = 1024;  // runs that one thread takes at a time
 
-  static void copy_runs(std::span<const PointRun> runs, const Copied& all);
-
   int points_;
-  std::vector<Column> columns_;             // by ColumnId::index()
-  std::vector<std::vector<double>> spare_;  // take the next columns that are reordered
+  std::vector<Column> columns_;  // by ColumnId::index()
+  std::vector<double> spare_;    // takes the next column that is reordered
 };
 
 }  // namespace plumbline

@@ -73,7 +73,7 @@ double fma_rate(int threads) {
     const Packet factor = pset1<Packet>(1.0 - 1e-9), added = pset1<Packet>(1e-9 + 1e-20 * kept[t]);
     Packet sum[sums];
     for (Packet& s : sum) s = factor;
-    for (int k = 0; k < products; ++k) {  // in one piece, or the sums stay in memory
+    for (int k = 0; k < products; ++k) {  // unrolled, or the sums stay in memory
 #pragma GCC unroll 12
       for (Packet& s : sum) s = pmadd(s, factor, added);  // Eigen's own product and sum, fused on every instruction set
     }
