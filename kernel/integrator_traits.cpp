@@ -8,6 +8,8 @@
 
 #include "kernel/materials/ideal_gas.hpp"
 #include "kernel/points/column_names.hpp"
+#include "kernel/shapes/shape.hpp"
+#include "kernel/transfers/transfer.hpp"
 
 namespace plumbline {
 namespace {
@@ -140,11 +142,6 @@ IntegratorTraits found_by_steps(const IntegratorEntry& entry) {
   return traits;
 }
 
-const Choice* find(const std::vector<Choice>& choices, const std::string& name) {
-  const auto found = std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.name == name; });
-  return found == choices.end() ? nullptr : &*found;
-}
-
 // Which part of a scheme answers for a trait.
 bool is_of_shape(Trait trait) { return trait == Trait::smooth_gradients || trait == Trait::constant_inertia; }
 
@@ -165,7 +162,7 @@ EngineOptions engine_options(const IntegratorEntry& entry, int threads) {
 
 std::vector<Lack> lacks(const IntegratorEntry& entry, const std::string& shape, const std::string& transfer) {
   const IntegratorTraits& own = traits_of(entry);
-  const Choice *shape_choice = find(shapes(), shape), *transfer_choice = find(transfers(), transfer);
+  const Choice *shape_choice = find_named(shapes(), shape), *transfer_choice = find_named(transfers(), transfer);
   const std::string integrator = "integrator " + entry.name;
   std::vector<Lack> all;
   for (const Trait trait : own.needs) {
@@ -187,7 +184,7 @@ std::vector<Lack> lacks(const IntegratorEntry& entry, const Scene& scene) {
   const auto needs = [&](Trait trait, const std::string& part) {
     if (offers.count(trait) == 0) all.push_back({trait, part, "integrator " + entry.name});
   };
-  const Choice* transfer = find(transfers(), scene.transfer);
+  const Choice* transfer = find_named(transfers(), scene.transfer);
   if (!scene.pistons.empty() && transfer && transfer->offers.count(Trait::returnable_loss) == 0) {
     all.push_back({Trait::returnable_loss, "a piston", "transfer " + scene.transfer});
   }

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "kernel/choice.hpp"
 #include "kernel/grid_spec.hpp"
 #include "kernel/points/body.hpp"
-#include "kernel/traits.hpp"
 
 namespace plumbline {
 
@@ -32,11 +32,11 @@ struct Scene {
   std::array<double, 3> gravity{0, 0, 0};  // b, m/s^2
   std::vector<Piston> pistons;
   std::vector<Body> bodies;
-  std::string shape = "quadratic";  // linear, quadratic, cubic, gimp, contiguous-gimp
-  std::string transfer = "apic";    // pic, flip, apic, xpic, fmpm
-  int transfer_order = 2;           // m of xpic and fmpm, >= 1
+  std::string shape = "quadratic";  // one of shapes()
+  std::string transfer = "apic";    // one of transfers()
+  int transfer_order = 2;           // m of transfers that have one, >= 1
   DensityMethod density = DensityMethod::grid;
-  std::string contact = "none";          // between velocity fields: none, york-9.7, york-9.8, york-9.9, touching
+  std::string contact = "none";          // between velocity fields: one of contacts()
   std::string normals = "connectivity";  // how membranes that carry their strain know their tangents: normals_methods()
   double sharpening = 0;  // 0: none, 1: the leading term of the maps' smoothing undone, see sharpening.hpp; [0, 1]
   double split = 0;       // > 0: gas points larger than this many cells are split, see splitting.hpp; 0: never
@@ -48,18 +48,8 @@ struct Scene {
   double heat_exchange = 0;  // kappa >= 0: heat that points of a compressed gas exchange through the nodes [Exchange 1]
 };
 
-// Names that Scene::shape and Scene::transfer may take, and those of DensityMethod in its order, each with one line.
-// `needs`: what a transfer wants of an integrator; `offers`: what an integrator may want of shapes and transfers.
-struct Choice {
-  std::string name, title, source;
-  Traits offers = {}, needs = {};
-};
-const std::vector<Choice>& shapes();
-const std::vector<Choice>& transfers();
+// The methods in the order of DensityMethod.
 const std::vector<Choice>& densities();
-const std::vector<Choice>& contacts();
-// Whether a shape is known and offers a trait.
-bool shape_offers(const std::string& shape, Trait trait);
 DensityMethod density_method(const std::string& name);  // throws std::out_of_range
 
 }  // namespace plumbline

@@ -7,15 +7,16 @@
 #include "kernel/geometry.hpp"
 #include "kernel/parallel.hpp"
 #include "kernel/rotations.hpp"
-#include "kernel/shapes/cubic.hpp"
-#include "kernel/shapes/quadratic.hpp"
-#include "kernel/transfers/transfers.hpp"
+#include "kernel/shapes/shape.hpp"
+#include "kernel/transfers/transfer.hpp"
 
 namespace plumbline {
 namespace {
 
 // D over h^2; without an affine transfer there is none to keep, and d is bounded as by quadratic shapes.
-double inertia_of(const std::string& shape) { return shape == "cubic" ? Cubic::inertia(0.0) : Quadratic::inertia(0.0); }
+double inertia_of(const std::string& shape) {
+  return shape_named(shape_offers(shape, Trait::constant_inertia) ? shape : "quadratic").inertia;
+}
 
 // The points of a body that have outgrown the kernel, in their order. Almost always none: one look at one column.
 std::vector<int> outgrown(const Columns& points, const GridSpec& grid, double largest, int threads) {
@@ -164,7 +165,7 @@ class Splitter {
 }  // namespace
 
 std::string splitting_refusal(const std::string& shape, const std::string& transfer) {
-  if (!transfer_choice(transfer, 1).affine || shape_offers(shape, Trait::constant_inertia)) return {};
+  if (!transfer_of(transfer, 1).affine || shape_offers(shape, Trait::constant_inertia)) return {};
   return "halves take over the point's affine velocity, whose inertia under " + shape +
          " shapes depends on where they stand";
 }

@@ -93,10 +93,6 @@ void set_parameters(TimeIntegrator& integrator, const std::map<std::string, doub
      sizeof(IntegratorParameter), sizeof(OrderClaim), sizeof(KnownFailure), sizeof(Claims), sizeof(TimeIntegrator),
      sizeof(IntegratorEntry), alignof(IntegratorEntry)});
 
-// Why an integrator cannot be called so; empty if it can. Allowed are 1 to 63 characters of a-z, 0-9, `.`, `_` and `-`, the
-// first a letter or a digit: names become parts of the names of files and of keys.
-std::string name_refusal(const std::string& name);
-
 // Registers at start, or when a plug-in is loaded. A name that is taken already or malformed, an entry without `make` or `copy`,
 // or a stamp other than the kernel's throws std::logic_error, but for what is registered under collect_registrations().
 struct RegisterIntegrator {

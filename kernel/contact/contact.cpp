@@ -1,24 +1,27 @@
 #include "kernel/contact/contact.hpp"
 
-#include <stdexcept>
-
-#include "kernel/contact/touching.hpp"
-#include "kernel/contact/york.hpp"
+#include <utility>
 
 namespace plumbline {
+namespace {
 
-template <int dim>
-std::unique_ptr<Contact<dim>> make_contact(const std::string& name, const Grid<dim>& grid, int support) {
-  if (name == "none") return nullptr;
-  if (name == "york-9.7") return std::make_unique<YorkContact<dim>>(grid, YorkCriterion::against_other);
-  if (name == "york-9.8") return std::make_unique<YorkContact<dim>>(grid, YorkCriterion::against_centre);
-  if (name == "york-9.9") return std::make_unique<YorkContact<dim>>(grid, YorkCriterion::both);
-  if (name == "touching") return std::make_unique<TouchingContact<dim>>(grid, support);
-  throw std::invalid_argument("no contact " + name);
+std::vector<ContactEntry>& registered() {
+  static std::vector<ContactEntry> all;
+  return all;
 }
 
-template std::unique_ptr<Contact<1>> make_contact(const std::string&, const Grid<1>&, int);
-template std::unique_ptr<Contact<2>> make_contact(const std::string&, const Grid<2>&, int);
-template std::unique_ptr<Contact<3>> make_contact(const std::string&, const Grid<3>&, int);
+template <int dim>
+std::unique_ptr<Contact<dim>> nothing(const Grid<dim>&, int) {
+  return nullptr;
+}
+
+const RegisterContact entry{
+    {{"none", "velocity fields pass through each other", "-"}, {nothing<1>, nothing<2>, nothing<3>}}};
+
+}  // namespace
+
+const std::vector<ContactEntry>& contacts() { return registered(); }
+
+RegisterContact::RegisterContact(ContactEntry entry) { add_named(registered(), std::move(entry), "contact"); }
 
 }  // namespace plumbline

@@ -4,8 +4,10 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
+#include "kernel/choice.hpp"
 #include "kernel/scene.hpp"
 #include "kernel/velocity_field.hpp"
 
@@ -44,13 +46,26 @@ class Contact {
   virtual bool changes_start() const = 0;
 };
 
+template <int dim>
+using MakeContact = std::unique_ptr<Contact<dim>> (*)(const Grid<dim>&, int support);
+
+// A law, which registers itself in its own source file.
+struct ContactEntry : Choice {
+  std::tuple<MakeContact<1>, MakeContact<2>, MakeContact<3>> make;
+};
+
+// In the order of their names; "none" makes nothing.
+const std::vector<ContactEntry>& contacts();
+
 // Null for "none". support: nodes per direction that a point reaches.
 // Throws std::invalid_argument for an unknown name.
 template <int dim>
-std::unique_ptr<Contact<dim>> make_contact(const std::string& name, const Grid<dim>& grid, int support);
+std::unique_ptr<Contact<dim>> make_contact(const std::string& name, const Grid<dim>& grid, int support) {
+  return std::get<MakeContact<dim>>(named(contacts(), name, "contact").make)(grid, support);
+}
 
-extern template std::unique_ptr<Contact<1>> make_contact(const std::string&, const Grid<1>&, int);
-extern template std::unique_ptr<Contact<2>> make_contact(const std::string&, const Grid<2>&, int);
-extern template std::unique_ptr<Contact<3>> make_contact(const std::string&, const Grid<3>&, int);
+struct RegisterContact {
+  explicit RegisterContact(ContactEntry entry);
+};
 
 }  // namespace plumbline

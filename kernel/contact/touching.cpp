@@ -12,6 +12,14 @@
 namespace plumbline {
 namespace {
 
+template <int dim>
+std::unique_ptr<Contact<dim>> make(const Grid<dim>& grid, int support) {
+  return std::make_unique<TouchingContact<dim>>(grid, support);
+}
+
+const RegisterContact entry{
+    {{"touching", "normal impulses where points touch and approach", "kernel/README.md"}, {make<1>, make<2>, make<3>}}};
+
 // Ridge of the discriminant in units of h^2: points in one line have no spread across it.
 constexpr double ridge = 1e-3;
 

@@ -7,6 +7,28 @@
 #include "kernel/shapes/quadratic.hpp"
 
 namespace plumbline {
+namespace {
+
+template <int dim, YorkCriterion criterion>
+std::unique_ptr<Contact<dim>> make(const Grid<dim>& grid, int) {
+  return std::make_unique<YorkContact<dim>>(grid, criterion);
+}
+
+template <YorkCriterion criterion>
+ContactEntry law(std::string name, std::string title, std::string source) {
+  return {{std::move(name), std::move(title), std::move(source)},
+          {make<1, criterion>, make<2, criterion>, make<3, criterion>}};
+}
+
+const RegisterContact against_other(law<YorkCriterion::against_other>(
+    "york-9.7", "common motion where body 1 moves into body 2, along the normal of body 1", "York 1997, (9.7)"));
+const RegisterContact against_centre(law<YorkCriterion::against_centre>("york-9.8",
+                                                                        "the same, seen from the centre of mass",
+                                                                        "York 1997, (9.8)"));
+const RegisterContact both(law<YorkCriterion::both>("york-9.9", "the same, release only if both bodies agree",
+                                                    "York 1997, (9.9)"));
+
+}  // namespace
 
 // chi at the cell centres, numbered as the cell's lowest node. [York 9.10]
 template <int dim>

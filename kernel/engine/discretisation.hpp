@@ -8,6 +8,9 @@
 
 #include "kernel/engine/chunks.hpp"
 #include "kernel/engine/point_loops.hpp"
+#include "kernel/scene.hpp"
+#include "kernel/shapes/shape.hpp"
+#include "kernel/transfers/transfer.hpp"
 #include "kernel/walls.hpp"
 
 namespace plumbline {
@@ -23,7 +26,7 @@ struct Discretisation {
 
   Grid<dim> grid;
   Walls<dim> walls;
-  TransferChoice transfer;
+  Transfer transfer;
   std::unique_ptr<const Loops> loops;
   ShapeTraits shape;
   int threads;
@@ -31,8 +34,8 @@ struct Discretisation {
   Discretisation(const Scene& scene, int thread_count)
       : grid(scene.grid),
         walls(grid),
-        transfer(transfer_choice(scene.transfer, scene.transfer_order)),
-        loops(make_point_loops<Geometry>(scene, transfer)),
+        transfer(transfer_of(scene.transfer, scene.transfer_order)),
+        loops(std::get<MakeLoops<Geometry>>(shape_named(scene.shape).loops)(scene.grid, transfer)),
         shape(loops->shape()),
         threads(thread_count) {}
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -12,8 +11,6 @@
 #include "kernel/engine/sums.hpp"
 #include "kernel/engine/weights.hpp"
 #include "kernel/points/body.hpp"
-#include "kernel/scene.hpp"
-#include "kernel/transfers/transfers.hpp"
 #include "kernel/velocity_field.hpp"
 
 namespace plumbline {
@@ -123,9 +120,5 @@ class PointLoops {
   // --- points alone
   virtual Survey survey(const Body& body, PointRange range) const = 0;
 };
-
-// Throws std::invalid_argument for an unknown shape.
-template <class Geometry>
-std::unique_ptr<PointLoops<Geometry>> make_point_loops(const Scene& scene, const TransferChoice& transfer);
 
 }  // namespace plumbline

@@ -8,6 +8,7 @@
 
 #include "kernel/engine/boxes.hpp"
 #include "kernel/engine/mechanics.hpp"
+#include "kernel/shapes/shape.hpp"
 
 namespace plumbline {
 
@@ -43,7 +44,7 @@ void Mechanics<G>::add_columns() {
     Body& body = scene_.bodies[b];
     const bool gives_loss = loss_to_gas_.gives(body, field_of(b));
     if (space_.transfer.affine) body.points.add(column::affine, dim * dim);
-    if (space_.shape.boxes) add_boxes<G>(body, scene_.shape == "contiguous-gimp");
+    if (space_.shape.boxes) add_boxes<G>(body, shape_named(scene_.shape).boxes_deform);
     if (gives_loss || (options_.keep_loss && body.material->takes_heat())) body.points.add(column::transfer_loss);
     if (gives_loss) body.points.add(column::kept_loss);
   }

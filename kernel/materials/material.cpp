@@ -1,8 +1,9 @@
 #include "kernel/materials/material.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "kernel/choice.hpp"
 
 namespace plumbline {
 namespace {
@@ -47,11 +48,6 @@ Material::Fault first_not_finite(const Columns& points, PointRange range, const 
 
 const std::vector<MaterialEntry>& materials() { return registered(); }
 
-RegisterMaterial::RegisterMaterial(MaterialEntry entry) {
-  auto& all = registered();
-  const auto place = std::upper_bound(all.begin(), all.end(), entry,
-                                      [](const auto& a, const auto& b) { return a.name < b.name; });
-  all.insert(place, std::move(entry));
-}
+RegisterMaterial::RegisterMaterial(MaterialEntry entry) { add_named(registered(), std::move(entry), "material"); }
 
 }  // namespace plumbline

@@ -7,6 +7,7 @@ namespace plumbline {
 
 struct Cubic {
   static constexpr int support = 4, first = -1, ghosts = 1;
+  static constexpr bool smooth_gradients = true;
   static constexpr bool fixed_inertia = true;
   static constexpr bool boxes = false;
   static constexpr double blur =

@@ -9,6 +9,7 @@ namespace plumbline {
 
 struct Gimp {
   static constexpr int support = 3, first = -1, ghosts = 1;
+  static constexpr bool smooth_gradients = true;
   static constexpr bool fixed_inertia = false;
   static constexpr bool boxes = true;  // points have half sizes
   // Half sizes l in cells. A box wider than a cell would reach a fourth node and is cut; one of no width would make 0/0 of

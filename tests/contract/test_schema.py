@@ -57,7 +57,7 @@ DOCUMENTS = {
     "list": {"cases": [{"name": "sod", "title": "Shock tube", "source": "York 4.1", "cells_along": "the tube, 1 m", "keys": ["gamma", "t_end"]}],
              "schemes": [{"name": "default", "title": "the project's best", "source": "this project", "kinds": {"gas": {"shape": "cubic"}}, "settings": {"gas": {"shape": "quadratic"}}}],
              **{kind: [{"name": "usl", "title": "a line", "source": "York 3"}]
-                for kind in ("integrators", "shapes", "transfers", "materials", "references")}, "problems": []},
+                for kind in ("integrators", "shapes", "transfers", "densities", "contacts", "materials", "references")}, "problems": []},
     "explain": {"name": "sod", "title": "Shock tube", "source": "York 4.1", "claim": "a claim", "physics": "first\n\nsecond", "equations": ["p = (γ-1) ρ i"],
                 "sketch": "", "cells_along": "the tube", "parameters": [
                     {"key": "gamma", "value": 1.4, "default": 1.4, "unit": "1", "low": 1, "high": None, "description": "ratio of heats"}],

@@ -1,4 +1,5 @@
 #include "kernel/ledger.hpp"
+#include "kernel/transfers/transfer.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,7 @@
 // The engine's stages: against the printed equations written out node by node, and on fields whose answer is
 // exact.
 #include "kernel/mechanics.hpp"
+#include "kernel/transfers/transfer.hpp"
 
 #include "tests/kernel/naive_step.hpp"
 #include "tests/kernel/solids.hpp"

@@ -1,4 +1,7 @@
 #include "kernel/scene.hpp"
+#include "kernel/contact/contact.hpp"
+#include "kernel/shapes/shape.hpp"
+#include "kernel/transfers/transfer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +10,8 @@
 namespace plumbline {
 namespace {
 
-std::vector<std::string> names(const std::vector<Choice>& choices) {
+template <class Entry>
+std::vector<std::string> names(const std::vector<Entry>& choices) {
   std::vector<std::string> all;
   for (const Choice& choice : choices) {
     EXPECT_FALSE(choice.title.empty());
@@ -18,10 +22,10 @@ std::vector<std::string> names(const std::vector<Choice>& choices) {
 }
 
 TEST(Scene, NamesItsChoices) {
-  EXPECT_EQ(names(shapes()), (std::vector<std::string>{"linear", "quadratic", "cubic", "gimp", "contiguous-gimp"}));
-  EXPECT_EQ(names(transfers()), (std::vector<std::string>{"pic", "flip", "apic", "xpic", "fmpm"}));
+  EXPECT_EQ(names(shapes()), (std::vector<std::string>{"contiguous-gimp", "cubic", "gimp", "linear", "quadratic"}));
+  EXPECT_EQ(names(transfers()), (std::vector<std::string>{"apic", "flip", "fmpm", "pic", "xpic"}));
   EXPECT_EQ(names(densities()), (std::vector<std::string>{"cell", "quadratic", "continuity", "grid"}));
-  EXPECT_EQ(names(contacts()), (std::vector<std::string>{"none", "york-9.7", "york-9.8", "york-9.9", "touching"}));
+  EXPECT_EQ(names(contacts()), (std::vector<std::string>{"none", "touching", "york-9.7", "york-9.8", "york-9.9"}));
 }
 
 TEST(Scene, FindsDensityMethodsByName) {

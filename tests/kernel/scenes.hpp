@@ -16,7 +16,9 @@
 #include "kernel/integrator_traits.hpp"
 #include "kernel/materials/ideal_gas.hpp"
 #include "kernel/materials/uniaxial_membrane.hpp"
+#include "kernel/shapes/shape.hpp"
 #include "kernel/simulation.hpp"
+#include "kernel/transfers/transfer.hpp"
 
 namespace plumbline::scenes {
 

@@ -1,4 +1,5 @@
 #include "kernel/time_integrator.hpp"
+#include "kernel/choice.hpp"
 
 #include <gmock/gmock.h>
 

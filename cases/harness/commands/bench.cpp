@@ -6,6 +6,7 @@
 #include "cases/harness/commands/bench_runs.hpp"
 #include "cases/harness/commands/command.hpp"
 #include "cases/harness/results/fingerprint.hpp"
+#include "kernel/shapes/shape.hpp"
 
 namespace plumbline {
 namespace {
@@ -23,8 +24,8 @@ struct BenchOptions {
 std::vector<BenchFlow> matrix(long points) {
   std::vector<BenchFlow> flows;
   for (const auto& [dimension, axisymmetric] : {std::pair{1, false}, {2, false}, {2, true}, {3, false}}) {
-    for (const Choice& shape : shapes()) {
-      if (shape.name == "gimp" || shape.name == "contiguous-gimp") continue;  // boxes are for solids
+    for (const ShapeEntry& shape : shapes()) {
+      if (shape.boxes) continue;  // boxes are for solids
       for (const char* transfer : {"apic", "flip", "pic"}) {
         BenchFlow flow{dimension, axisymmetric, shape.name, transfer, "leapfrog", points};
         if (!flow.is_possible()) flow.integrator = "musl";

@@ -3,15 +3,19 @@
 #include "cases/harness/files/json_text.hpp"
 #include "cases/harness/laboratory/claims.hpp"
 #include "cases/harness/laboratory/problem.hpp"
+#include "kernel/contact/contact.hpp"
 #include "kernel/materials/material.hpp"
+#include "kernel/shapes/shape.hpp"
+#include "kernel/transfers/transfer.hpp"
 #include "reference/registry.hpp"
 
 namespace plumbline {
 namespace {
 
-Json choices(const std::vector<Choice>& all) {
+template <class Entry>
+Json choices(const std::vector<Entry>& all) {
   Json list = Json::array();
-  for (const Choice& c : all) list.push_back({{"name", c.name}, {"title", c.title}, {"source", c.source}});
+  for (const Entry& c : all) list.push_back({{"name", c.name}, {"title", c.title}, {"source", c.source}});
   return list;
 }
 
@@ -60,9 +64,8 @@ Json document() {
   all["shapes"] = choices(shapes());
   all["transfers"] = choices(transfers());
   all["densities"] = choices(densities());
-  all["materials"] = Json::array();
-  for (const MaterialEntry& m : materials())
-    all["materials"].push_back({{"name", m.name}, {"title", m.title}, {"source", m.source}});
+  all["contacts"] = choices(contacts());
+  all["materials"] = choices(materials());
   all["references"] = Json::array();
   for (const reference::Reference* r : reference::references()) {
     all["references"].push_back({{"name", r->name()}, {"title", r->title()}, {"source", r->source()}});
@@ -115,7 +118,7 @@ void print(const Output& out, const Json& all) {
 
 Command add_list(const Arguments& program, Invocation& invocation) {
   const Arguments sub = program.command(
-      "list", "cases, schemes, integrators, shapes, transfers, materials, references, stability problems",
+      "list", "cases, schemes, integrators, shapes, transfers, contact laws, materials, references, stability problems",
       "Example: plumbline list --json -");
   add_json(sub, invocation.options);
   return {sub, [&invocation] {

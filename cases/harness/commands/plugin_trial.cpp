@@ -24,6 +24,7 @@
 #include "cases/harness/files/json_text.hpp"
 #include "cases/harness/files/signals.hpp"
 #include "cases/harness/run/guarded_integrator.hpp"
+#include "kernel/choice.hpp"
 #include "kernel/integrator_traits.hpp"
 
 namespace plumbline {

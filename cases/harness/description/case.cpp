@@ -7,8 +7,9 @@
 #include "cases/harness/description/prose.hpp"
 #include "cases/harness/files/errors.hpp"
 #include "kernel/integrator_traits.hpp"
+#include "kernel/shapes/shape.hpp"
 #include "kernel/splitting.hpp"
-#include "kernel/transfers/transfers.hpp"
+#include "kernel/transfers/transfer.hpp"
 
 namespace plumbline {
 namespace {
@@ -112,7 +113,7 @@ void settle_membranes(Settings& s, const std::string& owner) {
                         {{Trait::returned_loss, "membrane.loss=gas", "integrator " + integrator->name}});
   }
   const std::string& shape = s.text("shape");
-  if (s.number("membrane.relaxation") > 0 && transfer_choice(s.text("transfer"), 1).affine &&
+  if (s.number("membrane.relaxation") > 0 && transfer_of(s.text("transfer"), 1).affine &&
       !shape_offers(shape, Trait::constant_inertia)) {
     throw cannot_work("membrane.relaxation", s, "0 with shape=" + shape + ", transfer=apic",
                       "shape=" + shape + ", transfer=apic", "moving points would change their affine inertia");

@@ -6,14 +6,18 @@
 #include <stdexcept>
 
 #include "cases/harness/files/errors.hpp"
+#include "kernel/contact/contact.hpp"
 #include "kernel/integrator_traits.hpp"
 #include "kernel/normals/normals.hpp"
 #include "kernel/scene.hpp"
+#include "kernel/shapes/shape.hpp"
+#include "kernel/transfers/transfer.hpp"
 
 namespace plumbline {
 namespace {
 
-std::vector<std::string> names(const std::vector<Choice>& choices) {
+template <class Entry>
+std::vector<std::string> names(const std::vector<Entry>& choices) {
   std::vector<std::string> all;
   for (const Choice& choice : choices) all.push_back(choice.name);
   return all;
@@ -22,6 +26,13 @@ std::vector<std::string> names(const std::vector<Choice>& choices) {
 std::vector<std::string> integrator_names() {
   std::vector<std::string> all;
   for (const IntegratorEntry& entry : integrators()) all.push_back(entry.name);
+  return all;
+}
+
+// The law where points touch is called "default" in cases.
+std::vector<std::string> contact_names() {
+  std::vector<std::string> all = names(contacts());
+  std::replace(all.begin(), all.end(), std::string("touching"), std::string("default"));
   return all;
 }
 
@@ -90,8 +101,8 @@ std::vector<Key> described_keys() {
             "points per cell: of a gas (where points have equal mass, in the densest), of solids in each direction, of "
             "membranes along them",
             1, 1e4),
-      choice("contact", {"none", "york-9.7", "york-9.8", "york-9.9", "default"},
-             "between bodies: none (one velocity for all), York's criteria, or where points touch"),
+      choice("contact", contact_names(),
+             "between bodies: none (one velocity for all), York's criteria, or where points touch (default)"),
       number("offset", "shift of the grid in cells", 1),
       choice("density", names(densities()), "how points get their density"),
       choice("points", {"equal-mass", "equal-volume"}, "what all points have alike"),

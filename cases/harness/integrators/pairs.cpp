@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "kernel/simulation.hpp"
-#include "kernel/transfers/transfers.hpp"
+#include "kernel/transfers/transfer.hpp"
 
 namespace plumbline {
 namespace {
@@ -14,11 +14,6 @@ double largest(std::vector<double>::const_iterator first, std::vector<double>::c
   double found = 0;
   for (; first != last; ++first) found = std::max(found, std::abs(*first));
   return found;
-}
-
-const Choice& transfer_named(const std::string& name) {
-  const std::vector<Choice>& all = transfers();
-  return *std::find_if(all.begin(), all.end(), [&](const Choice& choice) { return choice.name == name; });
 }
 
 bool has_gas(const Scene& scene) {
@@ -67,7 +62,7 @@ IntegratorChoice yardstick(const Subject& subject, const Scene& scene) {
   const auto other_than_itself = [&](const char* first, const char* second) {
     return IntegratorChoice{subject.name() == first ? second : first, {}};
   };
-  if (transfer_choice(scene.transfer, 1).increments) return other_than_itself("rk4", "ssp-rk3");
+  if (transfer_of(scene.transfer, 1).increments) return other_than_itself("rk4", "ssp-rk3");
   const bool returns_loss = subject.traits().offers.count(Trait::returned_loss) > 0;
   return returns_loss && has_gas(scene) ? other_than_itself("leapfrog", "energy")
                                         : other_than_itself("midpoint", "musl");

@@ -9,7 +9,9 @@
 #include <sstream>
 
 #include "kernel/scene.hpp"
+#include "kernel/shapes/shape.hpp"
 #include "kernel/time_integrator.hpp"
+#include "kernel/transfers/transfer.hpp"
 
 namespace plumbline {
 namespace {

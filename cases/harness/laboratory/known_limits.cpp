@@ -11,6 +11,7 @@
 #include "cases/harness/files/pool.hpp"
 #include "cases/harness/laboratory/bar_patch.hpp"
 #include "kernel/integrator_traits.hpp"
+#include "kernel/transfers/transfer.hpp"
 
 namespace plumbline {
 namespace {
@@ -179,9 +180,8 @@ std::string limit_in_words(const Configuration& result) {
 std::string choices_in_words(const Settings& settings, const std::vector<Override>& own) {
   std::string words;
   if (settings.has("shape")) {
-    words = settings.text("shape") + " " + settings.text("transfer");
-    const std::string& transfer = settings.text("transfer");
-    if (transfer == "xpic" || transfer == "fmpm") words += to_text(settings["transfer_order"]);
+    words = settings.text("shape") + " " +
+            transfer_in_words(settings.text("transfer"), static_cast<int>(settings.number("transfer_order")));
     if (settings.has("ppc")) words += ", ppc " + to_text(settings["ppc"]);
   }
   for (const auto& [key, value] : own) {

@@ -10,6 +10,7 @@
 #include "cases/harness/files/pool.hpp"
 #include "cases/harness/laboratory/bar_patch.hpp"
 #include "kernel/integrator_traits.hpp"
+#include "kernel/transfers/transfer.hpp"
 
 namespace plumbline {
 namespace {
@@ -211,8 +212,10 @@ StabilityMap draw_map(const StabilityProblem& problem, const MapPlan& plan, int 
   const Settings settings = stability_settings(problem, plan.scheme, plan.overrides);
   map.integrator = settings.text("integrator");
   map.shape = problem.has_grid() ? settings.text("shape") : "none";
-  map.transfer = problem.has_grid() ? settings.text("transfer") : "none";
-  if (map.transfer == "xpic" || map.transfer == "fmpm") map.transfer += to_text(settings["transfer_order"]);
+  map.transfer = "none";
+  if (problem.has_grid()) {
+    map.transfer = transfer_in_words(settings.text("transfer"), static_cast<int>(settings.number("transfer_order")));
+  }
   map.id = problem.name() + "/" + plan.scheme + "/" + map.integrator + "/" + map.shape + "/" + map.transfer + "/" +
            plan.kind + "-" + plan.x.key + "-" + plan.y.key + "/" + short_hash(settings.canonical()).substr(0, 6);
   if (plan.kind == "limit") draw_limits(problem, plan, threads, map);

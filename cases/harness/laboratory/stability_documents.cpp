@@ -1,4 +1,5 @@
 #include "cases/harness/laboratory/stability_documents.hpp"
+#include "kernel/transfers/transfer.hpp"
 
 #include <cmath>
 
@@ -91,11 +92,9 @@ Json to_json(const StabilityMap& map) {
 }
 
 Json to_json(const SafeStep& safe) {
-  std::string transfer = safe.method.transfer;
-  if (transfer == "xpic" || transfer == "fmpm") transfer += std::to_string(safe.order);
   Json document{{"integrator", safe.method.integrator},
                 {"shape", safe.method.shape},
-                {"transfer", transfer},
+                {"transfer", transfer_in_words(safe.method.transfer, safe.order)},
                 {"ppc", safe.ppc},
                 {"limit", real(safe.limit)},
                 {"offset", safe.place},

@@ -11,6 +11,7 @@
 #include "kernel/grid.hpp"
 #include "kernel/pack.hpp"
 #include "kernel/stencil.hpp"
+#include "kernel/transfers/transfer.hpp"
 
 namespace plumbline {
 
@@ -23,7 +24,7 @@ class ShapeLoops final : public PointLoops<Geometry> {
   using typename Base::Gather, typename Base::Motion, typename Base::Spread, typename Base::Wanted;
   using At = Weights<dim>;
 
-  ShapeLoops(const GridSpec& grid, const TransferChoice& transfer) : grid_(grid), transfer_(transfer) {}
+  ShapeLoops(const GridSpec& grid, const Transfer& transfer) : grid_(grid), transfer_(transfer) {}
 
   ShapeTraits shape() const override { return {Shape::support, Shape::blur, Shape::fixed_inertia, Shape::boxes}; }
   std::vector<double> inverse_volumes() const override { return inverse_cell_volumes<Shape>(grid_); }
@@ -115,7 +116,7 @@ class ShapeLoops final : public PointLoops<Geometry> {
                           Component&& u) const;
 
   Grid<dim> grid_;
-  TransferChoice transfer_;
+  Transfer transfer_;
 };
 
 template <class G, class S>

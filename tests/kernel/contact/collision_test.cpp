@@ -1,6 +1,7 @@
 // Bodies that meet, step by step: ledger, energy, and what contact must not touch.
 #include <cmath>
 
+#include "kernel/transfers/transfer.hpp"
 #include "tests/kernel/contact/two_clouds.hpp"
 
 namespace plumbline {

@@ -1,5 +1,6 @@
 // The four densities, through the engine that chooses among them.
 #include "kernel/density/cell_density.hpp"
+#include "kernel/shapes/shape.hpp"
 
 #include <algorithm>
 

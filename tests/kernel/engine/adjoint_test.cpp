@@ -1,5 +1,6 @@
 // Forces and strain rates are adjoint: what the forces do on the grid is what the stresses take from the points, for every
 // velocity, in all geometries.
+#include "kernel/shapes/shape.hpp"
 #include "tests/kernel/scenes.hpp"
 
 namespace plumbline {

@@ -1,6 +1,7 @@
 // Fields whose answer is exact: affine motion, rigid motion, uniform stress, in all four geometries.
 #include <Eigen/Core>
 
+#include "kernel/shapes/shape.hpp"
 #include "tests/kernel/scenes.hpp"
 
 namespace plumbline {

@@ -2,6 +2,7 @@
 // the same strain everywhere are exact, in all geometries and on all shapes.
 #include <Eigen/Core>
 
+#include "kernel/shapes/shape.hpp"
 #include "tests/kernel/solids.hpp"
 
 namespace plumbline {

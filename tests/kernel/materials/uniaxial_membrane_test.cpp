@@ -1,4 +1,5 @@
 #include "kernel/materials/uniaxial_membrane.hpp"
+#include "kernel/shapes/shape.hpp"
 
 #include <numbers>
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <Eigen/Core>
 
-#include "kernel/transfers/transfers.hpp"
+#include "kernel/transfers/transfer.hpp"
 #include "tests/kernel/dense.hpp"
 #include "tests/kernel/solids.hpp"
 
@@ -17,20 +17,20 @@ using testing::HasSubstr;
 // --- names ----------------------------------------------------------------------------------------------------------
 
 TEST(TransferChoice, KnowsItsNames) {
-  EXPECT_FALSE(transfer_choice("pic", 2).affine || transfer_choice("pic", 2).increments);
-  EXPECT_EQ(transfer_choice("pic", 2).order, 0);
-  EXPECT_TRUE(transfer_choice("flip", 2).increments);
-  EXPECT_TRUE(transfer_choice("apic", 2).affine);
-  EXPECT_EQ(transfer_choice("xpic", 3).order, 3);
-  EXPECT_FALSE(transfer_choice("xpic", 3).filters_end);
-  EXPECT_EQ(transfer_choice("fmpm", 5).order, 5);
-  EXPECT_TRUE(transfer_choice("fmpm", 5).filters_end);
+  EXPECT_FALSE(transfer_of("pic", 2).affine || transfer_of("pic", 2).increments);
+  EXPECT_EQ(transfer_of("pic", 2).order, 0);
+  EXPECT_TRUE(transfer_of("flip", 2).increments);
+  EXPECT_TRUE(transfer_of("apic", 2).affine);
+  EXPECT_EQ(transfer_of("xpic", 3).order, 3);
+  EXPECT_FALSE(transfer_of("xpic", 3).filters_end);
+  EXPECT_EQ(transfer_of("fmpm", 5).order, 5);
+  EXPECT_TRUE(transfer_of("fmpm", 5).filters_end);
 }
 
 TEST(TransferChoice, SaysWhatItDoesNotHave) {
   const auto refusal = [](const std::string& name, int order) -> std::string {
     try {
-      transfer_choice(name, order);
+      transfer_of(name, order);
     } catch (const std::invalid_argument& error) {
       return error.what();
     }

@@ -1,4 +1,5 @@
-#include "kernel/transfers/transfers.hpp"
+#include "kernel/shapes/shape.hpp"
+#include "kernel/transfers/transfer.hpp"
 
 #include "tests/kernel/scenes.hpp"
 

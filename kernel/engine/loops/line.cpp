@@ -1,7 +1,0 @@
-#include "kernel/engine/loops/choice.hpp"
-
-namespace plumbline {
-
-template std::unique_ptr<PointLoops<Line>> make_point_loops(const Scene&, const TransferChoice&);
-
-}  // namespace plumbline

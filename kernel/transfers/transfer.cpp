@@ -1,0 +1,36 @@
+#include "kernel/transfers/transfer.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+namespace plumbline {
+namespace {
+
+std::vector<TransferEntry>& registered() {
+  static std::vector<TransferEntry> all;
+  return all;
+}
+
+}  // namespace
+
+const std::vector<TransferEntry>& transfers() { return registered(); }
+
+const TransferEntry& transfer_named(const std::string& name) { return named(registered(), name, "transfer"); }
+
+Transfer transfer_of(const std::string& name, int order) {
+  const TransferEntry& entry = transfer_named(name);
+  Transfer transfer = entry.does;
+  if (!entry.has_order) return transfer;
+  if (order < 1) throw std::invalid_argument("the order of " + name + " is at least 1, not " + std::to_string(order));
+  transfer.order = order;
+  return transfer;
+}
+
+std::string transfer_in_words(const std::string& name, int order) {
+  const TransferEntry* entry = find_named(registered(), name);
+  return entry && entry->has_order ? name + std::to_string(order) : name;
+}
+
+RegisterTransfer::RegisterTransfer(TransferEntry entry) { add_named(registered(), std::move(entry), "transfer"); }
+
+}  // namespace plumbline
