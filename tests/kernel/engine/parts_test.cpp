@@ -1,6 +1,10 @@
 // Parts of the engine, each built without the others.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <limits>
+#include <random>
+
 #include "kernel/engine/placing.hpp"
 #include "kernel/engine/reflection.hpp"
 #include "kernel/engine/step_record.hpp"
@@ -104,6 +108,58 @@ TEST(Placing, NamesThePointThatLeftTheGrid) {
   } catch (const InadmissibleState& state) {
     EXPECT_EQ(state.point, 1);
     EXPECT_EQ(state.value, 2.1);
+  }
+}
+
+// A point that leaves while the others' order is kept: beyond each side, and to no place at all.
+TEST(Placing, NamesThePointThatLeavesTheGridLater) {
+  for (const double x : {2.1, -0.1, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
+    Scene scene = points_at({{0.1, 0.1}, {0.6, 1.1}, {1.6, 0.1}});
+    Body& body = scene.bodies[0];
+    const Discretisation<Plane> space(scene, 1);
+    Placing<Plane> placing(space);
+    Weights<2> at;
+    placing.locate(body, at, true, {});
+    ASSERT_THAT(body.id, ElementsAre(0, 2, 1));
+    body.points(column::position)[1] = x;
+    try {
+      placing.locate(body, at, true, {});
+      FAIL() << "a point at " << x << " was placed";
+    } catch (const InadmissibleState& state) {
+      EXPECT_EQ(state.point, 2) << x;
+    }
+  }
+}
+
+// Points that wander, a few of them to other bins at a time, have the order and the bins that sorting them anew gives.
+TEST(Placing, FollowsPointsAsIfItSortedThemAnew) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> anywhere(0, 2), step(-0.1, 0.1);
+  std::vector<std::array<double, 2>> places(60);
+  for (auto& place : places) place = {anywhere(random), anywhere(random)};
+  Scene scene = points_at(places);
+  Body& body = scene.bodies[0];
+  const Discretisation<Plane> space(scene, 1);
+  Placing<Plane> placing(space);
+  Weights<2> at;
+  placing.locate(body, at, true, {});
+  for (int round = 0; round < 20; ++round) {
+    for (std::size_t d = 0; d < 2; ++d) {
+      double* x = body.points(column::position, static_cast<int>(d));
+      for (std::size_t p = 0; p < places.size(); ++p) {
+        auto& place = places[static_cast<std::size_t>(body.id[p])];
+        place[d] = x[p] = std::clamp(place[d] + step(random), 0.0, 2.0);
+      }
+    }
+    placing.locate(body, at, true, {});
+    Scene fresh = points_at(places);
+    Weights<2> anew;
+    Placing<Plane>(space).locate(fresh.bodies[0], anew, true, {});
+    ASSERT_EQ(body.id, fresh.bodies[0].id) << round;
+    ASSERT_EQ(nodes_of(at.bins), nodes_of(anew.bins)) << round;
+    for (std::size_t p = 0; p < places.size(); ++p) {
+      ASSERT_EQ(body.points(column::position)[p], places[static_cast<std::size_t>(body.id[p])][0]) << round;
+    }
   }
 }
 
