@@ -109,6 +109,42 @@ struct Nodes {
   }
 };
 
+// The formula, node by node, two and more nodes away from the sides. [Sharpening 1]
+template <int dim>
+void expect_formula_inside(Space space, Wall wall) {
+  const Nodes<dim> nodes(scenes::box(space, {8, 8, 8}, 0.5, scenes::walls_everywhere(wall)));
+  Nodes<dim> copy = nodes;
+  const auto u = copy.random_velocity(), sharpened = nodes.sharpened(u);
+  const Grid<dim>& grid = nodes.grid;
+  int seen = 0;
+  for (int i = 0; i < grid.node_count(); ++i) {
+    bool inside = true;
+    for (int d = 0; d < dim; ++d) {
+      const int k = grid.index(i, d) - Grid<dim>::ghosts;
+      inside = inside && k >= 2 && k <= 6;
+    }
+    if (!inside) continue;
+    const auto at = [](int node) { return static_cast<std::size_t>(node); };
+    Eigen::Matrix<double, dim, 1> expected = u[at(i)];
+    for (int d = 0; d < dim; ++d) {
+      for (const int j : {i - grid.stride(d), i + grid.stride(d)}) {
+        const double mass = nodes.field.mass[at(i)], other = nodes.field.mass[at(j)];
+        expected += 0.125 * 2 * other / (mass + other) * (u[at(i)] - u[at(j)]);
+      }
+    }
+    EXPECT_LT((sharpened[at(i)] - expected).norm(), 1e-14) << i;  // some ten roundings of numbers of size 1
+    ++seen;
+  }
+  EXPECT_EQ(seen, dim == 1 ? 5 : dim == 2 ? 25 : 125);
+}
+TEST(Sharpening, FollowsItsFormulaInside) {
+  for (const Wall wall : {Wall::free, Wall::symmetry, Wall::no_slip}) {
+    expect_formula_inside<1>(Space::line, wall);
+    expect_formula_inside<2>(Space::plane, wall);
+    expect_formula_inside<3>(Space::solid, wall);
+  }
+}
+
 GridSpec mixed_walls(int dim, bool walled) {
   const Wall s = Wall::symmetry, n = Wall::no_slip, f = Wall::free;
   return scenes::box(scenes::space_of(dim), {7, 5, 6}, 0.5,
