@@ -2,6 +2,10 @@
 // packs; the lanes of a last, partial pack beyond `count` hold whatever follows and are neither stored nor summed.
 #pragma once
 
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
 #include <experimental/simd>
 
 namespace plumbline {
@@ -59,10 +63,21 @@ template <class Visit>
   for (int p = first; p < last; p += lanes) visit(p, last - p < lanes ? last - p : lanes);
 }
 
-// totals[k] = sum of the lanes of packs[k].
+// totals[k] = sum(packs[k]), four at a time in the order in which sum() adds: halves, then what is left.
 template <int count>
 [[gnu::always_inline]] inline void sum_lanes(const Pack (&packs)[count], double (&totals)[count]) {
-  for (int k = 0; k < count; ++k) totals[k] = sum(packs[k]);
+  int k = 0;
+#if defined(__AVX2__)
+  const auto halves = [&](int i) __attribute__((always_inline)) {
+    const auto a = static_cast<__m256d>(packs[i]), b = static_cast<__m256d>(packs[i + 1]);
+    return _mm256_add_pd(_mm256_permute2f128_pd(a, b, 0x20), _mm256_permute2f128_pd(a, b, 0x31));
+  };
+  for (; lanes == 4 && k + 4 <= count; k += 4) {
+    const __m256d mixed = _mm256_hadd_pd(halves(k), halves(k + 2));  // of packs k, k + 2, k + 1, k + 3
+    _mm256_storeu_pd(totals + k, _mm256_permute4x64_pd(mixed, 0xd8));
+  }
+#endif
+  for (; k < count; ++k) totals[k] = sum(packs[k]);
 }
 
 }  // namespace plumbline

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include "kernel/cell_volumes.hpp"
@@ -14,6 +15,14 @@
 #include "kernel/transfers/transfer.hpp"
 
 namespace plumbline {
+
+// visit(d) for each direction, d a constant of the compilation.
+template <int dim, class Visit>
+[[gnu::always_inline]] inline void for_directions(Visit&& visit) {
+  visit(std::integral_constant<int, 0>());
+  if constexpr (dim > 1) visit(std::integral_constant<int, 1>());
+  if constexpr (dim > 2) visit(std::integral_constant<int, 2>());
+}
 
 template <class Geometry, class Shape>
 class ShapeLoops final : public PointLoops<Geometry> {

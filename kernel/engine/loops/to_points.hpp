@@ -14,24 +14,31 @@ template <class Component>
 [[gnu::always_inline]] inline void ShapeLoops<G, S>::store_strain_rates(const RateColumns& rates,
                                                                         const PackStencil& weights, const Pack& radius,
                                                                         int p, int count, Component&& u) const {
-  Pack gradient[dim][dim], hoop_rate = 0.0;
-  for (int d = 0; d < dim; ++d) {
-    const auto jet = weights.gather_array([&](int k) { return u(k, d); });
-    if (rates.measure == StressMeasure::point_force) {
-      store(rates.at[d] + p, jet.value, count);
-      continue;
-    }
-    for (int e = 0; e < dim; ++e) gradient[d][e] = jet.gradient[e];
-    if constexpr (G::axisymmetric) {
-      if (d == 0) hoop_rate = jet.value / radius;
-    }
+  const auto jet = [&](int d) __attribute__((always_inline)) {
+    return weights.gather_array([&](int k) { return u(k, d); });
+  };
+  if (rates.measure == StressMeasure::point_force) {
+    for (int d = 0; d < dim; ++d) store(rates.at[d] + p, jet(d).value, count);
+    return;
   }
-  if (rates.measure == StressMeasure::point_force) return;
-  if (rates.measure == StressMeasure::pressure) {
-    Pack divergence = gradient[0][0] + hoop_rate;
-    for (int d = 1; d < dim; ++d) divergence += gradient[d][d];
+  if (rates.measure == StressMeasure::pressure) {  // of each jet only what the divergence takes is computed
+    Pack divergence = 0.0;
+    for_directions<dim>([&](auto direction) __attribute__((always_inline)) {
+      constexpr int d = direction;
+      const auto own = jet(d);
+      divergence += own.gradient[d];
+      if (G::axisymmetric && d == 0) divergence += own.value / radius;
+    });
     store(rates.at[0] + p, divergence, count);
     return;
+  }
+  Pack gradient[dim][dim], hoop_rate = 0.0;
+  for (int d = 0; d < dim; ++d) {
+    const auto own = jet(d);
+    for (int e = 0; e < dim; ++e) gradient[d][e] = own.gradient[e];
+    if constexpr (G::axisymmetric) {
+      if (d == 0) hoop_rate = own.value / radius;
+    }
   }
   if (rates.measure == StressMeasure::full) {
     for (int d = 0; d < dim; ++d) {
