@@ -15,7 +15,7 @@ std::vector<TransferEntry>& registered() {
 
 const std::vector<TransferEntry>& transfers() { return registered(); }
 
-const TransferEntry& transfer_named(const std::string& name) { return named(registered(), name, "transfer"); }
+const TransferEntry& transfer_named(const std::string& name) { return named(registered(), name, TransferEntry::kind); }
 
 Transfer transfer_of(const std::string& name, int order) {
   const TransferEntry& entry = transfer_named(name);
@@ -31,6 +31,8 @@ std::string transfer_in_words(const std::string& name, int order) {
   return entry && entry->has_order ? name + std::to_string(order) : name;
 }
 
-RegisterTransfer::RegisterTransfer(TransferEntry entry) { add_named(registered(), std::move(entry), "transfer"); }
+void add_part(TransferEntry entry) {
+  add_named(registered(), std::move(entry), TransferEntry::kind);
+}
 
 }  // namespace plumbline

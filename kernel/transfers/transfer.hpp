@@ -17,6 +17,7 @@ struct Transfer {
 };
 
 struct TransferEntry : Choice {
+  static constexpr const char* kind = "transfer";
   Transfer does;
   bool has_order = false;  // a scene chooses m
 };
@@ -33,8 +34,7 @@ Transfer transfer_of(const std::string& name, int order);
 // "xpic3", of a transfer without an order its name.
 std::string transfer_in_words(const std::string& name, int order);
 
-struct RegisterTransfer {
-  explicit RegisterTransfer(TransferEntry entry);
-};
+// Takes one in: RegisterPart.
+void add_part(TransferEntry entry);
 
 }  // namespace plumbline
