@@ -9,7 +9,7 @@ const RegisterPart entry(TransferEntry{{"flip",
                                         "points take the grid's velocity change",
                                         "York 1997, (3.22); Brackbill, Ruppel 1986, doi 10.1016/0021-9991(86)90211-1",
                                         {Trait::unfiltered_velocities}},
-                                       {.increments = true}});
+                                       {.keep = 1}});
 
 }  // namespace
 }  // namespace plumbline

@@ -32,6 +32,11 @@ std::string transfer_in_words(const std::string& name, int order) {
 }
 
 void add_part(TransferEntry entry) {
+  const Transfer& does = entry.does;
+  const bool otherwise = does.affine || does.filters_end || entry.has_order;
+  if (!(does.keep >= 0 && does.keep <= 1) || (does.keep > 0 && otherwise))
+    throw std::logic_error("transfer " + entry.name +
+                           ": keep is within [0, 1], and 0 where points take velocities otherwise");
   add_named(registered(), std::move(entry), TransferEntry::kind);
 }
 
