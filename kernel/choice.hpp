@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -46,5 +47,18 @@ void add_named(std::vector<Entry>& all, Entry entry, const std::string& kind) {
                                       [](const auto& a, const auto& b) { return a.name < b.name; });
   all.insert(place, std::move(entry));
 }
+
+// A part that is to be registered, and what does it, as add_named() would.
+struct CollectedPart {
+  std::string kind, name, title, source;  // kind: "shape"
+  std::function<void()> add;
+};
+
+// Calls `load` and returns what was handed to register_or_collect() meanwhile, unchecked and in its order, and registers nothing:
+// where a shared library is loaded, an exception would end the program. Not for several threads at once.
+std::vector<CollectedPart> collect_parts(const std::function<void()>& load);
+
+// Calls part.add, unless parts are collected.
+void register_or_collect(CollectedPart part);
 
 }  // namespace plumbline

@@ -89,6 +89,7 @@ void set_parameters(TimeIntegrator& integrator, const std::map<std::string, doub
 
 // Of the file that includes this, one in each object that registers an integrator: hence `static`.
 [[gnu::section(PLUMBLINE_STAMP_SECTION)]] static constexpr PluginStamp stamp_of_this_file = plugin_stamp(
+    "integrators", PLUMBLINE_INTEGRATOR_HEADERS,
     {sizeof(std::size_t), sizeof(std::string), sizeof(State), sizeof(NodalVelocity), sizeof(Stages),
      sizeof(IntegratorParameter), sizeof(OrderClaim), sizeof(KnownFailure), sizeof(Claims), sizeof(TimeIntegrator),
      sizeof(IntegratorEntry), alignof(IntegratorEntry)});

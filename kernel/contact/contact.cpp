@@ -1,6 +1,9 @@
 #include "kernel/contact/contact.hpp"
 
+#include <stdexcept>
 #include <utility>
+
+#include "kernel/register_part.hpp"
 
 namespace plumbline {
 namespace {
@@ -15,13 +18,17 @@ std::unique_ptr<Contact<dim>> nothing(const Grid<dim>&, int) {
   return nullptr;
 }
 
-const RegisterContact entry{
-    {{"none", "velocity fields pass through each other", "-"}, {nothing<1>, nothing<2>, nothing<3>}}};
+const RegisterPart entry(ContactEntry{{"none", "velocity fields pass through each other", "-"},
+                                      {nothing<1>, nothing<2>, nothing<3>}});
 
 }  // namespace
 
 const std::vector<ContactEntry>& contacts() { return registered(); }
 
-RegisterContact::RegisterContact(ContactEntry entry) { add_named(registered(), std::move(entry), "contact"); }
+void add_part(ContactEntry entry) {
+  if (!std::apply([](auto... make) { return (make && ...); }, entry.make))
+    throw std::logic_error("contact " + entry.name + " cannot be made in one of the dimensions");
+  add_named(registered(), std::move(entry), ContactEntry::kind);
+}
 
 }  // namespace plumbline

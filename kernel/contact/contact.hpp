@@ -51,6 +51,7 @@ using MakeContact = std::unique_ptr<Contact<dim>> (*)(const Grid<dim>&, int supp
 
 // A law, which registers itself in its own source file.
 struct ContactEntry : Choice {
+  static constexpr const char* kind = "contact";
   std::tuple<MakeContact<1>, MakeContact<2>, MakeContact<3>> make;
 };
 
@@ -61,11 +62,10 @@ const std::vector<ContactEntry>& contacts();
 // Throws std::invalid_argument for an unknown name.
 template <int dim>
 std::unique_ptr<Contact<dim>> make_contact(const std::string& name, const Grid<dim>& grid, int support) {
-  return std::get<MakeContact<dim>>(named(contacts(), name, "contact").make)(grid, support);
+  return std::get<MakeContact<dim>>(named(contacts(), name, ContactEntry::kind).make)(grid, support);
 }
 
-struct RegisterContact {
-  explicit RegisterContact(ContactEntry entry);
-};
+// Takes one in: RegisterPart.
+void add_part(ContactEntry entry);
 
 }  // namespace plumbline

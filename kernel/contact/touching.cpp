@@ -8,6 +8,7 @@
 #include <map>
 
 #include "kernel/contact/shared_nodes.hpp"
+#include "kernel/register_part.hpp"
 
 namespace plumbline {
 namespace {
@@ -17,8 +18,8 @@ std::unique_ptr<Contact<dim>> make(const Grid<dim>& grid, int support) {
   return std::make_unique<TouchingContact<dim>>(grid, support);
 }
 
-const RegisterContact entry{
-    {{"touching", "normal impulses where points touch and approach", "kernel/README.md"}, {make<1>, make<2>, make<3>}}};
+const RegisterPart entry(ContactEntry{
+    {"touching", "normal impulses where points touch and approach", "kernel/README.md"}, {make<1>, make<2>, make<3>}});
 
 // Ridge of the discriminant in units of h^2: points in one line have no spread across it.
 constexpr double ridge = 1e-3;
@@ -43,7 +44,8 @@ struct Cloud {
 
 }  // namespace
 
-// Lowest node of the support; shapes of an even number of nodes are anchored at the cell, others at the nearest node.
+// Lowest node of the support, all of which is on the grid; shapes of an even number of nodes are anchored at the cell, others at
+// the nearest node.
 template <int dim>
 int TouchingContact<dim>::lowest_node(const Vec& x) const {
   int node = 0;
@@ -51,7 +53,8 @@ int TouchingContact<dim>::lowest_node(const Vec& x) const {
     const double cells = std::clamp(grid_.logical(x[d], d), 0.0, 1.0 * grid_.cells(d));
     const int anchor = support_ % 2 == 0 ? std::min(static_cast<int>(cells), grid_.cells(d) - 1)
                                          : static_cast<int>(cells + 0.5);
-    node += (anchor - (support_ - 1) / 2 + Grid<dim>::ghosts) * grid_.stride(d);
+    const int lowest = anchor - (support_ - 1) / 2 + Grid<dim>::ghosts;
+    node += std::clamp(lowest, 0, grid_.nodes(d) - support_) * grid_.stride(d);
   }
   return node;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kernel/contact/shared_nodes.hpp"
+#include "kernel/register_part.hpp"
 #include "kernel/shapes/quadratic.hpp"
 
 namespace plumbline {
@@ -20,13 +21,13 @@ ContactEntry law(std::string name, std::string title, std::string source) {
           {make<1, criterion>, make<2, criterion>, make<3, criterion>}};
 }
 
-const RegisterContact against_other(law<YorkCriterion::against_other>(
+const RegisterPart against_other(law<YorkCriterion::against_other>(
     "york-9.7", "common motion where body 1 moves into body 2, along the normal of body 1", "York 1997, (9.7)"));
-const RegisterContact against_centre(law<YorkCriterion::against_centre>("york-9.8",
-                                                                        "the same, seen from the centre of mass",
-                                                                        "York 1997, (9.8)"));
-const RegisterContact both(law<YorkCriterion::both>("york-9.9", "the same, release only if both bodies agree",
-                                                    "York 1997, (9.9)"));
+const RegisterPart against_centre(law<YorkCriterion::against_centre>("york-9.8",
+                                                                     "the same, seen from the centre of mass",
+                                                                     "York 1997, (9.8)"));
+const RegisterPart both(law<YorkCriterion::both>("york-9.9", "the same, release only if both bodies agree",
+                                                 "York 1997, (9.9)"));
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Boxes of points, of shapes that are averages over them.
+// Boxes of points, of shapes that are averages over them, and other columns of shapes that follow the points.
 #pragma once
 
 #include <cmath>
@@ -57,6 +57,20 @@ void deform_boxes(const Discretisation<G>& space, Columns& points, Ledger& ledge
   }
   ledger.energy.book(Flow::transfer, energy);
   for (std::size_t k = 0; k < 3; ++k) ledger.angular_momentum[k].book(Flow::transfer, spin[k]);
+}
+
+// The same of columns that a shape sets itself.
+template <class G>
+void follow_points(const Discretisation<G>& space, Body& body, Ledger& ledger) {
+  if (!space.loops->follows()) return;
+  const PointRange all = all_points(body.points);
+  const Totals before = space.loops->survey(body, all).totals;
+  space.loops->follow(body.points);
+  const Totals after = space.loops->survey(body, all).totals;
+  ledger.energy.book(Flow::transfer, after.energy.kinetic - before.energy.kinetic);
+  for (std::size_t k = 0; k < 3; ++k) {
+    ledger.angular_momentum[k].book(Flow::transfer, after.angular_momentum[k] - before.angular_momentum[k]);
+  }
 }
 
 }  // namespace plumbline

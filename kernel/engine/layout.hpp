@@ -70,7 +70,7 @@ void refuse_other_geometry(const Body& body) {
 // What the parts of a scene want of each other. Throws std::invalid_argument.
 template <class Geometry>
 void refuse_what_cannot_work(const Scene& scene, const Discretisation<Geometry>& space) {
-  if ((space.transfer.increments || space.transfer.order > 0) && !scene.pistons.empty()) {
+  if ((space.transfer.keep > 0 || space.transfer.order > 0) && !scene.pistons.empty()) {
     throw std::invalid_argument("pistons cannot work with the transfer " + scene.transfer +
                                 ": its points do not take the velocity that a piston gives its nodes");
   }

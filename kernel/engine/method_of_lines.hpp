@@ -76,7 +76,7 @@ State Mechanics<G>::velocities_of(State state) const {
 
 template <class G>
 State Mechanics<G>::rate() {
-  if (!space_.transfer.increments) {
+  if (space_.transfer.keep != 1) {
     throw std::logic_error("rates of change want the transfer flip: other transfers filter velocities once a step");
   }
   sorting_ = false;  // a State names points by their place

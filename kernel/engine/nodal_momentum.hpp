@@ -64,10 +64,9 @@ class NodalMomentum {
     WallAction<dim> action = space_.walls.fold(field, field.momentum);
     space_.divide_by_mass(field, field.momentum, field.start);
     record.map_wall_work += drive(field, field.start, action);
-    if (!space_.transfer.increments) {
-      record.map_wall.linear += action.linear;
-      record.map_wall.angular += action.angular;
-    }
+    const double taken = 1 - space_.transfer.keep;  // of the velocities that the walls have changed
+    record.map_wall.linear += taken * action.linear;
+    record.map_wall.angular += taken * action.angular;
     return mass;
   }
 
@@ -136,10 +135,10 @@ class NodalMomentum {
   // What walls give to the points in a map back. [EC-APIC walls]
   void add_wall_impulse(const Field& field, WallAction<dim>& wall) const {
     WallAction<dim> action = space_.walls.extension_impulse(field, field.end);
-    if (space_.transfer.increments) {
+    if (const double keep = space_.transfer.keep; keep > 0) {
       const WallAction<dim> before = space_.walls.extension_impulse(field, field.start);
-      action.linear -= before.linear;
-      action.angular -= before.angular;
+      action.linear -= keep * before.linear;
+      action.angular -= keep * before.angular;
     }
     wall.linear += action.linear;
     wall.angular += action.angular;
@@ -193,17 +192,16 @@ class NodalMomentum {
   }
 
   // Contact between velocity fields. Its work is what the nodes' kinetic energy changes by beyond the work of the other
-  // forces, as points will take it: FLIP from the velocity each field had.
+  // forces, as points will take it: what they keep from the velocity each field had. [Blend 1]
   void touch(std::vector<Field>& fields, double dt, bool decide, Exchange<dim>& record) {
     if (decide) contact_->find(scene_, field_of_body_, fields);
-    const bool increments = space_.transfer.increments;
+    const double keep = space_.transfer.keep, take = 1 - keep;
     contact_->apply(fields, dt, decide, [&](const ContactChange<dim>& c) {
       const Vec impulse = c.mass * (c.end - c.start) - c.mass * (c.own_end - c.own_start);
-      const Vec kick = c.end - c.start, mean = 0.5 * (c.end + c.start);
-      const Vec own_work = increments ? Vec(c.own_start + 0.5 * kick) : Vec(0.5 * (c.end + c.own_start));
-      const Vec gained = increments ? kick : Vec(c.end - c.own_start);
-      record.work += c.mass * gained.dot(own_work) - c.mass * (c.own_end - c.own_start).dot(mean);
-      const Vec given = increments ? impulse : Vec(c.mass * (c.end - c.own_end));
+      const Vec kick = c.end - c.start, gained = c.end - c.own_start, mean = 0.5 * (c.end + c.start);
+      const double kept = kick.dot(c.own_start + 0.5 * kick), taken = gained.dot(0.5 * (c.end + c.own_start));
+      record.work += c.mass * (keep * kept + take * taken) - c.mass * (c.own_end - c.own_start).dot(mean);
+      const Vec given = keep * impulse + take * c.mass * (c.end - c.own_end);
       record.linear += given;
       record.angular += cross<dim>(space_.grid.position(c.node), given);
     });

@@ -45,12 +45,14 @@ class Placing {
 
   // lowest: of each point the lowest node it reaches.
   void build(std::span<const int> lowest, Weights<dim>& at, bool in_bins) const {
-    at.bins.build(lowest, space_.grid.stride(dim - 1), block_height, in_bins);
+    at.bins.build(lowest, space_.grid.stride(dim - 1), block_height(), in_bins);
   }
 
  private:
-  static constexpr int block_height = dim == 1 ? 64 : 4;  // layers; a stencil reaches 3 beyond its own
-  static constexpr int stretch = 4096;                    // points that one thread takes at a time
+  static constexpr int stretch = 4096;  // points that one thread takes at a time
+
+  // Layers; points reach support - 1 beyond their own.
+  int block_height() const { return std::max(dim == 1 ? 64 : 4, space_.shape.support); }
 
   void find_lowest(const Body& body, std::vector<int>& lowest) const {
     const int points = body.points.points();
@@ -101,7 +103,7 @@ class Placing {
     if (movers_.empty()) return;
     bin_sort_.sort_again(at.bins, movers_, body.id, space_.grid.node_count());
     reorder(body, bin_sort_.runs(), stale);
-    at.bins.build(bin_sort_.node(), bin_sort_.start(), space_.grid.stride(dim - 1), block_height);
+    at.bins.build(bin_sort_.node(), bin_sort_.start(), space_.grid.stride(dim - 1), block_height());
   }
 
   void reorder(Body& body, std::span<const PointRun> runs, std::span<const ColumnId> stale) {

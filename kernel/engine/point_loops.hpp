@@ -59,6 +59,10 @@ class PointLoops {
                            std::vector<Mover>& movers) const = 0;
   // D_p along d where the point stands, m^2.
   virtual double inertia(const Columns& points, int d, int p) const = 0;
+  // Whether weights depend on columns of the shape's own; follow() sets these from the points as they are, once a step, before
+  // they are located.
+  virtual bool follows() const { return false; }
+  virtual void follow(Columns&) const {}
 
   // --- points to nodes
   // M_i and M_i v_i. [York 3.15, 3.16] [EC-APIC 1]

@@ -110,6 +110,7 @@ void Mechanics<G>::locate_points() {
   for (std::size_t b = 0; b < bodies(); ++b) {
     Body& body = scene_.bodies[b];
     deform_boxes(space_, body.points, ledger_);
+    follow_points(space_, body, ledger_);
     placing_.locate(body, layout_.weights[b], sorting_, stale_columns(body));
     space_.touch(layout_.weights[b], field_of(b));
   }

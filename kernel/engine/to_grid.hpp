@@ -30,7 +30,7 @@ void Mechanics<G>::map_mass_and_momentum() {
   grid_mass_ = 0;
   for (Field& field : layout_.fields) grid_mass_ += momentum_.start(field, step_);
   step_.map_loss.reset();
-  if (space_.transfer.increments) step_.map_loss = 0;
+  if (space_.transfer.keep == 1) step_.map_loss = 0;
   current_ = NodalVelocity::start;
 }
 

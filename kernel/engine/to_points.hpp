@@ -180,6 +180,8 @@ void Mechanics<G>::finish_points(double dt, std::optional<double> drift) {
   const auto finish = [&](std::size_t b) {
     Body& body = scene_.bodies[b];
     const bool heated = body.material->takes_heat();
+    // Whether its points look where others stand: then all move before any does.
+    const bool together = body.chain || body.material->measure() == StressMeasure::point_force;
     const double* loss = heated ? body.points(column::transfer_loss) : nullptr;
     Field& field = field_of(b);
     const std::vector<Vec>& midpoint = rates_wanted ? momentum_.straining_velocity(field, field.midpoint)
@@ -188,10 +190,10 @@ void Mechanics<G>::finish_points(double dt, std::optional<double> drift) {
         .dt = dt, .drift = drift, .straining = rates_wanted ? &midpoint : nullptr, .exchange = exchanges_heat(body)};
     Weights<dim>& at = layout_.weights[b];
     if (heated) loss_to_gas_.take(body, at, field);
-    if (body.chain || loss_to_gas_.gives(body, field)) at.keep(body.points);
+    if (together || loss_to_gas_.gives(body, field)) at.keep(body.points);
     const auto move = [&](const Chunk& chunk) { return space_.loops->gather_motion(body, at, chunk, field, motion); };
     Sums own;
-    if (body.chain) {  // all points of a chain move before any looks where its neighbours stand
+    if (together) {
       own.motion = space_.template sum_over_chunks<MotionSums>(layout_.weights[b], move);
       stop_if_too_far(own.motion, body, dt);
       chains_.relax(body, at, own.motion);
@@ -199,7 +201,7 @@ void Mechanics<G>::finish_points(double dt, std::optional<double> drift) {
     own = own + space_.template sum_over_chunks<Sums>(layout_.weights[b], [&](const Chunk& chunk) {
       const PointRange range{chunk.first, chunk.last};
       Sums sums;
-      if (!body.chain) sums.motion = move(chunk);
+      if (!together) sums.motion = move(chunk);
       sums.power.power = stress_power(body, range, dt);
       sums.power.viscous = body.material->viscous_heat(body.points, range, context(), dt);
       sums.power.stored = body.material->advance(body.points, range, context(), dt);  // [EC-APIC 6]
@@ -207,12 +209,12 @@ void Mechanics<G>::finish_points(double dt, std::optional<double> drift) {
         body.material->add_heat(body.points, range, loss);
         for (int p = range.first; p < range.last; ++p) sums.returned += loss[p];
       }
-      if (body.chain) return sums;
+      if (together) return sums;
       if (drift) reflection_.apply(body.points, range, sums.motion);
       sums.survey = space_.loops->survey(body, range);
       return sums;
     });
-    if (body.chain) {
+    if (together) {
       ledger_.energy.book(Flow::constitutive, chains_.smooth_strain(body, at, dt));
       own = own + space_.template sum_over_chunks<Sums>(layout_.weights[b], [&](const Chunk& chunk) {
         Sums sums;

@@ -4,19 +4,19 @@
 #include <limits>
 
 #include "kernel/geometry.hpp"
-#include "kernel/materials/parameters.hpp"
+#include "kernel/materials/material_entry.hpp"
 #include "kernel/pack.hpp"
+#include "kernel/register_part.hpp"
 
 namespace plumbline {
 namespace {
 
-const RegisterMaterial entry{
-    {"ideal_gas", "ideal gas with energy equation, viscosity and artificial viscosity", "York 1997, chapter 4"}};
-const RegisterParameters parameters(
-    "ideal_gas", read_members<IdealGas>({{"gamma", "1", &IdealGas::gamma},
-                                         {"viscosity", "Pa s", &IdealGas::viscosity},
-                                         {"viscosity_linear", "1", &IdealGas::viscosity_linear},
-                                         {"viscosity_quadratic", "1", &IdealGas::viscosity_quadratic}}));
+const RegisterPart entry(material_entry<IdealGas>("ideal gas with energy equation, viscosity and artificial viscosity",
+                                                  "York 1997, chapter 4",
+                                                  {{"gamma", "1", &IdealGas::gamma},
+                                                   {"viscosity", "Pa s", &IdealGas::viscosity},
+                                                   {"viscosity_linear", "1", &IdealGas::viscosity_linear},
+                                                   {"viscosity_quadratic", "1", &IdealGas::viscosity_quadratic}}));
 
 // Loops over points that carry `strains` strain rates and stresses, the first `normals` of them normal. <1, 1> serves
 // points on a line and, with the divergence as their one rate, all points whose stress is a pressure.

@@ -3,20 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/materials/parameters.hpp"
+#include "kernel/materials/material_entry.hpp"
 #include "kernel/pack.hpp"
+#include "kernel/register_part.hpp"
 
 namespace plumbline {
 namespace {
 
-const RegisterMaterial entry{{"linear_elastic",
-                              "small strains, Hooke's law: line, plane strain or stress, rings, space",
-                              "L. D. Landau, E. M. Lifshitz, Theory of Elasticity, 3rd ed., section 4"}};
-const RegisterParameters parameters(
-    "linear_elastic", read_members<LinearElastic>({{"youngs_modulus", "Pa", &LinearElastic::youngs_modulus},
-                                                   {"poissons_ratio", "1", &LinearElastic::poissons_ratio},
-                                                   {"density", "kg/m^3", &LinearElastic::density},
-                                                   {"plane_stress", &LinearElastic::plane_stress}}));
+const RegisterPart entry(
+    material_entry<LinearElastic>("small strains, Hooke's law: line, plane strain or stress, rings, space",
+                                  "L. D. Landau, E. M. Lifshitz, Theory of Elasticity, 3rd ed., section 4",
+                                  {{"youngs_modulus", "Pa", &LinearElastic::youngs_modulus},
+                                   {"poissons_ratio", "1", &LinearElastic::poissons_ratio},
+                                   {"density", "kg/m^3", &LinearElastic::density},
+                                   {"plane_stress", &LinearElastic::plane_stress}}));
 
 // Normal components come first: 1 of 1, 2 of 3, 3 of 4 and of 6.
 int normals_of(int components) { return components == 1 ? 1 : components == 3 ? 2 : 3; }

@@ -1,19 +1,8 @@
 #include "kernel/materials/material.hpp"
 
 #include <cmath>
-#include <utility>
-
-#include "kernel/choice.hpp"
 
 namespace plumbline {
-namespace {
-
-std::vector<MaterialEntry>& registered() {
-  static std::vector<MaterialEntry> all;
-  return all;
-}
-
-}  // namespace
 
 void StepBounds::include(const StepBounds& other) {
   const auto take = [](double& mine, double theirs) {
@@ -45,9 +34,5 @@ Material::Fault first_not_finite(const Columns& points, PointRange range, const 
   }
   return {};
 }
-
-const std::vector<MaterialEntry>& materials() { return registered(); }
-
-RegisterMaterial::RegisterMaterial(MaterialEntry entry) { add_named(registered(), std::move(entry), "material"); }
 
 }  // namespace plumbline

@@ -118,13 +118,4 @@ double fastest_point(const Columns& points, PointRange range, int dim);
 Material::Fault first_not_finite(const Columns& points, PointRange range, const ColumnId& id,
                                  const std::string& reason);
 
-// What `list` says of a material; each registers itself in its own source file.
-struct MaterialEntry {
-  std::string name, title, source;
-};
-const std::vector<MaterialEntry>& materials();  // in the order of their names
-struct RegisterMaterial {
-  explicit RegisterMaterial(MaterialEntry entry);
-};
-
 }  // namespace plumbline

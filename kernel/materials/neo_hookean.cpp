@@ -4,18 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/materials/parameters.hpp"
+#include "kernel/materials/material_entry.hpp"
 #include "kernel/points/components.hpp"
+#include "kernel/register_part.hpp"
 
 namespace plumbline {
 namespace {
 
-const RegisterMaterial entry{{"neo_hookean", "finite strains, compressible neo-Hookean",
-                              "Wallstedt, Guilkey 2008, doi 10.1016/j.jcp.2008.07.019"}};
-const RegisterParameters parameters("neo_hookean",
-                                    read_members<NeoHookean>({{"youngs_modulus", "Pa", &NeoHookean::youngs_modulus},
-                                                              {"poissons_ratio", "1", &NeoHookean::poissons_ratio},
-                                                              {"density", "kg/m^3", &NeoHookean::density}}));
+const RegisterPart entry(material_entry<NeoHookean>("finite strains, compressible neo-Hookean",
+                                                    "Wallstedt, Guilkey 2008, doi 10.1016/j.jcp.2008.07.019",
+                                                    {{"youngs_modulus", "Pa", &NeoHookean::youngs_modulus},
+                                                     {"poissons_ratio", "1", &NeoHookean::poissons_ratio},
+                                                     {"density", "kg/m^3", &NeoHookean::density}}));
 
 // One point's deformation, or the rate of its change: F and the hoop's stretch, which is 1 where there is none.
 template <int dim, bool rings>

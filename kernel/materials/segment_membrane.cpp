@@ -4,21 +4,21 @@
 #include <array>
 #include <cmath>
 
-#include "kernel/materials/parameters.hpp"
+#include "kernel/materials/material_entry.hpp"
+#include "kernel/register_part.hpp"
 
 namespace plumbline {
 namespace {
 
-const RegisterMaterial entry{{"segment_membrane", "a chain strained by the stretch of its segments, one-way law",
-                              "Lian, Zhang, Liu 2014, doi 10.1007/s10999-014-9241-6"}};
-const RegisterParameters parameters(
-    "segment_membrane", read_members<SegmentMembrane>({{"youngs_modulus", "Pa", &SegmentMembrane::youngs_modulus},
-                                                       {"density", "kg/m^3", &SegmentMembrane::density},
-                                                       {"section", "m^2", &SegmentMembrane::section},
-                                                       {"one_way", &SegmentMembrane::one_way},
-                                                       {"closed", &SegmentMembrane::closed},
-                                                       {"revolved", &SegmentMembrane::revolved},
-                                                       {"poissons_ratio", "1", &SegmentMembrane::poissons_ratio}}));
+const RegisterPart entry(material_entry<SegmentMembrane>("a chain strained by the stretch of its segments, one-way law",
+                                                         "Lian, Zhang, Liu 2014, doi 10.1007/s10999-014-9241-6",
+                                                         {{"youngs_modulus", "Pa", &SegmentMembrane::youngs_modulus},
+                                                          {"density", "kg/m^3", &SegmentMembrane::density},
+                                                          {"section", "m^2", &SegmentMembrane::section},
+                                                          {"one_way", &SegmentMembrane::one_way},
+                                                          {"closed", &SegmentMembrane::closed},
+                                                          {"revolved", &SegmentMembrane::revolved},
+                                                          {"poissons_ratio", "1", &SegmentMembrane::poissons_ratio}}));
 
 }  // namespace
 

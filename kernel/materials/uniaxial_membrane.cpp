@@ -2,29 +2,26 @@
 
 #include <cmath>
 
-#include "kernel/materials/parameters.hpp"
+#include "kernel/materials/material_entry.hpp"
 #include "kernel/normals/connectivity.hpp"
+#include "kernel/register_part.hpp"
 
 namespace plumbline {
 namespace {
 
-const RegisterMaterial entry{
-    {"uniaxial_membrane", "one layer of points, tension along the tangent, one-way law", "York 1997, chapter 5"}};
-const RegisterMaterial plane_stress_entry{{"plane_stress_membrane",
-                                           "the same held out of the plane, with the modulus E / (1 - nu^2)",
-                                           "York 1997, (5.12-5.15)"}};
-const RegisterParameters parameters(
-    "uniaxial_membrane", read_members<UniaxialMembrane>({{"youngs_modulus", "Pa", &UniaxialMembrane::youngs_modulus},
-                                                         {"density", "kg/m^3", &UniaxialMembrane::density},
-                                                         {"one_way", &UniaxialMembrane::one_way},
-                                                         {"closed", &UniaxialMembrane::closed}}));
-const RegisterParameters plane_stress_parameters(
-    "plane_stress_membrane",
-    read_members<PlaneStressMembrane>({{"youngs_modulus", "Pa", &PlaneStressMembrane::youngs_modulus},
-                                       {"poissons_ratio", "1", &PlaneStressMembrane::poissons_ratio},
-                                       {"density", "kg/m^3", &PlaneStressMembrane::density},
-                                       {"one_way", &PlaneStressMembrane::one_way},
-                                       {"closed", &PlaneStressMembrane::closed}}));
+const RegisterPart entry(material_entry<UniaxialMembrane>("one layer of points, tension along the tangent, one-way law",
+                                                          "York 1997, chapter 5",
+                                                          {{"youngs_modulus", "Pa", &UniaxialMembrane::youngs_modulus},
+                                                           {"density", "kg/m^3", &UniaxialMembrane::density},
+                                                           {"one_way", &UniaxialMembrane::one_way},
+                                                           {"closed", &UniaxialMembrane::closed}}));
+const RegisterPart plane_stress_entry(material_entry<PlaneStressMembrane>(
+    "the same held out of the plane, with the modulus E / (1 - nu^2)", "York 1997, (5.12-5.15)",
+    {{"youngs_modulus", "Pa", &PlaneStressMembrane::youngs_modulus},
+     {"poissons_ratio", "1", &PlaneStressMembrane::poissons_ratio},
+     {"density", "kg/m^3", &PlaneStressMembrane::density},
+     {"one_way", &PlaneStressMembrane::one_way},
+     {"closed", &PlaneStressMembrane::closed}}));
 
 // t . e . t in the plane; the third strain rate is the engineering shear. [York 5.2]
 double tangential_rate(const Columns& points, int p) {

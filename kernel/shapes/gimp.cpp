@@ -12,9 +12,9 @@ ShapeEntry contiguous() {
   return entry;
 }
 
-const RegisterShape entry(shape_entry<Gimp>("gimp", "tents averaged over boxes that stay",
-                                            "Bardenhagen, Kober 2004, doi 10.3970/cmes.2004.005.477"));
-const RegisterShape contiguous_entry(contiguous());
+const RegisterPart entry(shape_entry<Gimp>("gimp", "tents averaged over boxes that stay",
+                                           "Bardenhagen, Kober 2004, doi 10.3970/cmes.2004.005.477"));
+const RegisterPart contiguous_entry(contiguous());
 
 }  // namespace
 }  // namespace plumbline

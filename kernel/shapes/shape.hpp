@@ -20,10 +20,12 @@ template <class Geometry>
 using MakeLoops = std::unique_ptr<PointLoops<Geometry>> (*)(const GridSpec&, const Transfer&);
 
 struct ShapeEntry : Choice {
+  static constexpr const char* kind = "shape";
   std::tuple<MakeLoops<Line>, MakeLoops<Plane>, MakeLoops<Axisymmetric>, MakeLoops<Solid>> loops;
   double inertia = 0;  // D_p / h^2 where a point stands on a node, the same anywhere if constant_inertia is offered
   bool boxes = false;  // points have half sizes
   bool boxes_deform = false;  // which follow the deformation
+  int lanes = 1;              // how many values its loops read side by side
 };
 
 // In the order of their names.
@@ -35,8 +37,7 @@ const ShapeEntry& shape_named(const std::string& name);
 // Whether a shape is known and offers a trait.
 bool shape_offers(const std::string& shape, Trait trait);
 
-struct RegisterShape {
-  explicit RegisterShape(ShapeEntry entry);
-};
+// Takes one in: RegisterPart.
+void add_part(ShapeEntry entry);
 
 }  // namespace plumbline

@@ -15,7 +15,7 @@ std::vector<TransferEntry>& registered() {
 
 const std::vector<TransferEntry>& transfers() { return registered(); }
 
-const TransferEntry& transfer_named(const std::string& name) { return named(registered(), name, "transfer"); }
+const TransferEntry& transfer_named(const std::string& name) { return named(registered(), name, TransferEntry::kind); }
 
 Transfer transfer_of(const std::string& name, int order) {
   const TransferEntry& entry = transfer_named(name);
@@ -31,6 +31,13 @@ std::string transfer_in_words(const std::string& name, int order) {
   return entry && entry->has_order ? name + std::to_string(order) : name;
 }
 
-RegisterTransfer::RegisterTransfer(TransferEntry entry) { add_named(registered(), std::move(entry), "transfer"); }
+void add_part(TransferEntry entry) {
+  const Transfer& does = entry.does;
+  const bool otherwise = does.affine || does.filters_end || entry.has_order;
+  if (!(does.keep >= 0 && does.keep <= 1) || (does.keep > 0 && otherwise))
+    throw std::logic_error("transfer " + entry.name +
+                           ": keep is within [0, 1], and 0 where points take velocities otherwise");
+  add_named(registered(), std::move(entry), TransferEntry::kind);
+}
 
 }  // namespace plumbline

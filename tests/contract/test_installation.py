@@ -51,6 +51,24 @@ def tutorial_plugin(tutorial_source, prefix, tmp_path_factory):
     return built(tutorial_source, prefix, tmp_path_factory.mktemp("tutorial"))
 
 
+# Parts of a scheme, each of one file: its kind, what runs it, and what it is called there.
+EXAMPLES = {
+    "bardenhagen": ("contacts", "two-disks", "contact=bardenhagen"),
+    "mooney_rivlin": ("materials", "spinning-disk", "material=mooney_rivlin"),
+    "pic_flip": ("transfers", "two-disks", "transfer=pic-flip"),
+    "moving_least_squares": ("shapes", "two-disks", "shape=moving-least-squares"),
+    "corners": ("shapes", "two-disks", "shape=corners"),
+    "bonds": ("materials", "two-disks", "material=bonds"),
+}
+
+
+@pytest.fixture(scope="module", params=EXAMPLES)
+def example(request, prefix, tmp_path_factory):
+    """Name and library of an example outside the repository, built in a folder of its own."""
+    source = (PLUGIN / f"examples/{request.param}.cpp").read_text(encoding="utf-8")
+    return request.param, built(source, prefix, tmp_path_factory.mktemp(request.param))
+
+
 def built(source, prefix, folder):
     shutil.copy(PLUGIN / "CMakeLists.txt", folder)
     (folder / "mine.cpp").write_text(source, encoding="utf-8")
@@ -127,6 +145,46 @@ def test_the_workflow_of_a_plugin_judges_it(prefix, tmp_path):
     assert [card["integrator"] for card in json.loads((tmp_path / "judged/verify.json").read_text())["scorecards"]] == ["mine"]
     page = (tmp_path / "judged/card.html").read_text(encoding="utf-8")
     assert "mine: consistent, of order 2" in page and "<h1>" in page
+
+
+def test_another_part_appears_in_list(installed, example):
+    name, library = example
+    kind, _, choice = EXAMPLES[name]
+    wanted = choice.partition("=")[2]
+    assert wanted in [entry["name"] for entry in installed("list", "--plugin", library, json=True).json()[kind]]
+    assert wanted not in [entry["name"] for entry in installed("list", json=True).json()[kind]]
+
+
+def test_another_part_runs_by_its_name(installed, example):
+    """To the end, its ledger closed, as another run than without it."""
+    name, library = example
+    _, case, choice = EXAMPLES[name]
+    size = ("--cells", 8) if case == "two-disks" else ("--cells", 4)
+    result = installed("run", case, *size, "--plugin", library, "--set", choice, json=True)
+    assert result.code == 0, result.text
+    own = installed("run", case, *size, json=True).json()
+    mine = result.json()
+    key, _, wanted = choice.partition("=")
+    assert mine["finished"] and mine["settings"][key] == wanted
+    assert mine["measures"] != own["measures"]
+
+
+def test_another_part_is_verified_by_its_name(installed, example):
+    name, library = example
+    _, case, choice = EXAMPLES[name]
+    verdicts = installed("verify", case, "--plugin", library, "--set", choice, json=True, timeout=900).json()
+    assert verdicts["executed"] + len(verdicts["not_applicable"]) == verdicts["declared"]
+    conserved = [gate for gate in verdicts["gates"] if gate["id"].endswith(("/mass", "/momentum", "/ledger"))]
+    assert conserved and {gate["verdict"] for gate in conserved} == {"PASS"}
+
+
+def test_another_parts_name_is_unknown_without_it(installed, example):
+    name, library = example
+    _, case, choice = EXAMPLES[name]
+    assert installed("run", case, "--set", choice).code == 2
+    key, _, wanted = choice.partition("=")
+    refused = installed("run", case, "--plugin", library, "--set", f"{key}={wanted[:-1]}", json=True)
+    assert refused.code == 2 and wanted in refused.json()["error"]["nearest"]
 
 
 def test_without_the_plugin_its_name_is_unknown(installed):

@@ -141,7 +141,7 @@ def test_names_that_are_allowed(plumbline, name):
     assert name in [entry["name"] for entry in listed["integrators"]]
 
 
-LOADS = {"nothing": "registers no integrator", "twice": "registers hostile twice", "no-copy": "cannot be made and copied", "bad-text": "UTF-8",
+LOADS = {"nothing": "registers nothing", "twice": "registers integrator hostile twice", "no-copy": "cannot be made and copied", "bad-text": "UTF-8",
          "throw": "threw std::exception: boom", "throw-int": "threw what is no std::exception", "exit": "exit status 0", "_exit": "exit status 0",
          "quick-exit": "exit status 0", "abort": "signal 6", "terminate": "std::terminate", "crash": "signal 11", "kill": "signal 9",
          "loop": "did not return", "sleep": "did not return"}  # fmt: skip

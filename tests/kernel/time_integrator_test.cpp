@@ -147,13 +147,14 @@ TEST(TimeIntegrator, OneBuiltAgainstAnotherKernelIsNone) {
 
 // The stamp is text of lines; the sizes of types stand in its last.
 TEST(TimeIntegrator, TheStampTellsSizes) {
-  const std::string stamp = plugin_stamp({8, 32}).text, same = plugin_stamp({8, 32}).text,
-                    other = plugin_stamp({32, 8}).text;
+  const std::string stamp = plugin_stamp("integrators", "x", {8, 32}).text,
+                    same = plugin_stamp("integrators", "x", {8, 32}).text,
+                    other = plugin_stamp("integrators", "x", {32, 8}).text;
   EXPECT_EQ(stamp, same);
   EXPECT_NE(stamp, other);
   EXPECT_EQ(stamp.substr(0, stamp.rfind('\n')), other.substr(0, other.rfind('\n')));
   EXPECT_EQ(std::string(kernel_stamp().text), stamp_of_this_file.text);
-  EXPECT_THAT(stamp, testing::StartsWith("version " PLUMBLINE_VERSION "\nheaders "));
+  EXPECT_THAT(stamp, testing::StartsWith("registers integrators\nversion " PLUMBLINE_VERSION "\nheaders x\n"));
 }
 
 TEST(TimeIntegrator, RegistrationsAreCollectedUnchecked) {

@@ -12,6 +12,7 @@
 #include "cases/harness/description/archive.hpp"
 #include "cases/harness/description/parameters.hpp"
 #include "cases/harness/description/schemes.hpp"
+#include "cases/harness/description/solid_material.hpp"
 #include "cases/harness/judge/gates.hpp"
 #include "reference/rotating_disk.hpp"
 
@@ -33,6 +34,7 @@ struct Disk : Parameters {
     disk.angular_velocity = positive("angular_velocity", 1.5, "1/s", "ω");
     turns = positive("turns", 1, "1", "turns to the end");
     layout = annulus_layout(text(layout_key("cut")));
+    text(material_key(true));
   }
 };
 
@@ -194,7 +196,8 @@ class SpinningDisk final : public Problem {
     material->youngs_modulus = disk.youngs_modulus;
     material->poissons_ratio = disk.poisson;
     material->density = disk.density;
-    return at_.layout("disk", material, {0, disk.radius}, disk.density, settings_.integer("ppc"), grid());
+    return at_.layout("disk", chosen_material(settings_, material), {0, disk.radius}, disk.density,
+                      settings_.integer("ppc"), grid());
   }
 
   Settings settings_;

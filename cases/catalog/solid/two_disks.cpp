@@ -9,6 +9,7 @@
 #include "cases/catalog/solid/collision.hpp"
 #include "cases/harness/description/archive.hpp"
 #include "cases/harness/description/fill_solid.hpp"
+#include "cases/harness/description/solid_material.hpp"
 #include "cases/harness/judge/gates.hpp"
 #include "kernel/materials/linear_elastic.hpp"
 
@@ -89,7 +90,7 @@ class TwoDisks final : public Problem {
         {centre - radius, centre - radius, 0},
         {centre + radius, centre + radius, 0},
         [=](const std::array<double, 3>& x) { return std::hypot(x[0] - centre, x[1] - centre) < radius; }};
-    Body body = fill_solid(name, elastic, shape, density, settings_.integer("ppc"), grid);
+    Body body = fill_solid(name, chosen_material(settings_, elastic), shape, density, settings_.integer("ppc"), grid);
     for (int d = 0; d < 2; ++d) std::fill_n(body.points(column::velocity, d), body.points.points(), velocity);
     return body;
   }
@@ -130,7 +131,7 @@ std::vector<CaseGate> gates() {
 Case two_disks() {
   return {.name = "two-disks",
           .kind = Kind::solid,
-          .keys = {positive_key("t_end", 4, "s", "end time")},
+          .keys = {positive_key("t_end", 4, "s", "end time"), material_key(false)},
           .sets = {{"cells", 20.0}},
           .york_step = step_over_cells(1e-3 * 20),  // Sulsky's step
           .problem = run_of<TwoDisks>,

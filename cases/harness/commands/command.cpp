@@ -50,7 +50,9 @@ void add_limits(const Arguments& command) {
 
 void add_json(const Arguments& command, CommonOptions& options) {
   command.option("--json", options.json, "write JSON to a file, or - for standard output").not_empty();
-  command.option("--plugin", options.plugins, "shared library that registers integrators (repeatable)")
+  command
+      .option("--plugin", options.plugins,
+              "shared library that registers integrators or other parts of a scheme (repeatable)")
       .repeatable()
       .not_empty();
   command.option("--step-limit", options.step_limit,

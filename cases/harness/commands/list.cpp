@@ -4,7 +4,7 @@
 #include "cases/harness/laboratory/claims.hpp"
 #include "cases/harness/laboratory/problem.hpp"
 #include "kernel/contact/contact.hpp"
-#include "kernel/materials/material.hpp"
+#include "kernel/materials/material_entry.hpp"
 #include "kernel/shapes/shape.hpp"
 #include "kernel/transfers/transfer.hpp"
 #include "reference/registry.hpp"

@@ -16,6 +16,7 @@
 
 #include "cases/harness/files/errors.hpp"
 #include "cases/harness/files/json_text.hpp"
+#include "kernel/register_part.hpp"
 #include "kernel/time_integrator.hpp"
 
 namespace plumbline {
@@ -132,8 +133,11 @@ std::map<std::string, std::string> lines_of(const std::string& stamp) {
   return lines;
 }
 
-std::string difference(const std::string& stamp, const std::string& own) {
-  const auto theirs = lines_of(stamp), ours = lines_of(own);
+std::string difference(const std::string& stamp) {
+  const auto theirs = lines_of(stamp);
+  const auto registers = theirs.find("registers");
+  const bool parts = registers != theirs.end() && registers->second == "parts";
+  const auto ours = lines_of(parts ? part_stamp().text : kernel_stamp().text);
   for (const char* line : {"version", "compiler", "library", "headers", "layout"}) {
     const auto found = theirs.find(line);
     if (found == theirs.end() || found->second != ours.at(line)) {
@@ -148,18 +152,17 @@ std::string difference(const std::string& stamp, const std::string& own) {
 
 void check_plugin_file(const std::string& path, const std::string& file) {
   const SharedLibrary library(path, file);
-  const std::string own = kernel_stamp().text, stamps = library.section(PLUMBLINE_STAMP_SECTION);
+  const std::string stamps = library.section(PLUMBLINE_STAMP_SECTION);
   bool any = false;
   for (std::size_t start = stamps.find_first_not_of('\0'); start != std::string::npos;) {
     const std::size_t end = std::min(stamps.find('\0', start), stamps.size());
     const std::string stamp = stamps.substr(start, end - start);
-    if (stamp != own)
-      library.refuse(fmt::format("it was built for another Plumbline ({}): build it again", difference(stamp, own)));
+    if (stamp != kernel_stamp().text && stamp != part_stamp().text)
+      library.refuse(fmt::format("it was built for another Plumbline ({}): build it again", difference(stamp)));
     any = true;
     start = stamps.find_first_not_of('\0', end);
   }
-  if (!any)
-    library.refuse("it bears no stamp of Plumbline's: it registers no integrator, or was built for 0.6.0 or older");
+  if (!any) library.refuse("it bears no stamp of Plumbline's: it registers nothing, or was built for 0.6.0 or older");
 }
 
 }  // namespace plumbline

@@ -39,7 +39,7 @@ enum class Phase : int { loading, asking, stepping, done, refused };
 struct Report {
   std::atomic<Phase> phase = Phase::loading;
   std::atomic<unsigned> progress = 0;  // counts what it has begun
-  char integrator[64] = {};            // the one under trial
+  char part[96] = {};                  // the one under trial: "integrator mine"
   char text[1024] = {};                // why it is refused, or what ended it
 };
 
@@ -106,8 +106,8 @@ Report* own_report = nullptr;  // in the child
   ::_exit(1);
 }
 
-void begin(Report& report, Phase phase, const std::string& integrator) {
-  put(report.integrator, integrator);
+void begin(Report& report, Phase phase, const std::string& kind, const std::string& name) {
+  put(report.part, kind + " " + name);
   report.phase = phase;
   ++report.progress;
 }
@@ -134,6 +134,11 @@ void ask(const IntegratorEntry& entry) {
   entry.copy(*integrator);
 }
 
+// "shape mine: why", unless that is how it begins already.
+std::string after_prefix(const std::string& prefix, const std::string& why) {
+  return why.rfind(prefix, 0) == 0 ? why : prefix + ": " + why;
+}
+
 // What the child does; never returns.
 [[noreturn]] void try_here(const std::string& path, const std::string& file, const Refusals& known, Report& report) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -149,14 +154,18 @@ void ask(const IntegratorEntry& entry) {
     ::_exit(0);
   };
   try {
-    const std::vector<IntegratorEntry> entries = load_entries(path, file);
+    const PluginEntries entries = load_entries(path, file);
     if (const std::string fault = find_fault(entries); !fault.empty()) refuse(fault);
-    for (const IntegratorEntry& entry : entries) {
+    for (const CollectedPart& part : entries.parts) {
+      begin(report, Phase::asking, part.kind, part.name);
+      part.add();
+    }
+    for (const IntegratorEntry& entry : entries.integrators) {
       if (known.count(entry.name) > 0) continue;
       const IntegratorEntry behind = guarded(entry);
-      begin(report, Phase::asking, entry.name);
+      begin(report, Phase::asking, "integrator", entry.name);
       ask(behind);
-      begin(report, Phase::stepping, entry.name);
+      begin(report, Phase::stepping, "integrator", entry.name);
       traits_of(behind);
     }
   } catch (const FileError& error) {
@@ -164,7 +173,7 @@ void ask(const IntegratorEntry& entry) {
   } catch (const MisbehavingIntegrator& error) {
     refuse(error.what());
   } catch (const std::exception& error) {
-    refuse("integrator " + std::string(report.integrator) + ": " + error.what());
+    refuse(after_prefix(report.part, error.what()));
   }
   report.phase = Phase::done;
   ::_exit(0);
@@ -191,39 +200,46 @@ std::string watch(Child& child, const Report& report, double limit) {
 }
 
 [[noreturn]] void refuse_file(const std::string& file, const std::string& why) {
-  const std::string prefix = fmt::format("plug-in {}: ", file);
-  throw FileError(file, why.rfind(prefix, 0) == 0 ? why : prefix + why);
+  throw FileError(file, after_prefix(fmt::format("plug-in {}", file), why));
 }
 
 }  // namespace
 
-std::vector<IntegratorEntry> load_entries(const std::string& path, const std::string& file) {
+PluginEntries load_entries(const std::string& path, const std::string& file) {
   if (::dlopen(path.c_str(), RTLD_NOW | RTLD_NOLOAD)) refuse_file(file, "it is part of this program already");
   std::string error;
-  auto entries = collect_registrations([&] {
-    try {
-      if (!::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) error = ::dlerror();
-    } catch (...) {  // some C libraries let exceptions pass, others end the program
-      error = "it " + what_was_thrown() + " while it was loaded";
-    }
+  PluginEntries entries;
+  entries.parts = collect_parts([&] {
+    entries.integrators = collect_registrations([&] {
+      try {
+        if (!::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) error = ::dlerror();
+      } catch (...) {  // some C libraries let exceptions pass, others end the program
+        error = "it " + what_was_thrown() + " while it was loaded";
+      }
+    });
   });
   if (!error.empty()) refuse_file(file, error);
-  if (entries.empty()) refuse_file(file, "it registers no integrator");
+  if (entries.integrators.empty() && entries.parts.empty()) refuse_file(file, "it registers nothing");
   return entries;
 }
 
-std::string find_fault(const std::vector<IntegratorEntry>& entries) {
+std::string find_fault(const PluginEntries& entries) {
   std::set<std::string> names;
-  for (const IntegratorEntry& entry : entries) {
+  const auto fault_of = [&](const std::string& kind, const auto& entry) -> std::string {
     const std::string name = valid_utf8(entry.name);
     if (const std::string why = name_refusal(entry.name); !why.empty())
-      return fmt::format("integrator '{}': {}", name, why);
-    if (find_integrator(entry.name)) return fmt::format("the name {} is taken by another integrator", name);
-    if (!names.insert(entry.name).second) return fmt::format("it registers {} twice", name);
-    if (!entry.make || !entry.copy) return fmt::format("integrator {} cannot be made and copied", name);
-    if (valid_utf8(entry.title + entry.source) != entry.title + entry.source) {
-      return fmt::format("the title or the source of integrator {} is no UTF-8", name);
-    }
+      return fmt::format("{} '{}': {}", kind, name, why);
+    if (!names.insert(kind + " " + name).second) return fmt::format("it registers {} {} twice", kind, name);
+    if (valid_utf8(entry.title + entry.source) == entry.title + entry.source) return {};
+    return fmt::format("the title or the source of {} {} is no UTF-8", kind, name);
+  };
+  for (const CollectedPart& part : entries.parts) {
+    if (std::string fault = fault_of(part.kind, part); !fault.empty()) return fault;
+  }
+  for (const IntegratorEntry& entry : entries.integrators) {
+    if (std::string fault = fault_of("integrator", entry); !fault.empty()) return fault;
+    if (find_integrator(entry.name)) return fmt::format("the name {} is taken by another integrator", entry.name);
+    if (!entry.make || !entry.copy) return fmt::format("integrator {} cannot be made and copied", entry.name);
   }
   return {};
 }
@@ -241,8 +257,9 @@ Refusals try_plugin(const std::string& path, const std::string& file, double lim
     if (did.empty()) return refusals;
     if (report->phase == Phase::loading) refuse_file(file, did + " while it was loaded");
     if (report->phase == Phase::asking)
-      refuse_file(file, fmt::format("integrator {} {} while it was asked of itself", report->integrator, did));
-    refusals[report->integrator] = did + " when it was tried";
+      refuse_file(file, fmt::format("{} {} while it was asked of itself", report->part, did));
+    const std::string part = report->part;
+    refusals[part.substr(part.find(' ') + 1)] = did + " when it was tried";
   }
 }
 

@@ -31,10 +31,11 @@ std::unique_ptr<PluginWatch> load_plugins(const CommonOptions& options) {
     if (const auto place = std::filesystem::canonical(path, unknown); !unknown && !known.insert(place).second) continue;
     check_plugin_file(path, file);
     const Refusals refusals = try_plugin(path, file, options.step_limit.value_or(shortest_limit));
-    const std::vector<IntegratorEntry> entries = load_entries(path, file);
+    const PluginEntries entries = load_entries(path, file);
     if (const std::string fault = find_fault(entries); !fault.empty())
       throw FileError(file, fmt::format("plug-in {}: {}", file, fault));
-    for (const IntegratorEntry& entry : entries) {
+    for (const CollectedPart& part : entries.parts) part.add();
+    for (const IntegratorEntry& entry : entries.integrators) {
       const auto refused = refusals.find(entry.name);
       RegisterIntegrator(guarded(entry, refused == refusals.end() ? "" : refused->second));
     }

@@ -10,9 +10,10 @@
 
 namespace plumbline {
 
-// Loads the plug-ins named among the options and registers their integrators behind a guard: each file is checked before anything
-// of it runs (cases/harness/commands/plugin_file.hpp), tried in another process (cases/harness/commands/plugin_trial.hpp), and from then on watched for
-// as long as the returned object lives; null without plug-ins. A file named twice is loaded once. Throws FileError for a file that
+// Loads the plug-ins named among the options, adds their parts and registers their integrators behind a guard: each file is checked
+// before anything of it runs (cases/harness/commands/plugin_file.hpp), tried in another process
+// (cases/harness/commands/plugin_trial.hpp), and its integrators are watched for as long as the returned object lives; null without
+// plug-ins. A file named twice is loaded once. Throws FileError for a file that
 // cannot be loaded or is not ours, UsageError for a limit that is none.
 std::unique_ptr<PluginWatch> load_plugins(const CommonOptions& options);
 

@@ -11,7 +11,7 @@
 #include "cases/harness/files/hdf5_file.hpp"
 #include "cases/harness/files/json_text.hpp"
 #include "cases/harness/files/text_file.hpp"
-#include "kernel/materials/parameters.hpp"
+#include "kernel/materials/material_entry.hpp"
 #include "kernel/materials/segment_membrane.hpp"
 #include "kernel/materials/uniaxial_membrane.hpp"
 

@@ -62,7 +62,7 @@ IntegratorChoice yardstick(const Subject& subject, const Scene& scene) {
   const auto other_than_itself = [&](const char* first, const char* second) {
     return IntegratorChoice{subject.name() == first ? second : first, {}};
   };
-  if (transfer_of(scene.transfer, 1).increments) return other_than_itself("rk4", "ssp-rk3");
+  if (transfer_of(scene.transfer, 1).keep == 1) return other_than_itself("rk4", "ssp-rk3");
   const bool returns_loss = subject.traits().offers.count(Trait::returned_loss) > 0;
   return returns_loss && has_gas(scene) ? other_than_itself("leapfrog", "energy")
                                         : other_than_itself("midpoint", "musl");

@@ -4,6 +4,7 @@
 #include "kernel/engine/loops/survey.hpp"
 #include "kernel/engine/loops/to_nodes.hpp"
 #include "kernel/engine/loops/to_points.hpp"
+#include "kernel/register_part.hpp"
 #include "kernel/shapes/shape.hpp"
 
 namespace plumbline {
@@ -27,6 +28,7 @@ ShapeEntry shape_entry(std::string name, std::string title, std::string source) 
     entry.inertia = Shape::inertia(0.0);
   }
   entry.boxes = Shape::boxes;
+  entry.lanes = lanes;
   return entry;
 }
 

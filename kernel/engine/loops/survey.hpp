@@ -8,6 +8,15 @@
 
 namespace plumbline {
 
+// What the material says of the points of a range, all of which stand on the grid or not.
+inline void survey_material(const Body& body, PointRange range, int dim, bool on_grid, Survey& result) {
+  const double stored = body.material->stored_energy(body.points, range);
+  if (body.material->store() == Store::internal) result.totals.energy.internal = stored;
+  if (body.material->store() == Store::elastic) result.totals.energy.elastic = stored;
+  result.bounds = body.material->step_bounds(body.points, range, dim);
+  result.admissible = on_grid && body.material->first_fault(body.points, range).point < 0;
+}
+
 template <class G, class S>
 template <bool affine>
 Survey ShapeLoops<G, S>::survey(const Body& body, PointRange range) const {
@@ -69,11 +78,7 @@ Survey ShapeLoops<G, S>::survey(const Body& body, PointRange range) const {
   for (int d = 0; d < dim; ++d) totals.momentum[static_cast<std::size_t>(d)] = sum(momentum[d]);
   for (int k = 0; k < rotations; ++k) totals.angular_momentum[about + static_cast<std::size_t>(k)] = sum(angular[k]);
   if (rotations > 0) totals.angular_scale = sum(angular_scale);
-  const double stored = body.material->stored_energy(points, range);
-  if (body.material->store() == Store::internal) totals.energy.internal = stored;
-  if (body.material->store() == Store::elastic) totals.energy.elastic = stored;
-  result.bounds = body.material->step_bounds(points, range, dim);
-  result.admissible = inside && body.material->first_fault(points, range).point < 0;
+  survey_material(body, range, dim, inside, result);
   return result;
 }
 

@@ -75,6 +75,7 @@ double ShapeLoops<G, S>::gather_start(Body& body, const At& at, const Chunk& chu
   double* loss = body.points.has(column::transfer_loss) ? body.points(column::transfer_loss) : nullptr;
   double* volume = body.points(column::volume);
   const RateColumns rates = rate_columns(body);
+  const double counted = affine ? 0.5 : 0.5 * (1 - transfer_.keep);  // [Blend 1]
   Pack total = 0.0;
   for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
     BinVelocity start;
@@ -111,7 +112,7 @@ double ShapeLoops<G, S>::gather_start(Body& body, const At& at, const Chunk& chu
           }
         }
       }
-      const Pack lost = 0.5 * load(mass + p) * (apart + max(spread, Pack(0.0)));
+      const Pack lost = counted * load(mass + p) * (apart + max(spread, Pack(0.0)));
       if (loss) store(loss + p, lost, count);
       total += kept(lost, count);
     });
@@ -138,8 +139,9 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
   }
   MotionSums sums;
   Pack lost = 0.0, torque[3] = {0.0, 0.0, 0.0}, moved[3] = {0.0, 0.0, 0.0};
-  const bool increments = !affine && transfer_.increments, filters = !affine && transfer_.order > 0;
-  const bool loss_first = loss && increments;
+  const double keep = affine ? 0 : transfer_.keep;
+  const bool increments = keep > 0, mixes = increments && keep < 1, filters = !affine && transfer_.order > 0;
+  const bool loss_first = loss && keep == 1;
   for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
     const BinVelocity end = bin_velocity(print, field.end);
     double strained[nodes][dim], alpha[nodes], heat[nodes], most_exchange = 0;
@@ -179,9 +181,10 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
         inertia[d] = weights.inertia(d);
         here[d] = load(position[d] + p);
       }
-      Pack square = 0.0;  // of what the grid carries, less what the point keeps of it
+      Pack square = 0.0, mixed = 0.0;  // of what the grid carries, less what the point keeps of it
       if (increments) {
-        square = weights.gather_array([&](int k) { return change_square[k]; }).value;
+        square = keep * weights.gather_array([&](int k) { return change_square[k]; }).value;
+        if (mixes) mixed = weights.gather_array([&](int k) { return end.square[k]; }).value;
       } else {
         square = weights.gather_array([&](int k) { return end.square[k]; }).value;
       }
@@ -191,8 +194,14 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
         if (increments) {
           const auto a = weights.gather_array([&](int k) { return change[k][d]; });
           v_new[d] = load(velocity[d] + p) + a.value;  // [York 3.22]
-          square -= a.value * a.value;
+          square -= keep * a.value * a.value;
           for (int e = 0; e < dim; ++e) c[d][e] = a.affine[e];
+          if (mixes) {  // the loss is that of both, in their shares, and what is between the two [Blend 1]
+            const Pack apart = v_new[d] - v[d];
+            mixed += keep * apart * apart - u.value * u.value;
+            v_new[d] = v[d] + keep * apart;
+            for (int e = 0; e < dim; ++e) c[d][e] = keep * a.affine[e] + (1 - keep) * u.affine[e];
+          }
         } else if (filters) {
           const auto w = weights.gather_array([&](int k) { return change[k][d]; });
           v_new[d] = w.value + end.base[d];
@@ -237,6 +246,7 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
           torque[k] -= m * (inertia[a] * c[b][a] - inertia[b] * c[a][b]);
         }
       }
+      if (mixes) square += (1 - keep) * mixed;
       // Never negative but by rounding, and a cold gas has nothing to pay that with. Only a changing inertia can give.
       if (!filters && (!affine || S::fixed_inertia)) square = max(square, Pack(0.0));
       const Pack given = 0.5 * m * square;  // [EC-APIC 5]

@@ -1,28 +1,9 @@
 #include "kernel/materials/material.hpp"
 
-#include <algorithm>
-
 #include "tests/kernel/solids.hpp"
 
 namespace plumbline {
 namespace {
-
-TEST(Material, RegistersItselfByItsName) {
-  for (const std::string& name : {IdealGas().name(), UniaxialMembrane().name(), PlaneStressMembrane().name(),
-                                  SegmentMembrane().name(), LinearElastic().name(), NeoHookean().name()}) {
-    const auto& all = materials();
-    const auto found = std::find_if(all.begin(), all.end(),
-                                    [&](const MaterialEntry& entry) { return entry.name == name; });
-    ASSERT_NE(found, all.end()) << name;
-    EXPECT_FALSE(found->title.empty());
-    EXPECT_FALSE(found->source.empty());
-  }
-}
-
-TEST(Material, AreListedInTheOrderOfTheirNames) {
-  const auto& all = materials();
-  EXPECT_TRUE(std::is_sorted(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.name < b.name; }));
-}
 
 TEST(Material, SaysWhereItsEnergyIsKept) {
   EXPECT_EQ(IdealGas().store(), Store::internal);

@@ -17,9 +17,10 @@ using testing::HasSubstr;
 // --- names ----------------------------------------------------------------------------------------------------------
 
 TEST(TransferChoice, KnowsItsNames) {
-  EXPECT_FALSE(transfer_of("pic", 2).affine || transfer_of("pic", 2).increments);
+  EXPECT_FALSE(transfer_of("pic", 2).affine);
+  EXPECT_EQ(transfer_of("pic", 2).keep, 0);
   EXPECT_EQ(transfer_of("pic", 2).order, 0);
-  EXPECT_TRUE(transfer_of("flip", 2).increments);
+  EXPECT_EQ(transfer_of("flip", 2).keep, 1);
   EXPECT_TRUE(transfer_of("apic", 2).affine);
   EXPECT_EQ(transfer_of("xpic", 3).order, 3);
   EXPECT_FALSE(transfer_of("xpic", 3).filters_end);

@@ -9,7 +9,7 @@
 #include <cstring>
 
 #include "cases/harness/run/experiment.hpp"
-#include "kernel/materials/parameters.hpp"
+#include "kernel/materials/material_entry.hpp"
 #include "tests/cases/harness/scene_cases.hpp"
 
 namespace plumbline {
