@@ -15,6 +15,7 @@
 #include "cases/harness/files/text_file.hpp"
 #include "cases/harness/run/budget.hpp"
 #include "cases/harness/run/guarded_integrator.hpp"
+#include "kernel/engine/stage_queue.hpp"
 #include "kernel/inadmissible.hpp"
 #include "reference/parameter.hpp"
 
@@ -72,6 +73,7 @@ int execute(const std::vector<Command>& commands, const CommonOptions& options) 
                                      [](const Command& command) { return command.arguments.app().parsed(); });
     if (chosen == commands.end()) return exit_usage;
     refuse_wrong_options(chosen->arguments, options);
+    fuses_stages() = !options.no_fusion;
     const auto watch = load_plugins(options);
     return chosen->execute();
   } catch (const UsageError& error) {

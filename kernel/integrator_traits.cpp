@@ -157,7 +157,8 @@ const IntegratorTraits& traits_of(const IntegratorEntry& entry) {
 
 EngineOptions engine_options(const IntegratorEntry& entry, int threads) {
   const IntegratorTraits& traits = traits_of(entry);
-  return {traits.offers.count(Trait::returned_loss) > 0, traits.evaluates_stress_first, threads};
+  return {traits.offers.count(Trait::returned_loss) > 0, traits.evaluates_stress_first,
+          traits.needs.count(Trait::unfiltered_velocities) > 0, threads};
 }
 
 std::vector<Lack> lacks(const IntegratorEntry& entry, const std::string& shape, const std::string& transfer) {

@@ -38,9 +38,9 @@ void Simulation::step(double longest) {
     const InStep here(step_, time_);
     engine_->set_time(time_);
     take_step(*integrator_, *engine_, last_dt_, control_.fusing);
-    if (split_points(scene_, time_ + last_dt_, control_.threads, ledger_) > 0) engine_->points_added();
+    if (split_points(scene_, time_ + last_dt_, control_.threads, ledger_) > 0) engine_->points_changed();
     ledger_.close_step(engine_->totals());
-    engine_->check();
+    if (!engine_->survey().admissible) stop_at_inadmissible(scene_);
   } catch (InadmissibleState& state) {
     state.step = step_;
     state.time = time_;

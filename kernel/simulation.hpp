@@ -19,7 +19,7 @@ struct StepControl {
   double cfl = 0.3;                               // > 0
   std::optional<double> dt;                       // s, > 0; overrides cfl
   int threads = 1;                                // >= 1; no result depends on it
-  bool fusing = true;                             // several stages in one pass, see engine/stage_queue.hpp
+  bool fusing = fuses_stages();                   // several stages in one pass, see engine/stage_queue.hpp
   std::map<std::string, double> parameters = {};  // of the integrator, by name; those of others may stand here too
 };
 
@@ -57,7 +57,7 @@ class Simulation {
   // The step that cfl = 1 stands for, s, as the points are now.
   double step_limit() const { return engine_->step_limit(); }
   // Densities and pressures where the points stand now.
-  void refresh_density() { engine_->refresh_density(); }
+  void refresh_density() { engine_->initialise(); }
 
   Checkpoint save() const;
   void restore(const Checkpoint& checkpoint);

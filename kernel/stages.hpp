@@ -55,7 +55,8 @@ class Stages {
   // `carrying` (end or midpoint). [York 3.21, 3.22] [EC-APIC 5]
   virtual void move_points(double dt, NodalVelocity carrying = NodalVelocity::end) = 0;
 
-  // x_p += dt v_p. Points that pass a wall come back as their mirror images.
+  // x_p += dt v_p. Points that pass a wall come back as their mirror images. Chains are relaxed as move_points does it, if
+  // their points were kicked before in the step.
   virtual void drift_points(double dt) = 0;
 
   // v_p (and C_p) from the nodal velocities; points stay where they are. [EC-APIC 5]

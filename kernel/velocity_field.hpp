@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -18,22 +19,33 @@ template <int dim>
 struct VelocityField {
   using Vec = Eigen::Matrix<double, dim, 1>;
 
-  explicit VelocityField(const Grid<dim>& grid)
+  enum class Holding { motion, mass };  // mass: of bodies whose mass alone is wanted
+
+  explicit VelocityField(const Grid<dim>& grid, Holding holding = Holding::motion)
       : touched(static_cast<std::size_t>(grid.rows()), {0, 0}),
-        mass(size(grid)),
-        own_mass(size(grid)),
-        momentum(size(grid), Vec::Zero()),
-        start(size(grid), Vec::Zero()),
-        force(size(grid), Vec::Zero()),
-        body_force(size(grid), Vec::Zero()),
-        end(size(grid), Vec::Zero()),
-        midpoint(size(grid), Vec::Zero()),
-        remapped(size(grid), Vec::Zero()),
-        straining(size(grid), Vec::Zero()),
-        filtered(size(grid), Vec::Zero()),
-        density(size(grid)),
-        heat(size(grid)),
-        exchange(size(grid)) {}
+        mass(size(grid)) {
+    if (holding == Holding::mass) return;
+    held(&VelocityField::own_mass);
+    for (const auto array : {&VelocityField::momentum, &VelocityField::start, &VelocityField::force,
+                             &VelocityField::end, &VelocityField::midpoint}) {
+      held(array);
+    }
+  }
+
+  template <class Value>
+  static Value zero() {
+    if constexpr (std::is_same_v<Value, Vec>)
+      return Vec::Zero();
+    else
+      return 0;
+  }
+  // One of the arrays that not every scene needs, of zeros when it is first asked for.
+  template <class Value>
+  std::vector<Value>& held(std::vector<Value> VelocityField::*array) {
+    std::vector<Value>& values = this->*array;
+    if (values.empty()) values.assign(mass.size(), zero<Value>());
+    return values;
+  }
 
   // Arrays that only fields need whose gas shares nodes with other bodies.
   void add_gas_arrays(const Grid<dim>& grid) {
@@ -53,17 +65,18 @@ struct VelocityField {
   std::vector<Vec> momentum;                 // P_i
   std::vector<Vec> start;                    // v_i at the start of the step
   std::vector<Vec> force;                    // f_i, body force included
-  std::vector<Vec> body_force;               // what of it is sum_p m_p b_p N_ip, as points put it there
   std::vector<Vec> end;                      // v~_i = v_i + dt f_i / M_i
   std::vector<Vec> midpoint;                 // (v_i + v~_i) / 2
-  std::vector<Vec> remapped;                 // v_i from the updated point velocities [York 3.24]
-  std::vector<Vec> straining;                // the nodal velocity whose gradients strain the points, sharpened
-  std::vector<Vec> filtered;                 // w_i of the transfers xpic and fmpm
-  std::vector<double> density;               // M_i / |cell_i|
-  std::vector<double> heat;                  // sum_p m_p e_p N_ip, then E_i, its mean per mass
-  std::vector<double> exchange;              // sum_p m_p N_ip max(0, -div v), then alpha_i
-  std::vector<double> gas_mass;              // of the bodies that take heat, if others share the field; else empty
-  std::vector<double> loss;                  // what the others lost this step, then per mass of gas, J/kg
+  // Empty until a step needs them:
+  std::vector<Vec> body_force;   // what of the force is sum_p m_p b_p N_ip, as points put it there
+  std::vector<Vec> remapped;     // v_i from the updated point velocities [York 3.24]
+  std::vector<Vec> straining;    // the nodal velocity whose gradients strain the points, sharpened
+  std::vector<Vec> filtered;     // w_i of the transfers xpic and fmpm
+  std::vector<double> density;   // M_i / |cell_i|
+  std::vector<double> heat;      // sum_p m_p e_p N_ip, then E_i, its mean per mass
+  std::vector<double> exchange;  // sum_p m_p N_ip max(0, -div v), then alpha_i
+  std::vector<double> gas_mass;  // of the bodies that take heat, if others share the field
+  std::vector<double> loss;      // what the others lost this step, then per mass of gas, J/kg
 
   // Calls visit(node) for every touched node of a row.
   template <class Visit>

@@ -19,6 +19,7 @@ class Chains {
   using Space = Discretisation<Geometry>;
   static constexpr int dim = Geometry::dim;
   using Field = typename Space::Field;
+  using Vec = typename Space::Vec;
 
   // theta of the relaxation, kappa of the smoothing; 0: none.
   Chains(const Space& space, double theta, double kappa) : space_(space), theta_(theta), kappa_(kappa) {}
@@ -36,19 +37,20 @@ class Chains {
     force_.resize(static_cast<std::size_t>(dim * n + lanes));
     smooth_.resize(static_cast<std::size_t>(dim * n + lanes));
     Field& field = alone(at);
-    field.for_touched(space_.grid, [&](std::size_t i) { field.force[i].setZero(); });
+    std::vector<Vec>&force = field.held(&Field::force), &seen = field.held(&Field::end);  // sum_p F_p N_ip; A_i
+    field.for_touched(space_.grid, [&](std::size_t i) { force[i].setZero(); });
     const double* mass = body.points(column::mass);
     std::array<typename Space::Loops::Spread, 1 + dim> to_nodes{{{mass, nullptr, field.mass.data(), 1}}};
     std::array<typename Space::Loops::Gather, dim> to_points;
     for (int d = 0; d < dim; ++d) {
       const auto k = static_cast<std::size_t>(d);
-      to_nodes[1 + k] = {force_.data() + d * n, nullptr, component(field.force, d), dim};
-      to_points[k] = {component(field.end, d), dim, smooth_.data() + d * n};
+      to_nodes[1 + k] = {force_.data() + d * n, nullptr, component(force, d), dim};
+      to_points[k] = {component(seen, d), dim, smooth_.data() + d * n};
     }
     space_.spread(body.points, at, to_nodes);
     space_.walls.fold_mass(field);
-    space_.walls.fold(field, field.force);
-    space_.divide_by_mass(field, field.force, field.end);
+    space_.walls.fold(field, force);
+    space_.divide_by_mass(field, force, seen);
     space_.gather(body.points, at, to_points);
     for (int p = 0; p < n; ++p) {
       double step[dim];
@@ -66,21 +68,18 @@ class Chains {
   double smooth_strain(Body& body, const Weights<dim>& at, double dt) {
     if (!body.chain || !(kappa_ > 0) || body.material->measure() == StressMeasure::point_force) return 0;
     Field& field = alone(at);
-    field.for_touched(space_.grid, [&](std::size_t i) { field.heat[i] = 0; });
+    std::vector<double>& seen = field.held(&Field::heat);  // sum_p m_p eps_p N_ip, then eps_i
+    field.for_touched(space_.grid, [&](std::size_t i) { seen[i] = 0; });
     const double *mass = body.points(column::mass), *strain = body.points(column::strain);
     const typename Space::Loops::Spread to_nodes[] = {{mass, nullptr, field.mass.data(), 1},
-                                                      {strain, mass, field.heat.data(), 1}};
+                                                      {strain, mass, seen.data(), 1}};
     space_.spread(body.points, at, to_nodes);
     space_.walls.fold_mass(field);
-    space_.walls.fold_even(field, field.heat);
-    field.for_touched(space_.grid, [&](std::size_t i) {
-      field.heat[i] = field.mass[i] > least_mass ? field.heat[i] / field.mass[i] : 0.0;
-    });
-    space_.walls.extend_even(field, field.heat);
+    space_.divide_sums(field, field.mass, seen);
     const StepBounds bounds = body.material->step_bounds(body.points, all_points(body.points), dim);
     const double share = std::min(1.0, kappa_ * dt * bounds.fastest / space_.grid.h());
     smooth_.assign(static_cast<std::size_t>(body.points.points() + lanes), 0.0);
-    const typename Space::Loops::Gather to_points[] = {{field.heat.data(), 1, smooth_.data()}};
+    const typename Space::Loops::Gather to_points[] = {{seen.data(), 1, smooth_.data()}};
     space_.gather(body.points, at, to_points);
     for (int p = 0; p < body.points.points(); ++p) {
       double& next = smooth_[static_cast<std::size_t>(p)];
@@ -92,7 +91,7 @@ class Chains {
  private:
   // Nodal arrays of one body alone, its nodes touched.
   Field& alone(const Weights<dim>& at) {
-    if (!field_) field_.emplace(space_.grid);
+    if (!field_) field_.emplace(space_.grid, Field::Holding::mass);
     space_.touch_alone(at, *field_);
     return *field_;
   }

@@ -21,10 +21,7 @@ class Densities {
   static constexpr int dim = Geometry::dim;
   using Field = typename Space::Field;
 
-  Densities(const Space& space, DensityMethod method)
-      : space_(space),
-        method_(method),
-        inverse_volume_(space.loops->inverse_volumes()) {}
+  Densities(const Space& space, DensityMethod method) : space_(space), placing_(space), method_(method) {}
 
   // What the points of a body take their volumes from.
   struct Source {
@@ -35,22 +32,21 @@ class Densities {
 
   // Finds the nodal densities, or sets the points' own where the method needs no nodes of the step. own_mass: the mass on
   // the field's nodes, or of its gas, is that of this body alone.
-  Source find(const Scene& scene, Body& body, const Weights<dim>& at, Field& field, bool own_mass,
-              const Placing<Geometry>& placing) {
+  Source find(const std::vector<Body>& bodies, Body& body, const Weights<dim>& at, Field& field, bool own_mass) {
     if (!body.material->has_density() || method_ == DensityMethod::continuity) return {};
     if (method_ != DensityMethod::grid) {
       cell_density<dim>(space_.grid, body.points, method_ == DensityMethod::quadratic);
       return {};
     }
     Source source;
-    if (at.kept()) source.elsewhere = placing.here(body);
+    if (at.kept()) source.elsewhere = placing_.here(body);
     Field* of = &field;
     if (at.kept() || !own_mass) {
-      if (!own_field_) own_field_.emplace(space_.grid);
+      if (!own_field_) own_field_.emplace(space_.grid, Field::Holding::mass);
       of = &*own_field_;
       map_own_mass(body.points, source.elsewhere ? *source.elsewhere : at, *of);
     }
-    find_nodal(scene, body, of == &field ? field.mass_of_gas() : of->mass, *of);
+    find_nodal(bodies, body, of == &field ? field.mass_of_gas() : of->mass, *of);
     source.nodes = &of->density;
     source.specific = body.enclosure.has_value();
     return source;
@@ -64,33 +60,36 @@ class Densities {
     space_.walls.fold_mass(field);
   }
 
-  void find_nodal(const Scene& scene, const Body& body, const std::vector<double>& mass, Field& field) {
+  void find_nodal(const std::vector<Body>& bodies, const Body& body, const std::vector<double>& mass, Field& field) {
     if (body.enclosure) {
-      space_.loops->find_enclosed_volumes(chain_of(scene, body).points, body.enclosure->corners, enclosed_);
+      space_.loops->find_enclosed_volumes(chain_of(bodies, body).points, body.enclosure->corners, enclosed_);
       space_.walls.fold_even(field, enclosed_);
     }
+    if (inverse_volume_.empty()) inverse_volume_ = space_.loops->inverse_volumes();
+    std::vector<double>& density = field.held(&Field::density);
     field.for_touched(
         space_.grid,
         [&](std::size_t i) {
-          field.density[i] = !body.enclosure        ? mass[i] * inverse_volume_[i]
-                             : mass[i] > least_mass ? enclosed_[i] / mass[i]
-                                                    : 0.0;
+          density[i] = !body.enclosure        ? mass[i] * inverse_volume_[i]
+                       : mass[i] > least_mass ? enclosed_[i] / mass[i]
+                                              : 0.0;
         },
         space_.threads);
-    space_.walls.extend_even(field, field.density);
+    space_.walls.extend_even(field, density);
   }
 
-  static const Body& chain_of(const Scene& scene, const Body& body) {
-    const auto chain = std::find_if(scene.bodies.begin(), scene.bodies.end(),
+  static const Body& chain_of(const std::vector<Body>& bodies, const Body& body) {
+    const auto chain = std::find_if(bodies.begin(), bodies.end(),
                                     [&](const Body& other) { return other.name == body.enclosure->chain; });
-    if (chain != scene.bodies.end()) return *chain;
+    if (chain != bodies.end()) return *chain;
     throw std::invalid_argument("body " + body.name + " names the enclosure " + body.enclosure->chain +
                                 ", which is no body of the scene");
   }
 
   const Space& space_;
+  Placing<Geometry> placing_;
   DensityMethod method_;
-  std::vector<double> inverse_volume_;  // 1 / |cell_i|, m^-dim; axisymmetric per radian
+  std::vector<double> inverse_volume_;  // 1 / |cell_i|, m^-dim; axisymmetric per radian; found when first used
   std::vector<double> enclosed_;        // |cell_i| inside the enclosure last asked for
   std::optional<Field> own_field_;      // one body's mass alone
 };

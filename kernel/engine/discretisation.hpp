@@ -1,4 +1,5 @@
-// What the parts of a step share and none of them changes: the grid with its walls, and the loops of a shape and transfer.
+// What the parts of a step share and none of them changes: the grid with its walls, the loops of a shape and transfer, and
+// what a scene fixes for all materials.
 #pragma once
 
 #include <algorithm>
@@ -6,10 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/engine/chunks.hpp"
 #include "kernel/engine/point_loops.hpp"
+#include "kernel/normals/membrane_tangents.hpp"
+#include "kernel/parallel.hpp"
 #include "kernel/scene.hpp"
 #include "kernel/shapes/shape.hpp"
+#include "kernel/sharpening.hpp"
+#include "kernel/summation.hpp"
 #include "kernel/transfers/transfer.hpp"
 #include "kernel/walls.hpp"
 
@@ -29,6 +33,8 @@ struct Discretisation {
   Transfer transfer;
   std::unique_ptr<const Loops> loops;
   ShapeTraits shape;
+  Sharpening<dim> sharpening;
+  MaterialContext context;
   int threads;
 
   Discretisation(const Scene& scene, int thread_count)
@@ -37,24 +43,49 @@ struct Discretisation {
         transfer(transfer_of(scene.transfer, scene.transfer_order)),
         loops(std::get<MakeLoops<Geometry>>(shape_named(scene.shape).loops)(scene.grid, transfer)),
         shape(loops->shape()),
+        sharpening(grid, scene.sharpening * shape.blur),
+        context{dim,
+                grid.h(),
+                scene.density == DensityMethod::continuity,
+                0,
+                scene.density == DensityMethod::grid,
+                MembraneTangents::given_by(scene.normals)},
         threads(thread_count) {}
 
-  // See chunks.hpp.
+  // work(chunk) for each of one body's, in any order.
   template <class Work>
   void for_chunks(const Weights<dim>& at, Work&& work) const {
-    plumbline::for_chunks(at.bins, threads, work);
+    const auto& chunks = at.bins.chunks();
+    for_each_piece(at.bins.chunk_count(), threads, [&](int k) { work(chunks[static_cast<std::size_t>(k)]); });
   }
+  // The same; chunks that could write the same node are never under way together, and always in the same order.
   template <class Work>
   void for_chunks_writing_nodes(const Weights<dim>& at, Work&& work) const {
-    plumbline::for_chunks_writing_nodes(at.bins, threads, work);
+    for (int colour = 0; colour < 2; ++colour) {
+      const auto& blocks = at.bins.blocks(colour);
+      for_each_piece(static_cast<int>(blocks.size()), threads, [&](int k) {
+        const Bins::Block block = blocks[static_cast<std::size_t>(k)];
+        for (int c = block.first; c < block.last; ++c) work(at.bins.chunks()[static_cast<std::size_t>(c)]);
+      });
+    }
   }
+  // The sum of work(chunk) over all chunks, which does not depend on threads.
   template <class Sum, class Work>
   Sum sum_over_chunks(const Weights<dim>& at, Work&& work) const {
-    return plumbline::sum_over_chunks<Sum>(at.bins, threads, work);
+    const auto& chunks = at.bins.chunks();
+    if (chunks.size() == 1) return work(chunks.front());
+    std::vector<Sum> sums(chunks.size());
+    for_chunks(at, [&](const Chunk& chunk) { sums[static_cast<std::size_t>(&chunk - chunks.data())] = work(chunk); });
+    return pairwise_sum(sums.data(), sums.size());
   }
+  // The same for work that writes nodes.
   template <class Sum, class Work>
   Sum sum_over_chunks_writing_nodes(const Weights<dim>& at, Work&& work) const {
-    return plumbline::sum_over_chunks_writing_nodes<Sum>(at.bins, threads, work);
+    const auto& chunks = at.bins.chunks();
+    std::vector<Sum> sums(chunks.size());
+    for_chunks_writing_nodes(
+        at, [&](const Chunk& chunk) { sums[static_cast<std::size_t>(&chunk - chunks.data())] = work(chunk); });
+    return pairwise_sum(sums.data(), sums.size());
   }
   void spread(const Columns& points, const Weights<dim>& at, std::span<const typename Loops::Spread> all) const {
     for_chunks_writing_nodes(at, [&](const Chunk& chunk) { loops->spread(points, at, chunk, all); });
@@ -88,6 +119,22 @@ struct Discretisation {
     field.for_touched(grid, [&](std::size_t i) { field.mass[i] = 0; });
   }
 
+  // The nodal velocity whose gradients strain the points: sharpened as the accelerations are. [Sharpening 1]
+  const std::vector<Vec>& straining_velocity(Field& field, const std::vector<Vec>& velocity) const {
+    if (sharpening.none()) return velocity;
+    std::vector<Vec>& straining = field.held(&Field::straining);
+    sharpening.apply(field, velocity, straining, threads);
+    walls.extend(field, straining);
+    return straining;
+  }
+
+  // What points put on nodes, per mass of those that put it: zero where there is none, continued beyond the walls.
+  void divide_sums(const Field& field, const std::vector<double>& mass, std::vector<double>& values) const {
+    walls.fold_even(field, values);
+    field.for_touched(
+        grid, [&](std::size_t i) { values[i] = mass[i] > least_mass ? values[i] / mass[i] : 0.0; }, threads);
+    walls.extend_even(field, values);
+  }
   // values_i / M_i, zero where no mass is, continued beyond the walls.
   void divide_by_mass(const Field& field, const std::vector<Vec>& values, std::vector<Vec>& quotient) const {
     field.for_touched(

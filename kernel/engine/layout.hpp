@@ -7,21 +7,50 @@
 #include <vector>
 
 #include "kernel/engine/discretisation.hpp"
+#include "kernel/stages.hpp"
 
 namespace plumbline {
 
 // Bodies that name the same field share it.
 template <int dim>
 struct Layout {
-  std::vector<VelocityField<dim>> fields;
-  std::vector<std::size_t> field_of_body;
-  std::vector<Weights<dim>> weights;  // of each body's points
-  std::vector<bool> own_mass;         // per body: what its field has mapped, or of gas, is its mass alone
+  using Field = VelocityField<dim>;
+  std::vector<Body>& bodies;
+  std::vector<Field> fields = {};
+  std::vector<std::size_t> field_of_body = {};
+  std::vector<Weights<dim>> weights = {};  // of each body's points
+  std::vector<bool> own_mass = {};         // per body: what its field has mapped, or of gas, is its mass alone
+
+  Field& field(std::size_t body) { return fields[field_of_body[body]]; }
+  static const std::vector<typename Field::Vec>& velocity(const Field& field, NodalVelocity which) {
+    if (which == NodalVelocity::remapped && field.remapped.empty()) {
+      throw std::logic_error("a remapped velocity is wanted: map_momentum comes first");
+    }
+    switch (which) {
+      case NodalVelocity::end:
+        return field.end;
+      case NodalVelocity::midpoint:
+        return field.midpoint;
+      case NodalVelocity::remapped:
+        return field.remapped;
+      default:
+        return field.start;
+    }
+  }
+
+  // Without its weights a stage would read and write anywhere.
+  void want_places(const char* stage) const {
+    if (std::all_of(weights.begin(), weights.end(), [](const auto& at) { return at.known(); })) return;
+    throw std::logic_error(std::string(stage) + " wants the points located: locate_points comes first");
+  }
+  bool places_kept() const {
+    return std::any_of(weights.begin(), weights.end(), [](const auto& at) { return at.kept(); });
+  }
 };
 
 template <int dim>
-Layout<dim> layout_of(const std::vector<Body>& bodies, const Grid<dim>& grid) {
-  Layout<dim> layout;
+Layout<dim> layout_of(std::vector<Body>& bodies, const Grid<dim>& grid) {
+  Layout<dim> layout{bodies};
   std::vector<std::string> names;
   for (const Body& body : bodies) {
     const auto found = std::find(names.begin(), names.end(), body.field);

@@ -1,4 +1,4 @@
-#include "kernel/engine/step.hpp"
+#include "kernel/engine/mechanics.hpp"
 
 namespace plumbline {
 

@@ -44,12 +44,7 @@ class LossToGas {
 
   // L_i / G_i once all have given.
   void divide(Field& field) const {
-    if (!wanted_ || !field.mixed()) return;
-    space_.walls.fold_even(field, field.loss);
-    field.for_touched(space_.grid, [&](std::size_t i) {
-      field.loss[i] = field.gas_mass[i] > least_mass ? field.loss[i] / field.gas_mass[i] : 0.0;
-    });
-    space_.walls.extend_even(field, field.loss);
+    if (wanted_ && field.mixed()) space_.divide_sums(field, field.gas_mass, field.loss);
   }
 
   // Adds to what a gas point lost itself its share of what others lost at its nodes, m_p sum_i N_ip L_i / G_i.

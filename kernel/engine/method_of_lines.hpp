@@ -1,107 +1,71 @@
-// The semi-discrete equations: state, and its rate of change.
+// The semi-discrete equations: the state of all points in one vector, and its rate of change.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "kernel/engine/mechanics.hpp"
+#include "kernel/engine/layout.hpp"
 
 namespace plumbline {
 
-template <class G>
+// visit(body, column) for each that time integration advances.
 template <class Visit>
-void Mechanics<G>::for_state_columns(Visit&& visit) const {
-  for (std::size_t b = 0; b < bodies(); ++b) {
-    visit(b, column::position);
-    visit(b, column::velocity);
-    for (const ColumnId* id : scene_.bodies[b].material->internal_variables(context())) visit(b, *id);
+void for_state_columns(std::vector<Body>& bodies, const MaterialContext& context, Visit&& visit) {
+  for (Body& body : bodies) {
+    visit(body, column::position);
+    visit(body, column::velocity);
+    for (const ColumnId* id : body.material->internal_variables(context)) visit(body, *id);
   }
 }
 
-template <class G>
-State Mechanics<G>::state() const {
+inline State state_of(std::vector<Body>& bodies, const MaterialContext& context) {
   State state;
-  for_state_columns([&](std::size_t b, const ColumnId& id) {
-    const auto values = std::as_const(scene_.bodies[b].points).values(id);
+  for_state_columns(bodies, context, [&](const Body& body, const ColumnId& id) {
+    const auto values = body.points.values(id);
     state.values.insert(state.values.end(), values.begin(), values.end());
   });
   return state;
 }
 
-template <class G>
-void Mechanics<G>::want_size(const State& state) const {
+// visit(body, column, its values) for each part of a state. Throws std::invalid_argument for one of another size.
+template <class AnyState, class Visit>
+void for_parts(AnyState& state, std::vector<Body>& bodies, const MaterialContext& context, Visit&& visit) {
   std::size_t wanted = 0;
-  for_state_columns(
-      [&](std::size_t b, const ColumnId& id) { wanted += std::as_const(scene_.bodies[b].points).values(id).size(); });
-  if (state.values.size() == wanted) return;
-  throw std::invalid_argument("a state of " + std::to_string(state.values.size()) + " numbers where the scene has " +
-                              std::to_string(wanted));
-}
-
-template <class G>
-void Mechanics<G>::set_state(const State& state) {
-  want_size(state);
-  for (Weights<dim>& at : layout_.weights) at.positions_changed();
-  const Totals before = totals();
-  auto next = state.values.begin();
-  for_state_columns([&](std::size_t b, const ColumnId& id) {
-    const auto values = scene_.bodies[b].points.values(id);
-    std::copy_n(next, values.size(), values.begin());
-    next += static_cast<std::ptrdiff_t>(values.size());
-  });
-  survey_.reset();
-  const Totals after = totals();
-  for (std::size_t d = 0; d < 3; ++d) {
-    ledger_.momentum[d].book(Flow::integration, after.momentum[d] - before.momentum[d]);
-    ledger_.angular_momentum[d].book(Flow::integration, after.angular_momentum[d] - before.angular_momentum[d]);
+  for_state_columns(bodies, context,
+                    [&](const Body& body, const ColumnId& id) { wanted += body.points.values(id).size(); });
+  if (state.values.size() != wanted) {
+    throw std::invalid_argument("a state of " + std::to_string(state.values.size()) + " numbers where the scene has " +
+                                std::to_string(wanted));
   }
-  // Two terms: their sum is kept beyond double precision, which their difference, of states far from the last, is not.
-  ledger_.energy.book(Flow::integration, after.energy.total());
-  ledger_.energy.book(Flow::integration, -before.energy.total());
-}
-
-template <class G>
-State Mechanics<G>::velocities_of(State state) const {
-  want_size(state);
   auto next = state.values.begin();
-  for_state_columns([&](std::size_t b, const ColumnId& id) {
-    const auto end = next + static_cast<std::ptrdiff_t>(scene_.bodies[b].points.values(id).size());
-    if (&id != &column::velocity) std::fill(next, end, 0.0);
-    next = end;
+  for_state_columns(bodies, context, [&](Body& body, const ColumnId& id) {
+    const std::size_t size = std::as_const(body.points).values(id).size();
+    visit(body, id, std::span(next, size));
+    next += static_cast<std::ptrdiff_t>(size);
   });
-  return state;
 }
 
+// Of points whose strain rates are known; `end` of the fields holds accelerations.
 template <class G>
-State Mechanics<G>::rate() {
-  if (space_.transfer.keep != 1) {
-    throw std::logic_error("rates of change want the transfer flip: other transfers filter velocities once a step");
-  }
-  sorting_ = false;  // a State names points by their place
-  locate_points();
-  map_mass_and_momentum();
-  evaluate_stress(NodalVelocity::start);
-  map_forces();
-  advance_momentum(0.0);
-  step_.power.emplace();  // of no step
-  for (Field& field : layout_.fields) momentum_.find_acceleration(field);
-  find_all_strain_rates(NodalVelocity::start);
+State state_rate(const Discretisation<G>& space, Layout<G::dim>& at) {
+  constexpr int dim = G::dim;
   State rate;
-  for (std::size_t b = 0; b < bodies(); ++b) {
-    const Body& body = scene_.bodies[b];
-    const Field& field = field_of(b);
+  for (std::size_t b = 0; b < at.bodies.size(); ++b) {
+    const Body& body = at.bodies[b];
+    const auto& field = at.field(b);
     const auto n = static_cast<std::size_t>(body.points.points());
     const std::size_t start = rate.values.size();
     rate.values.resize(start + 2 * dim * n);
-    std::array<typename Loops::Gather, 2 * dim> rates;
+    std::array<typename PointLoops<G>::Gather, 2 * dim> rates;
     for (std::size_t k = 0; k < 2 * dim; ++k) {
       const int d = static_cast<int>(k) % dim;
       rates[k] = {component(k < dim ? field.start : field.end, d), dim, rate.values.data() + start + k * n};
     }
-    space_.gather(body.points, layout_.weights[b], rates);
-    const std::vector<double> internal = body.material->rates(body.points, context());
+    space.gather(body.points, at.weights[b], rates);
+    const std::vector<double> internal = body.material->rates(body.points, space.context);
     rate.values.insert(rate.values.end(), internal.begin(), internal.end());
   }
   return rate;

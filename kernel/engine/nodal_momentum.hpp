@@ -9,16 +9,8 @@
 #include "kernel/engine/discretisation.hpp"
 #include "kernel/engine/step_record.hpp"
 #include "kernel/pistons.hpp"
-#include "kernel/sharpening.hpp"
 
 namespace plumbline {
-
-// Forces on the nodes beside what their fields hold.
-template <int dim>
-struct MappedForces {
-  double hoop = 0;                     // what hoop stress adds to the radial momentum, N
-  Spin<dim> turn = Spin<dim>::Zero();  // torque that should be none, N m
-};
 
 template <class Geometry>
 class NodalMomentum {
@@ -34,15 +26,12 @@ class NodalMomentum {
         scene_(scene),
         field_of_body_(std::move(field_of_body)),
         pistons_(scene),
-        sharpening_(space.grid, scene.sharpening * space.shape.blur),
         contact_(make_contact<dim>(scene.contact, space.grid, space.shape.support)) {
     for (int d = 0; d < dim; ++d) gravity_[d] = scene.gravity[static_cast<std::size_t>(d)];
     loaded_ = !gravity_.isZero(0);
     for (const Body& body : scene.bodies) loaded_ = loaded_ || body.load;
   }
 
-  bool has_pistons() const { return !pistons_.none(); }
-  bool has_contact() const { return contact_ != nullptr; }
   bool contact_changes_start() const { return contact_ && contact_->changes_start(); }
   // Pistons stand where they do `time` s after the start.
   void set_time(double time) { pistons_.set_time(time); }
@@ -74,7 +63,7 @@ class NodalMomentum {
   void start_again(std::vector<Field>& fields) const {
     for (Field& field : fields) {
       space_.walls.fold(field, field.momentum);
-      space_.divide_by_mass(field, field.momentum, field.remapped);
+      space_.divide_by_mass(field, field.momentum, field.held(&Field::remapped));
     }
     if (contact_) contact_->apply_to_remapped(fields);
     for (Field& field : fields) {
@@ -82,14 +71,6 @@ class NodalMomentum {
       WallAction<dim> not_kept;
       drive(field, field.remapped, not_kept);
     }
-  }
-
-  void clear_forces(Field& field) const {
-    for_touched(field, [&](std::size_t i) {
-      field.force[i].setZero();
-      field.body_force[i].setZero();
-      field.heat[i] = field.exchange[i] = 0;
-    });
   }
 
   // v~_i = v_i + dt f_i / M_i. decide: choose the nodes that are in contact; otherwise those of the last call are again.
@@ -111,9 +92,9 @@ class NodalMomentum {
       record.wall_work += drive(field, field.end, record.wall);
       WallAction<dim> counted;
       drive(field, field.midpoint, counted);
-      if (scene_.heat_exchange > 0) solve_exchange(field, dt);
+      if (!field.exchange.empty()) solve_exchange(field, dt);
       if (!loaded_) continue;
-      const std::vector<Vec>& straining = straining_velocity(field, field.midpoint);
+      const std::vector<Vec>& straining = space_.straining_velocity(field, field.midpoint);
       field.for_touched(space_.grid,
                         [&](std::size_t i) { record.body.work += dt * field.body_force[i].dot(straining[i]); });
     }
@@ -121,28 +102,8 @@ class NodalMomentum {
     return record;
   }
 
-  // The nodal velocity whose gradients strain the points: sharpened as the accelerations are. [Sharpening 1]
-  const std::vector<Vec>& straining_velocity(Field& field, const std::vector<Vec>& velocity) const {
-    if (sharpening_.none()) return velocity;
-    sharpening_.apply(field, velocity, field.straining, space_.threads);
-    space_.walls.extend(field, field.straining);
-    return field.straining;
-  }
-
   // f_i / M_i of the forces as they are, in field.end.
   void find_acceleration(Field& field) const { space_.divide_by_mass(field, field.force, field.end); }
-
-  // What walls give to the points in a map back. [EC-APIC walls]
-  void add_wall_impulse(const Field& field, WallAction<dim>& wall) const {
-    WallAction<dim> action = space_.walls.extension_impulse(field, field.end);
-    if (const double keep = space_.transfer.keep; keep > 0) {
-      const WallAction<dim> before = space_.walls.extension_impulse(field, field.start);
-      action.linear -= keep * before.linear;
-      action.angular -= keep * before.angular;
-    }
-    wall.linear += action.linear;
-    wall.angular += action.angular;
-  }
 
  private:
   template <class Visit>
@@ -161,9 +122,10 @@ class NodalMomentum {
   // Body forces fold like all others: what a point puts on a ghost node pulls the mirror node the other way.
   void add_body_force(Field& field, double dt, AdvanceRecord<dim>& record) const {
     if (!loaded_) return;
+    std::vector<Vec>& loads = field.held(&Field::body_force);
     field.for_touched(space_.grid, [&](std::size_t i) {
-      const Vec f = field.body_force[i] + field.own_mass[i] * gravity_;  // [York 3.18]
-      field.body_force[i] = f;
+      const Vec f = loads[i] + field.own_mass[i] * gravity_;  // [York 3.18]
+      loads[i] = f;
       field.force[i] += f;
       record.body.linear += dt * f;
       record.body.angular += dt * cross<dim>(space_.grid.position(static_cast<int>(i)), f);
@@ -176,14 +138,14 @@ class NodalMomentum {
       const double m = field.mass[i];
       field.end[i] = m > least_mass ? Vec(field.force[i] / m) : Vec(Vec::Zero());  // [York 3.19]
     });
-    if (!sharpening_.none()) {
-      const SharpeningAction<dim> added = sharpening_.apply_to_accelerations(field, field.end, field.midpoint,
-                                                                             space_.threads);  // [Sharpening 1]
+    if (!space_.sharpening.none()) {
+      const SharpeningAction<dim> added = space_.sharpening.apply_to_accelerations(field, field.end, field.midpoint,
+                                                                                   space_.threads);  // [Sharpening 1]
       record.wall.linear += dt * added.walls.linear;
       record.wall.angular += dt * added.walls.angular;
       record.turn += dt * added.turn;
     }
-    const std::vector<Vec>& acceleration = sharpening_.none() ? field.end : field.midpoint;
+    const std::vector<Vec>& acceleration = space_.sharpening.none() ? field.end : field.midpoint;
     for_touched(field, [&](std::size_t i) {
       const Vec dv = dt * acceleration[i];
       field.end[i] = field.start[i] + dv;  // [York 3.20]
@@ -228,7 +190,6 @@ class NodalMomentum {
   const Scene& scene_;
   std::vector<std::size_t> field_of_body_;
   Pistons<dim> pistons_;
-  Sharpening<dim> sharpening_;
   std::unique_ptr<Contact<dim>> contact_;  // null: none
   Vec gravity_;
   bool loaded_;  // whether any point feels a body force

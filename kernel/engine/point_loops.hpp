@@ -15,9 +15,6 @@
 
 namespace plumbline {
 
-// So far beyond a side, in cells, a point still stands on it: on a wall it drifts by the rounding of a sum that is zero.
-inline constexpr double on_side = 1e-9;
-
 // Component d of a nodal array of vectors, `dim` numbers apart.
 template <class Vec>
 double* component(std::vector<Vec>& nodes, int d) {

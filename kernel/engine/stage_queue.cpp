@@ -20,9 +20,9 @@ bool may_become(const Fusion& fusion, const Calls& calls) {
   return begins_with(fusion.stages, calls) && fusion.holds(calls);
 }
 
-// The points' strain over the step that moved or kicked them.
-bool strains_with_midpoint(const Calls& calls) {
-  return calls.size() < 2 || (calls[1].time == calls[0].time && calls[1].velocity == NodalVelocity::midpoint);
+// Whether call k, where it is there, is the points' strain over the step that moved or kicked them.
+bool strains_with_midpoint(const Calls& calls, std::size_t k) {
+  return calls.size() <= k || (calls[k].time == calls[0].time && calls[k].velocity == NodalVelocity::midpoint);
 }
 
 }  // namespace
@@ -37,13 +37,13 @@ const std::vector<Fusion>& fusions() {
        false},
       {"move, strain, heat",
        {Stage::move_points, Stage::strain_points, Stage::return_transfer_loss},
-       [](const Calls& calls) { return calls[0].velocity == NodalVelocity::end && strains_with_midpoint(calls); },
-       [](Engine& engine, const Calls& calls) { engine.move_and_heat_points(calls[0].time); },
+       [](const Calls& calls) { return calls[0].velocity == NodalVelocity::end && strains_with_midpoint(calls, 1); },
+       [](Engine& engine, const Calls& calls) { engine.finish_points(calls[0].time, {}); },
        true},
-      {"kick, strain, heat, drift",
-       {Stage::kick_points, Stage::strain_points, Stage::return_transfer_loss, Stage::drift_points},
-       strains_with_midpoint,
-       [](Engine& engine, const Calls& calls) { engine.kick_heat_and_drift_points(calls[0].time, calls[3].time); },
+      {"kick, drift, strain, heat",
+       {Stage::kick_points, Stage::drift_points, Stage::strain_points, Stage::return_transfer_loss},
+       [](const Calls& calls) { return strains_with_midpoint(calls, 2); },
+       [](Engine& engine, const Calls& calls) { engine.finish_points(calls[0].time, calls[1].time); },
        true}};
   return all;
 }
@@ -92,6 +92,11 @@ void StageQueue::end_step() {
 
 void StageQueue::run_waiting() const {
   for (const StageCall& call : std::exchange(waiting_, {})) call.run(engine_);
+}
+
+bool& fuses_stages() {
+  static bool fuses = true;
+  return fuses;
 }
 
 void take_step(TimeIntegrator& integrator, Engine& engine, double dt, bool fusing) {

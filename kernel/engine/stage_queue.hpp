@@ -49,54 +49,35 @@ class StageQueue final : public Stages {
     end_step();
     engine_.locate_points();
   }
-  void map_mass_and_momentum() override {
-    run_waiting();
-    engine_.map_mass_and_momentum();
-  }
+  void map_mass_and_momentum() override { settled().map_mass_and_momentum(); }
   void map_forces() override { add({StageCall::Stage::map_forces}); }
-  void advance_momentum(double dt) override {
-    run_waiting();
-    engine_.advance_momentum(dt);
-  }
+  void advance_momentum(double dt) override { settled().advance_momentum(dt); }
   void move_points(double dt, NodalVelocity carrying) override { add({StageCall::Stage::move_points, dt, carrying}); }
   void drift_points(double dt) override { add({StageCall::Stage::drift_points, dt}); }
   void kick_points(double dt) override { add({StageCall::Stage::kick_points, dt}); }
-  void map_momentum() override {
-    run_waiting();
-    engine_.map_momentum();
-  }
+  void map_momentum() override { settled().map_momentum(); }
   void strain_points(double dt, NodalVelocity velocity) override {
     add({StageCall::Stage::strain_points, dt, velocity});
   }
-  void evaluate_stress(NodalVelocity velocity) override {
-    run_waiting();
-    engine_.evaluate_stress(velocity);
-  }
+  void evaluate_stress(NodalVelocity velocity) override { settled().evaluate_stress(velocity); }
   void predict_stress(double ahead, NodalVelocity velocity) override {
     add({StageCall::Stage::predict_stress, ahead, velocity});
   }
-  bool reverse_cooling() override {
-    run_waiting();
-    return engine_.reverse_cooling();
-  }
+  bool reverse_cooling() override { return settled().reverse_cooling(); }
   void return_transfer_loss() override { add({StageCall::Stage::return_transfer_loss}); }
-  State state() const override {
-    run_waiting();
-    return engine_.state();
-  }
-  void set_state(const State& state) override {
-    run_waiting();
-    engine_.set_state(state);
-  }
-  State rate() override {
-    run_waiting();
-    return engine_.rate();
-  }
+  State state() const override { return settled().state(); }
+  void set_state(const State& state) override { settled().set_state(state); }
+  State rate() override { return settled().rate(); }
   State velocities_of(State state) const override { return engine_.velocities_of(std::move(state)); }
 
  private:
   void add(const StageCall& call);
   void run_waiting() const;
+  // The engine once nothing waits any longer.
+  Engine& settled() const {
+    run_waiting();
+    return engine_;
+  }
 
   Engine& engine_;
   bool fusing_;
@@ -104,6 +85,6 @@ class StageQueue final : public Stages {
 };
 
 // One step of dt, s.
-void take_step(TimeIntegrator& integrator, Engine& engine, double dt, bool fusing = true);
+void take_step(TimeIntegrator& integrator, Engine& engine, double dt, bool fusing = fuses_stages());
 
 }  // namespace plumbline

@@ -1,9 +1,11 @@
-// What the step under way exchanged, until it is booked: of advance_momentum and the maps the last call counts.
+// What is known of the step under way, from locate_points() on: a value that stages pass on. What they exchanged ends in the
+// ledger; of advance_momentum and the maps the last call counts.
 #pragma once
 
 #include <optional>
 
 #include "kernel/engine/sums.hpp"
+#include "kernel/stages.hpp"
 #include "kernel/walls.hpp"
 
 namespace plumbline {
@@ -16,6 +18,18 @@ struct Exchange {
   double work = 0;
 };
 
+// Forces on the nodes beside what their fields hold.
+template <int dim>
+struct MappedForces {
+  double hoop = 0;                     // what hoop stress adds to the radial momentum, N
+  Spin<dim> turn = Spin<dim>::Zero();  // torque that should be none, N m
+};
+
+// Strain before the forces are known: its stress power is booked with the stress that the forces use.
+struct EarlyStrain {
+  double dt = 0, stored = 0;  // s, J
+};
+
 // Of one advance of the nodal momenta over dt.
 template <int dim>
 struct AdvanceRecord {
@@ -25,16 +39,35 @@ struct AdvanceRecord {
   double wall_work = 0, dt = 0;
 };
 
+// Times of a step, s.
+struct StepClock {
+  double start = 0;    // of the step
+  double drifted = 0;  // how long after it points stand by drift_points() alone
+};
+
 template <int dim, int rotations>
 struct StepRecord {
+  double grid_mass = 0;      // on the nodes, kg
   WallAction<dim> map_wall;  // of the map to the nodes
   double map_wall_work = 0;
-  std::optional<double> map_loss = 0;  // J; none: not summed yet
-  std::optional<AdvanceRecord<dim>> advance;
-  Spin<dim> filter_turn = Spin<dim>::Zero();
-  std::optional<PowerSums> power;  // of the forces that `advance` used
+  std::optional<double> map_loss = 0;           // J; none: not summed yet
+  std::optional<MappedForces<dim>> forces;      // none: not mapped
+  std::optional<AdvanceRecord<dim>> advance;    // none: not advanced
+  std::optional<PowerSums> power;               // of the forces that `advance` used; none: not summed yet
+  Spin<dim> filter_turn = Spin<dim>::Zero();    // by filtered velocities
+  EarlyStrain early;                            // not booked yet
+  NodalVelocity newest = NodalVelocity::start;  // the velocity that NodalVelocity::current means
+  std::optional<NodalVelocity> rates_of;        // velocity whose strain rates the points hold
+  double stress_ahead = 0;                      // how long after the step's start the stresses are those of, s
 
+  // Nothing is known of the next step yet, but for the mass on the nodes until the next map.
+  void begin() {
+    const double mapped = grid_mass;
+    *this = {};
+    grid_mass = mapped;
+  }
   bool wants_power() const { return advance && !power; }
+  NodalVelocity resolved(NodalVelocity which) const { return which == NodalVelocity::current ? newest : which; }
 
   // With the map's loss and the power summed.
   void book(Ledger& ledger, const MotionSums& motion, bool with_contact) const {

@@ -3,8 +3,7 @@
 
 #include <array>
 
-#include "kernel/ledger.hpp"
-#include "kernel/materials/material.hpp"
+#include "kernel/survey.hpp"
 
 namespace plumbline {
 
@@ -51,20 +50,6 @@ struct PowerSums {
     return *this;
   }
   friend PowerSums operator+(PowerSums a, const PowerSums& b) { return a += b; }
-};
-
-// Everything that is read off the points after a step, for the ledger, the next step's limit and the checks.
-struct Survey {
-  Totals totals;
-  StepBounds bounds;
-  bool admissible = true;
-  Survey& operator+=(const Survey& o) {
-    totals += o.totals;
-    bounds.include(o.bounds);
-    admissible = admissible && o.admissible;
-    return *this;
-  }
-  friend Survey operator+(Survey a, const Survey& b) { return a += b; }
 };
 
 }  // namespace plumbline

@@ -21,10 +21,10 @@ class Leapfrog final : public TimeIntegrator {
     mpm.predict_stress(dt / 2);   // [Leapfrog 2]
     mpm.map_forces();             // [EC-APIC 4]
     mpm.advance_momentum(dt);
-    mpm.kick_points(dt);  // [EC-APIC 5]
+    mpm.kick_points(dt);       // [EC-APIC 5]
+    mpm.drift_points(dt / 2);  // [Leapfrog 3]
     mpm.strain_points(dt, NodalVelocity::midpoint);
     mpm.return_transfer_loss();  // [EC-APIC 6]
-    mpm.drift_points(dt / 2);    // [Leapfrog 3]
   }
 };
 

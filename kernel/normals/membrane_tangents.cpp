@@ -4,15 +4,14 @@
 
 namespace plumbline {
 
-MembraneTangents::MembraneTangents(const std::string& method) {
+MembraneTangents::MembraneTangents(const std::string& method) : method_(method) {
   bool known = false;
   for (const Choice& choice : normals_methods()) known = known || choice.name == method;
   if (!known) throw std::invalid_argument("no method of normals " + method);
-  if (method != "connectivity") method_ = method;
 }
 
 void MembraneTangents::find(const GridSpec& grid, std::vector<Body>& bodies) {
-  if (!given() || grid.dim != 2) return;
+  if (!given_by(method_) || grid.dim != 2) return;
   while (methods_.size() < bodies.size()) methods_.push_back(make_normals(method_));
   for (auto& component : gas_) component.clear();
   for (std::size_t b = 0; b < bodies.size(); ++b) {

@@ -15,12 +15,12 @@ class MembraneTangents {
   // method: one of normals_methods(); throws std::invalid_argument for another.
   explicit MembraneTangents(const std::string& method);
   // Whether find() sets the tangent columns; with `connectivity` membranes do it themselves.
-  bool given() const { return !method_.empty(); }
+  static bool given_by(const std::string& method) { return method != "connectivity"; }
   // Sets the column `tangent` of every chain that has one, from where all points stand. In the plane.
   void find(const GridSpec& grid, std::vector<Body>& bodies);
 
  private:
-  std::string method_;                                   // empty: connectivity
+  std::string method_;
   std::vector<std::unique_ptr<NormalsMethod>> methods_;  // of each body
   std::vector<double> normal_[2], gas_[2];
 };

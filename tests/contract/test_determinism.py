@@ -41,3 +41,19 @@ def test_settings_decide_the_name_of_the_file(tmp_path):
         plumbline("run", "sod", "--cells", 20, "--set", setting)
         names.update(plumbline.files())
     assert len(names) == 4
+
+
+def test_single_stages_are_the_same_to_rounding_and_say_so(plumbline):
+    call = ("run", "sod", "--cells", 50)
+    fused, single = (plumbline(*call, *more, json=True).json() for more in ((), ("--no-fusion", "--results", "single")))
+    assert (fused["provenance"]["fused"], single["provenance"]["fused"]) == (True, False)
+    assert fused["provenance"]["fingerprint"] != single["provenance"]["fingerprint"] and fused["steps"] == single["steps"]
+    for name, measure in fused["measures"].items():
+        assert single["measures"][name]["error"] == pytest.approx(measure["error"], rel=1e-9), name
+
+
+def test_runs_of_single_stages_are_not_taken_for_others(plumbline):
+    call = ("verify", "spring-mass", "--reuse")
+    assert plumbline(*call, timeout=600).code == 0
+    assert ", 0 made" in plumbline(*call, timeout=600).text
+    assert ", 0 made" not in plumbline(*call, "--no-fusion", timeout=600).text

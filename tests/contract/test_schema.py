@@ -6,7 +6,7 @@ import pytest
 from contract import SCHEMA, parse, validate
 
 PROVENANCE = {"version": "0.1.0", "git": "1a2b3c4", "dirty": False, "fingerprint": "0123456789ab", "compiler": "g++ 12.2.0", "flags": "-O3", "cpu": "some",
-              "instruction_set": "x86-64-v3", "threads": 1, "libraries": {"Eigen": "3.4.0"},
+              "instruction_set": "x86-64-v3", "threads": 1, "fused": True, "libraries": {"Eigen": "3.4.0"},
               "command": "plumbline run sod", "started": "2026-01-31T12:00:00Z"}
 GATE = {"id": "sod/default/density.L1@100", "case": "sod", "scheme": "default", "quantity": "density.L1 at 100 cells",
         "expected": {"low": None, "high": 0.007}, "origin": "requirement", "reason": "first order from a prototype's 0.0066",

@@ -11,7 +11,7 @@ import sandbox
 from catalog import Catalog
 from outcome import Fault, faults
 
-FLAGS = {"--dry-run", "--allow-inconclusive", "--reuse", "--no-runs", "--maps", "--update", "--all", "--core", "--until-red", "--cases", "--help"}
+FLAGS = {"--dry-run", "--allow-inconclusive", "--reuse", "--no-fusion", "--no-runs", "--maps", "--update", "--all", "--core", "--until-red", "--cases", "--help"}
 QUICK = 3.0     # s: a draw that took longer is not made again for a shorter call
 ATTEMPTS = 30
 

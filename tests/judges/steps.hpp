@@ -69,9 +69,9 @@ inline void leapfrog(Stages& mpm, double dt, double first, double ahead, double 
   mpm.map_forces();
   mpm.advance_momentum(by.force * dt);
   mpm.kick_points(dt);
+  mpm.drift_points(last * dt);
   mpm.strain_points(dt, NodalVelocity::midpoint);
   mpm.return_transfer_loss();
-  mpm.drift_points(last * dt);
 }
 
 // The same with the last stages one by one; losses: how often what the maps took is given back.

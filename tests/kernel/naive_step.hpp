@@ -120,7 +120,7 @@ class NaiveStep {
     if (integrator == "musl") strain(dt, Of::again);
     if (integrator == "usavg") strain(dt / 2, Of::again);
     if (integrator == "energy" || leapfrog) {
-      if (segments_ && leapfrog) drift(dt / 2);  // their strain is that of the end of the step
+      if (leapfrog) drift(dt / 2);  // [Leapfrog 3]
       strain(dt, Of::middle);
       if (segments_) return;
       if (gas_) {
@@ -128,7 +128,6 @@ class NaiveStep {
           point.energy += point.exchanged + point.loss / point.m;  // [EC-APIC 6] [Exchange 1]
         transfer = transfer_before;
       }
-      if (leapfrog) drift(dt / 2);  // [Leapfrog 3]
       return;
     }
     set_stress(integrator == "usl" ? Of::end : Of::again);
@@ -141,6 +140,7 @@ class NaiveStep {
   }
 
  private:
+  friend class NaiveStages;
   struct Pair {
     std::size_t point, node;
     double n;

@@ -192,10 +192,9 @@ TEST(Stages, WeightsAreOfThePlacesWherePointsWereLocated) {
   Ledger ledger;
   const auto engine = make_engine(scene, ledger, {.keep_loss = true});
   engine->initialise();
-  const std::vector<std::function<void(double)>> ends{[&](double dt) { engine->drift_points(dt); },
-                                                      [&](double dt) { engine->move_and_heat_points(dt); },
-                                                      [&](double dt) { engine->kick_heat_and_drift_points(dt, dt); },
-                                                      [&](double) { engine->set_state(engine->state()); }};
+  const std::vector<std::function<void(double)>> ends{
+      [&](double dt) { engine->drift_points(dt); }, [&](double dt) { engine->finish_points(dt, {}); },
+      [&](double dt) { engine->finish_points(dt, dt); }, [&](double) { engine->set_state(engine->state()); }};
   const std::vector<std::function<void()>> users{[&] { engine->map_mass_and_momentum(); },
                                                  [&] { engine->map_momentum(); },
                                                  [&] { engine->map_forces(); },
@@ -208,8 +207,8 @@ TEST(Stages, WeightsAreOfThePlacesWherePointsWereLocated) {
                                                  [&] { engine->predict_stress_and_map_forces(1e-4); },
                                                  [&] { engine->reverse_cooling(); },
                                                  [&] { engine->return_transfer_loss(); },
-                                                 [&] { engine->move_and_heat_points(1e-4); },
-                                                 [&] { engine->kick_heat_and_drift_points(1e-4, 1e-4); }};
+                                                 [&] { engine->finish_points(1e-4, {}); },
+                                                 [&] { engine->finish_points(1e-4, 1e-4); }};
   for (const auto& end : ends) {
     engine->locate_points();
     engine->map_mass_and_momentum();

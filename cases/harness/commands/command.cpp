@@ -41,6 +41,11 @@ void require_agreement(const Arguments& command, const CommonOptions& options) {
   }
 }
 
+void add_no_fusion(const Arguments& command, CommonOptions& options) {
+  command.flag("--no-fusion", options.no_fusion,
+               "every stage of a step by itself, not several in one pass over the points");
+}
+
 void add_limits(const Arguments& command) {
   // The program and its libraries alone take some tens of megabytes.
   command.size("--max-memory", budget().memory, 1e8, 0x1p50,

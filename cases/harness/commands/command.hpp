@@ -19,7 +19,7 @@ struct CommonOptions {
   std::vector<std::string> schemes, integrators, settings, plugins;
   int threads = 1;
   std::string results = "results", json;
-  bool allow_inconclusive = false, reuse = false;
+  bool allow_inconclusive = false, reuse = false, no_fusion = false;
   std::optional<double> step_limit;  // s, of plug-ins
 };
 
@@ -52,6 +52,9 @@ Command add_tolerances(const Arguments& program, Invocation& invocation);
 
 // Throws UsageError where a key is given twice, or by an option and by --set, with two values or one.
 void require_agreement(const Arguments& command, const CommonOptions& options);
+
+// --no-fusion, of commands that make runs to be looked at.
+void add_no_fusion(const Arguments& command, CommonOptions& options);
 
 // --max-memory and --max-steps.
 void add_limits(const Arguments& command);

@@ -210,6 +210,7 @@ Command add_run(const Arguments& program, Invocation& invocation) {
   sub.flag("--dry-run", options->dry, "print points, cells, steps, memory and estimated time only");
   add_checkpoint_options(sub, options->checkpoints);
   add_run_options(sub, invocation.options);
+  add_no_fusion(sub, invocation.options);
   return {sub, [&invocation, options] { return execute(invocation, *options); }};
 }
 

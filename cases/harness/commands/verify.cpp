@@ -267,6 +267,7 @@ Command add_verify(const Arguments& program, Invocation& invocation) {
   sub.flag("--until-red", options->until_red, "of --integrator: begin no gate after one that is red");
   add_run_options(sub, invocation.options);
   add_reuse(sub, invocation.options);
+  add_no_fusion(sub, invocation.options);
   return {sub, [&invocation, options] { return execute(invocation, *options); }};
 }
 

@@ -74,12 +74,19 @@ Json to_json(const Settings& settings) {
 }
 
 Json to_json(const Provenance& p) {
-  return {{"version", p.version},   {"git", p.git},
-          {"dirty", p.dirty},       {"fingerprint", p.fingerprint},
-          {"compiler", p.compiler}, {"flags", p.flags},
-          {"cpu", p.cpu},           {"instruction_set", p.instruction_set},
-          {"threads", p.threads},   {"libraries", p.libraries},
-          {"command", p.command},   {"started", p.started}};
+  return {{"version", p.version},
+          {"git", p.git},
+          {"dirty", p.dirty},
+          {"fingerprint", p.fingerprint},
+          {"compiler", p.compiler},
+          {"flags", p.flags},
+          {"cpu", p.cpu},
+          {"instruction_set", p.instruction_set},
+          {"threads", p.threads},
+          {"fused", p.fused},
+          {"libraries", p.libraries},
+          {"command", p.command},
+          {"started", p.started}};
 }
 
 Json to_json(const JudgedGate& g) {

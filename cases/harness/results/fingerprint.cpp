@@ -8,6 +8,7 @@
 
 #include "cases/harness/files/errors.hpp"
 #include "cases/harness/results/provenance.hpp"
+#include "kernel/engine/stage_queue.hpp"
 
 namespace plumbline {
 namespace {
@@ -59,6 +60,7 @@ std::set<std::string> reached_from(const std::string& folder) {
 std::string compiled_with() {
   const Provenance p = build_provenance();
   std::string text = p.compiler + "\n" + p.flags + "\n" + p.instruction_set + "\n";
+  if (!fuses_stages()) text += "stages one by one\n";
   for (const char* library : {"eigen", "gsl", "boost"}) text += p.libraries.at(library) + "\n";
   return text;
 }

@@ -1,4 +1,4 @@
-// By which code a result was made: a hash that is another one as soon as code that can change the result is.
+// By which code a result was made: a hash that is another one as soon as code that can change the result is, or how it is called.
 #pragma once
 
 #include <string>

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "build_info.hpp"
+#include "kernel/engine/stage_queue.hpp"
 
 namespace plumbline {
 namespace {
@@ -49,6 +50,7 @@ Provenance build_provenance() {
   p.flags = build_info::flags;
   p.cpu = cpu_model();
   p.instruction_set = instruction_set();
+  p.fused = fuses_stages();
   p.libraries = {{"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
                  {"hdf5", H5_VERS_INFO},
                  {"gsl", build_info::gsl},

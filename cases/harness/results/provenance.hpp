@@ -12,6 +12,7 @@ struct Provenance {
   std::string fingerprint;  // of the code that made the numbers; cases/harness/results/fingerprint.hpp
   std::string compiler, flags, cpu, instruction_set;
   int threads = 1;
+  bool fused = true;  // several stages of a step in one pass over the points
   std::map<std::string, std::string> libraries;
   std::string command;  // as typed, without what only says where results go
   std::string started;  // UTC, ISO 8601

@@ -1,39 +1,19 @@
-// Parts of the engine, each built without the others.
+// Weights, placing, reflection, the step record and the velocity filter, each built without the rest of the engine.
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <limits>
 #include <random>
 
-#include "kernel/engine/placing.hpp"
 #include "kernel/engine/reflection.hpp"
 #include "kernel/engine/step_record.hpp"
 #include "kernel/engine/velocity_filter.hpp"
-#include "tests/kernel/scenes.hpp"
+#include "tests/kernel/engine/parts.hpp"
 
 namespace plumbline {
 namespace {
 
 using testing::ElementsAre;
-
-// Four cells of 0.5 m along each direction, with points of 2 kg at these places.
-Scene points_at(const std::vector<std::array<double, 2>>& places, Wall wall = Wall::symmetry,
-                const std::string& transfer = "flip") {
-  Scene scene;
-  scene.grid = scenes::box(scenes::Space::plane, {4, 4, 1}, 0.5, scenes::walls_everywhere(wall));
-  scene.shape = "quadratic";
-  scene.transfer = transfer;
-  Body body = make_body("gas", std::make_shared<IdealGas>(), static_cast<int>(places.size()), 2);
-  for (int p = 0; p < body.points.points(); ++p) {
-    for (int d = 0; d < 2; ++d) {
-      body.points(column::position, d)[p] = places[static_cast<std::size_t>(p)][static_cast<std::size_t>(d)];
-    }
-    body.points(column::mass)[p] = 2;
-  }
-  if (transfer == "apic") body.points.add(column::affine, 4);
-  scene.bodies.push_back(std::move(body));
-  return scene;
-}
 
 // --- weights ------------------------------------------------------------------------------------------------------------
 

@@ -126,8 +126,8 @@ TEST(MembraneTangents, OfACircleGoOnLikeConnectivity) {
 
 // With the default nothing is given, and to bodies that have no tangents no method does anything.
 TEST(MembraneTangents, ConnectivityAndSegmentsStayAsTheyAre) {
-  EXPECT_FALSE(MembraneTangents("connectivity").given());
-  EXPECT_TRUE(MembraneTangents("modern").given());
+  EXPECT_FALSE(MembraneTangents::given_by("connectivity"));
+  EXPECT_TRUE(MembraneTangents::given_by("modern"));
   Scene scene = ring();
   std::vector<Body> bodies = scene.bodies;
   MembraneTangents("connectivity").find(scene.grid, bodies);

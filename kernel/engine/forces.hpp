@@ -1,0 +1,104 @@
+// Forces of stresses and loads on the nodes. [York 3.17, 3.18] [EC-APIC 4]
+#pragma once
+
+#include <array>
+
+#include "kernel/engine/layout.hpp"
+#include "kernel/engine/step_record.hpp"
+
+namespace plumbline {
+
+template <class Geometry>
+class Forces {
+ public:
+  static constexpr int dim = Geometry::dim;
+  static constexpr int rotations = Geometry::rotations;
+  using Space = Discretisation<Geometry>;
+  using Record = StepRecord<dim, rotations>;
+  using Bodies = Layout<dim>;
+  using Field = typename Space::Field;
+
+  // exchange: gases also map what their points exchange heat by. [Exchange 1]
+  Forces(const Space& space, bool exchange) : space_(space), exchange_(exchange) {}
+
+  void clear(Bodies& at, Record& step) const {
+    step.forces.emplace();
+    for (Field& field : at.fields) {
+      clear(field, field.force);
+      if (!field.body_force.empty()) clear(field, field.body_force);
+      if (!exchange_) continue;
+      clear(field, field.held(&Field::heat));
+      clear(field, field.held(&Field::exchange));
+    }
+  }
+
+  // Of the stresses of a chunk of body b's points; returns what hoop stress adds to the radial momentum, N.
+  double map(Bodies& at, std::size_t b, const Chunk& chunk) const {
+    const Body& body = at.bodies[b];
+    return space_.loops->map_forces(body, at.weights[b], chunk, exchange_ && body.material->takes_heat(), at.field(b));
+  }
+
+  // What else body b does to the nodes once its stresses are mapped.
+  void complete(Bodies& at, std::size_t b, Record& step, const StepClock& clock) const {
+    add_stress_turn(at.bodies[b], at.weights[b], step.forces->turn);
+    map_load(at.bodies[b], at.weights[b], clock.start + step.stress_ahead, at.field(b));
+  }
+
+  void map_all(Bodies& at, Record& step, const StepClock& clock) const {
+    clear(at, step);
+    for (std::size_t b = 0; b < at.bodies.size(); ++b) {
+      step.forces->hoop += space_.template sum_over_chunks_writing_nodes<double>(
+          at.weights[b], [&](const Chunk& chunk) { return map(at, b, chunk); });
+      complete(at, b, step, clock);
+    }
+  }
+
+ private:
+  template <class Value>
+  void clear(const Field& field, std::vector<Value>& values) const {
+    field.for_touched(
+        space_.grid, [&](std::size_t i) { values[i] = Field::template zero<Value>(); }, space_.threads);
+  }
+
+  // Stresses of another instant than the points' places turn a body: sum_i x_i x f_i is -sum_p V_p (sigma_ba - sigma_ab) of
+  // a stress that is not symmetric, and sum_p x_p x F_p of forces between points where they will be.
+  void add_stress_turn(const Body& body, const Weights<dim>& at, Spin<dim>& turn) const {
+    const StressMeasure measure = body.material->measure();
+    const bool full = measure == StressMeasure::full;
+    if (rotations == 0 || (!full && measure != StressMeasure::point_force)) return;
+    const Places<dim> places = at.places(body.points, false);
+    const double* volume = body.points(column::volume);
+    for (int k = 0; k < rotations; ++k) {
+      const int d = rotation_axis<dim>(k, 0), e = rotation_axis<dim>(k, 1);
+      const double *low = body.points(column::stress, full ? d * dim + e : d),
+                   *high = body.points(column::stress, full ? e * dim + d : e);
+      turn[k] -= space_.template sum_over_chunks<double>(at, [&](const Chunk& chunk) {
+        Pack sums = 0.0;
+        for_packs(chunk.first, chunk.last, [&](int p, int count) {
+          const Pack s = load(low + p), t = load(high + p);
+          sums += kept(load(volume + p) * (full ? t - s : load(places.x[d] + p) * t - load(places.x[e] + p) * s),
+                       count);
+        });
+        return sum(sums);
+      });
+    }
+  }
+
+  // sum_p m_p b_p N_ip of what a body's load gives its points at the time of the stresses. [York 3.18]
+  void map_load(Body& body, const Weights<dim>& at, double time, Field& field) const {
+    if (!body.load) return;
+    body.points.add(column::body_force, dim);
+    body.load(time, body.points, body.id);
+    std::array<typename Space::Loops::Spread, dim> forces;
+    for (int d = 0; d < dim; ++d) {
+      forces[static_cast<std::size_t>(d)] = {body.points(column::body_force, d), body.points(column::mass),
+                                             component(field.held(&Field::body_force), d), dim};
+    }
+    space_.spread(body.points, at, forces);
+  }
+
+  const Space& space_;
+  bool exchange_;
+};
+
+}  // namespace plumbline
