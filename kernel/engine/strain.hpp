@@ -120,6 +120,11 @@ void Mechanics<G>::evaluate_stress_ahead(NodalVelocity velocity, double ahead, b
     if (velocity != rate_of_) wanted.rates = &momentum_.straining_velocity(field, nodal(field, velocity));
     if (!source.elsewhere) wanted.density = source.nodes;
     wanted.specific = source.specific;
+    if (of_places && wanted.rates) {  // the velocities of all points before any looks at others'
+      space_.for_chunks(
+          at, [&](const Chunk& chunk) { space_.loops->gather_start(body, at, chunk, {.rates = wanted.rates}); });
+      wanted.rates = nullptr;
+    }
     const auto evaluate = [&](const Chunk& chunk) {
       const double lost = wanted.none() ? 0.0 : space_.loops->gather_start(body, at, chunk, wanted);
       if (!source.elsewhere) body.material->evaluate_stress(body.points, {chunk.first, chunk.last}, then);
