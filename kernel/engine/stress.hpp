@@ -42,6 +42,12 @@ class Stress {
       if (velocity != step.rates_of) wanted.rates = &space_.straining_velocity(field, at.velocity(field, velocity));
       if (!source.elsewhere) wanted.density = source.nodes;
       wanted.specific = source.specific;
+      if (of_places && wanted.rates) {  // the velocities of all points before any looks at others'
+        space_.for_chunks(places, [&](const Chunk& chunk) {
+          space_.loops->gather_start(body, places, chunk, {.rates = wanted.rates});
+        });
+        wanted.rates = nullptr;
+      }
       const auto evaluate_here = [&](const Chunk& chunk) {
         const double lost = wanted.none() ? 0.0 : space_.loops->gather_start(body, places, chunk, wanted);
         if (!source.elsewhere) body.material->evaluate_stress(body.points, {chunk.first, chunk.last}, then);

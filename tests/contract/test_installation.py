@@ -187,6 +187,19 @@ def test_another_parts_name_is_unknown_without_it(installed, example):
     assert refused.code == 2 and wanted in refused.json()["error"]["nearest"]
 
 
+def test_another_part_that_cannot_be_taken_in(installed, example, tmp_path):
+    """Built against other headers, or of a name that is taken: nothing of it is used."""
+    _, library = example
+    content = library.read_bytes()
+    place = content.index(b"\nheaders ", content.index(b"registers parts\n")) + len(b"\nheaders ")
+    (tmp_path / "changed.so").write_bytes(content[:place] + b"x" + content[place + 1:])
+    result = installed("list", "--plugin", tmp_path / "changed.so")
+    assert result.code == 4 and "headers x" in result.err
+    copy = shutil.copy(library, tmp_path / "copy.so")
+    result = installed("list", "--plugin", library, "--plugin", copy)
+    assert result.code == 4 and "copy.so" in result.err and "registered twice" in result.err
+
+
 def test_without_the_plugin_its_name_is_unknown(installed):
     assert installed("run", "sod", "--integrator", "mine").code == 2
 

@@ -32,8 +32,8 @@ struct Bonds final : Material {
   }
   std::vector<const ColumnId*> internal_variables(const MaterialContext&) const override { return {&bond_energy}; }
 
-  // The first call is at the start of the run, where no bond is stretched. Forces are those of where the points stand.
-  void evaluate_stress(Columns& points, PointRange range, const MaterialContext&) const override {
+  // The first call is at the start of the run, where no bond is stretched. Forces are those of where the points will be.
+  void evaluate_stress(Columns& points, PointRange range, const MaterialContext& context) const override {
     const int dim = points.components(column::position);
     for (int p = range.first; p < range.last; ++p) {
       std::array<double, 3> force{};
@@ -41,7 +41,7 @@ struct Bonds final : Material {
         for (int d = 0; d < dim; ++d) points(rest_place, d)[p] = points(column::position, d)[p];
         points(rest_place, dim)[p] = 1;
       } else {
-        for_bonds(points, p, [&](const Bond& bond) {
+        for_bonds(points, p, context.ahead, [&](const Bond& bond) {
           for (int d = 0; d < dim; ++d) force[at(d)] += bond.pull * bond.direction[at(d)];
         });
       }
@@ -53,18 +53,17 @@ struct Bonds final : Material {
     double stored = 0;
     for (int p = range.first; p < range.last; ++p) {
       double energy = 0;
-      for_bonds(points, p, [&](const Bond& bond) { energy += 0.5 * bond.energy; });
+      for_bonds(points, p, 0, [&](const Bond& bond) { energy += 0.5 * bond.energy; });
       stored += energy - points(bond_energy)[p];
       points(bond_energy)[p] = energy;
     }
     return stored;
   }
 
-  // The strain_rate column holds velocities.
   std::vector<double> rates(const Columns& points, const MaterialContext&) const override {
     std::vector<double> all(static_cast<std::size_t>(points.points()));
     for (int p = 0; p < points.points(); ++p) {
-      for_bonds(points, p, [&](const Bond& bond) {
+      for_bonds(points, p, 0, [&](const Bond& bond) {
         for (int d = 0; d < points.components(column::position); ++d) {
           const double* v = points(column::strain_rate, d);
           all[at(p)] += 0.5 * bond.pull * bond.direction[at(d)] * (v[bond.other] - v[p]);
@@ -101,16 +100,17 @@ struct Bonds final : Material {
     return dim == 2 ? 48 * e / (5 * pi * std::pow(delta, 3)) : 12 * e / (pi * std::pow(delta, 4));
   }
 
-  // In the order of the points, whose numbers change as they move.
+  // As they will be `ahead` seconds later if points keep the velocities in the strain_rate column.
   template <class Visit>
-  void for_bonds(const Columns& points, int p, Visit&& visit) const {
+  void for_bonds(const Columns& points, int p, double ahead, Visit&& visit) const {
     const int dim = points.components(column::position);
     const double own = points(column::mass)[p] / density, delta = horizon * std::pow(own, 1.0 / dim);
     const double c = stiffness(dim, delta) * own / density;
-    const double *rest[3] = {}, *x[3] = {}, *mass = points(column::mass);
+    const double *rest[3] = {}, *x[3] = {}, *v[3] = {}, *mass = points(column::mass);
     for (int d = 0; d < dim; ++d) {
       rest[d] = points(rest_place, d);
       x[d] = points(column::position, d);
+      v[d] = points(column::strain_rate, d);
     }
     for (int q = 0; q < points.points(); ++q) {
       double square = 0, length = 0;
@@ -119,6 +119,7 @@ struct Bonds final : Material {
       Bond bond{q, 0, 0};
       for (int d = 0; d < dim; ++d) {
         bond.direction[at(d)] = x[d][q] - x[d][p];
+        if (ahead != 0) bond.direction[at(d)] += ahead * (v[d][q] - v[d][p]);
         length += bond.direction[at(d)] * bond.direction[at(d)];
       }
       length = std::sqrt(length);
