@@ -65,7 +65,7 @@ TEST(NodalMomentum, RecordsWhatForcesGiveBesideTheNodes) {
 
 // A node on a wall loses its momentum across it, which the wall takes. [EC-APIC walls]
 TEST(NodalMomentum, WallsTakeWhatTheirNodesMayNotHave) {
-  Located on(points_at({{0.1, 1.1}}, Wall::symmetry));
+  Located on(points_at({{0.1, 1.1}}, Wall::symmetry, "pic"));
   VelocityField<2>& field = on.field();
   field.for_touched(on.space.grid, [&](std::size_t i) {
     const bool inside = on.space.grid.position(static_cast<int>(i))[0] >= 0;
@@ -84,6 +84,8 @@ TEST(NodalMomentum, WallsTakeWhatTheirNodesMayNotHave) {
     on_wall += x == 0;
   });
   EXPECT_GT(on_wall, 0);
+  EXPECT_DOUBLE_EQ(step.map_wall.linear[0], -3 * on_wall);
+  EXPECT_EQ(step.map_wall.linear[1], 0);
 }
 
 }  // namespace
