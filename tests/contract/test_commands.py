@@ -154,6 +154,21 @@ def test_verify_of_one_scheme(plumbline):
     assert verdicts["gates"] and {gate["scheme"] for gate in verdicts["gates"]} == {"york1997"}
 
 
+def test_verify_of_a_part(plumbline):
+    result = plumbline("verify", "--shape", "cubic", "--shape", "linear", json=True)
+    verdicts = result.json()
+    assert result.code == 0 and verdicts["executed"] == verdicts["declared"] == len(verdicts["gates"]) > 0
+    assert {(gate["case"], gate["scheme"]) for gate in verdicts["gates"]} == {("shape", "cubic"), ("shape", "linear")}
+    assert [(part["kind"], part["name"], part["red"]) for part in verdicts["parts"]] == [("shape", "cubic", []), ("shape", "linear", [])]
+
+
+def test_a_part_is_judged_without_cases(plumbline):
+    unknown = plumbline("verify", "--shape", "cubics")
+    assert unknown.code == 2 and "cubic" in unknown.err
+    beside = plumbline("verify", "sod", "--shape", "cubic")
+    assert beside.code == 2 and "--set shape=cubic" in beside.err
+
+
 def test_reference_alone(plumbline):
     result = plumbline("reference", "riemann", "--at", "-2,0.5,2", json=True)
     assert result.code == 0

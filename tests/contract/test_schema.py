@@ -45,7 +45,8 @@ DOCUMENTS = {
     "run": RUN,
     "dry_run": {"case": "sod", "scheme": "default", "settings": {}, "points": 450, "cells": 100, "steps": 108, "bytes": 90000, "estimated_s": 0.01},
     "converge": {"case": "sod", "studies": [STUDY]},
-    "verify": {"gates": [GATE], "counts": {"PASS": 1, "XFAIL": 0}, "executed": 1, "declared": 1, "tier": "quick"},
+    "verify": {"gates": [GATE], "counts": {"PASS": 1, "XFAIL": 0}, "executed": 1, "declared": 1, "tier": "quick",
+               "parts": [{"kind": "shape", "name": "cubic", "verdict": "PASS", "gates": 68, "red": []}]},
     "stability": {"problem": "bar", "configurations": [
         {"integrator": "musl", "settings": {}, "unit": "h/c", "predicted": [{"low": 0, "high": 1.833}], "closed_form": 1.833,
          "observed": [{"low": 1.832, "high": 1.834}], "always": None, "growth": [{"dt": 0.1, "per_step": 1.0}]}]},
@@ -174,6 +175,7 @@ def test_stopped_run():
     ("verify", ["counts", "GREEN"], 1),
     ("verify", ["counts", "PASS"], -1),
     ("verify", ["tier"], "nightly"),
+    ("verify", ["parts", 0, "kind"], "case"),
     ("stability", ["configurations", 0, "always"], "mostly"),
     ("stability", ["configurations", 0, "unit"], "s"),
     ("bench", ["kernels"], []),

@@ -10,6 +10,7 @@
 
 #include "cases/harness/commands/command.hpp"
 #include "cases/harness/commands/recorded.hpp"
+#include "cases/harness/commands/verify_parts.hpp"
 #include "cases/harness/files/input_file.hpp"
 #include "cases/harness/files/json_text.hpp"
 #include "cases/harness/files/text_file.hpp"
@@ -26,6 +27,7 @@ struct VerifyOptions {
   std::string tier = "quick", junit;
   std::string against;
   bool core = false, until_red = false;
+  ChosenParts parts;
 };
 
 Json to_json(const FailureCounts& counts) {
@@ -195,6 +197,7 @@ std::vector<JudgedGate> worth_a_line(std::vector<JudgedGate> gates) {
 
 int execute(const Invocation& invocation, const VerifyOptions& options) {
   const CommonOptions& common = invocation.options;
+  refuse_cases(options.parts, options.patterns);
   const std::vector<std::string> tiers{"quick", "full"};
   if (options.tier != tiers[0] && options.tier != tiers[1]) throw unknown_name("--tier", options.tier, tiers);
   if (!options.junit.empty()) require_writable(options.junit);
@@ -204,8 +207,11 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
   const Output out(common);
   Verification verification;
   const Scorecards scorecards = judge_integrators(common, options, folder, verification);
-  const bool integrators_alone = options.patterns.empty() && common.schemes.empty() && !common.integrators.empty();
-  if (!integrators_alone) verify_cases(common, options, store, verification);
+  const Json parts = judge_parts(options.parts, threads_for_judging(common), options.until_red, judging_progress,
+                                 verification);
+  const bool parts_alone = options.patterns.empty() && common.schemes.empty() &&
+                           (!common.integrators.empty() || !none(options.parts));
+  if (!parts_alone) verify_cases(common, options, store, verification);
   const FailureCounts failures = expected_failures(verification.gates);
   const Json document{{"gates", to_json(verification.gates)},
                       {"counts", counts_document(verification.gates)},
@@ -218,9 +224,10 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
                       {"declared", verification.declared},
                       {"not_applicable", to_json(verification.not_applicable)},
                       {"scorecards", scorecards.all},
+                      {"parts", parts},
                       {"tier", options.tier},
                       {"provenance", to_json(provenance)}};
-  if (!integrators_alone) folder.write_verdicts(document, verification.entries, options.tier, provenance);
+  if (!parts_alone) folder.write_verdicts(document, verification.entries, options.tier, provenance);
   out.gates(worth_a_line(verification.gates));
   for (const NotApplicable& one : verification.not_applicable) {
     out.line("not applicable: {} with {}: {}", one.what, one.integrator, CannotWork(one.lacks).what());
@@ -236,6 +243,7 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
   for (const Json& card : scorecards.all) {
     for (const std::string& line : scorecard_lines(card)) out.line("{}", line);
   }
+  for (const Json& part : parts) out.line("{}", part_line(part));
   print_reused(out, store);
   write_json(common, document);
   if (!options.junit.empty()) write_junit(options.junit, verification.gates, common.allow_inconclusive);
@@ -254,9 +262,10 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
 }  // namespace
 
 Command add_verify(const Arguments& program, Invocation& invocation) {
-  const Arguments sub = program.command("verify", "all gates of the matching cases, or of an integrator",
+  const Arguments sub = program.command("verify", "all gates of the matching cases, or of a part of a scheme",
                                         "Examples: plumbline verify 'sod*' --tier quick --junit verify.xml\n"
-                                        "          plumbline verify --integrator mine --plugin libmine.so");
+                                        "          plumbline verify --integrator mine --plugin libmine.so\n"
+                                        "          plumbline verify --shape cubic");
   auto options = std::make_shared<VerifyOptions>();
   sub.option("pattern", options->patterns, "case names or patterns; all cases if none");
   sub.option("--tier", options->tier, "quick or full");
@@ -264,7 +273,9 @@ Command add_verify(const Arguments& program, Invocation& invocation) {
   sub.option("--against", options->against,
              "of --integrator: an integrator, or the file of an earlier scorecard, to be set beside");
   sub.flag("--core", options->core, "of --integrator without cases: the core gates alone, in seconds");
-  sub.flag("--until-red", options->until_red, "of --integrator: begin no gate after one that is red");
+  sub.flag("--until-red", options->until_red,
+           "of --integrator, --shape and the like: begin no gate after one that is red");
+  add_part_options(sub, options->parts);
   add_run_options(sub, invocation.options);
   add_reuse(sub, invocation.options);
   add_no_fusion(sub, invocation.options);

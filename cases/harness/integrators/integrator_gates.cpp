@@ -11,19 +11,6 @@ const std::vector<std::string>& gate_families() {
   return all;
 }
 
-Gate gate_row(const std::string& family, const std::string& name, const std::string& quantity, Range expected,
-              Origin origin, const std::string& reason) {
-  return gate(family + "/" + name, {quantity, {}}, expected, {origin, reason}).gate;
-}
-
-Measured plain(double value, std::string note) {
-  Measured measured;
-  measured.value = value;
-  measured.scale = 1;
-  measured.note = std::move(note);
-  return measured;
-}
-
 std::vector<IntegratorGate> integrator_gates(const Subject& subject, Effort effort) {
   std::vector<IntegratorGate> all;
   const auto add = [&](std::vector<IntegratorGate> rows) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cases/harness/integrators/subject.hpp"
-#include "cases/harness/judge/gates.hpp"
+#include "cases/harness/judge/measured_gates.hpp"
 
 namespace plumbline {
 
@@ -34,10 +34,5 @@ std::vector<IntegratorGate> energy_gates(const Subject& subject);
 std::vector<IntegratorGate> invariance_gates(const Subject& subject);
 std::vector<IntegratorGate> jump_gates();
 std::vector<IntegratorGate> identity_gates(const Subject& subject);
-
-// A gate of the family `family` with the id family/name; `value`: a plain number.
-Gate gate_row(const std::string& family, const std::string& name, const std::string& quantity, Range expected,
-              Origin origin, const std::string& reason);
-Measured plain(double value, std::string note = {});
 
 }  // namespace plumbline

@@ -1,7 +1,6 @@
 // Judging an integrator: its gates measured side by side, with a verdict each.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,9 +21,6 @@ struct JudgingOptions {
   int threads = 1;         // no number depends on it
   bool until_red = false;  // no gate is begun after one that is red
 };
-
-// Called as gates are judged: how many of how many, and which.
-using JudgingProgress = std::function<void(std::size_t done, std::size_t of, const std::string& gate)>;
 
 // Core gates first. What a step throws is a failure of the gate that took the step; throws Interrupted alone.
 JudgedIntegrator judge_integrator(const Subject& subject, const JudgingOptions& options,

@@ -1,0 +1,34 @@
+// Parts of a scheme that are chosen by name and judged by gates of their own kind, which need nothing from their authors.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cases/harness/judge/measured_gates.hpp"
+
+namespace plumbline {
+
+struct PartKind {
+  std::string name;  // "shape": the option of `verify`, and where results name a case
+  std::function<std::vector<std::string>()> names;
+  std::function<std::vector<MeasuredGate>(const std::string& part)> gates;
+};
+const std::vector<PartKind>& part_kinds();
+
+struct JudgedPart {
+  std::vector<JudgedGate> gates;  // in the order of the rows
+  std::vector<NotApplicable> not_applicable;
+  int declared = 0;  // more than both where judging ended at the first red one
+};
+
+struct PartJudging {
+  int threads = 1;         // no number depends on it
+  bool until_red = false;  // no gate is begun after one that is red
+  JudgingProgress progress = {};
+};
+
+// Throws UsageError for an unknown name, and Interrupted; what the part throws is a failure of the gate that asked it.
+JudgedPart judge_part(const PartKind& kind, const std::string& name, const PartJudging& how = {});
+
+}  // namespace plumbline

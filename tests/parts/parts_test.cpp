@@ -1,0 +1,150 @@
+// Built-in parts are green, wrong ones red by the gate that their defect is about.
+#include "cases/harness/parts/parts.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cctype>
+#include <ostream>
+#include <set>
+
+#include "cases/harness/files/errors.hpp"
+
+namespace plumbline {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+const PartKind& kind_named(const std::string& name) {
+  return *std::find_if(part_kinds().begin(), part_kinds().end(),
+                       [&](const PartKind& kind) { return kind.name == name; });
+}
+
+bool is_wrong(const std::string& name) { return name.rfind("wrong-", 0) == 0; }
+
+// Ids of the red gates.
+std::set<std::string> red(const JudgedPart& judged) {
+  std::set<std::string> ids;
+  for (const JudgedGate& gate : judged.gates) {
+    if (!gate.explanation.empty()) ids.insert(gate.gate.id);
+  }
+  return ids;
+}
+
+struct KindAndName {
+  std::string kind, name;
+  friend std::ostream& operator<<(std::ostream& out, const KindAndName& one) {
+    return out << one.kind << ' ' << one.name;
+  }
+};
+std::vector<KindAndName> built_in_parts() {
+  std::vector<KindAndName> all;
+  for (const PartKind& kind : part_kinds()) {
+    for (const std::string& name : kind.names()) {
+      if (!is_wrong(name)) all.push_back({kind.name, name});
+    }
+  }
+  return all;
+}
+
+class BuiltInPart : public testing::TestWithParam<KindAndName> {};
+
+TEST_P(BuiltInPart, IsGreen) {
+  const JudgedPart judged = judge_part(kind_named(GetParam().kind), GetParam().name);
+  EXPECT_EQ(judged.declared, static_cast<int>(judged.gates.size() + judged.not_applicable.size()));
+  EXPECT_FALSE(judged.gates.empty());
+  for (const JudgedGate& gate : judged.gates) {
+    EXPECT_TRUE(gate.explanation.empty()) << gate.gate.id << " is " << name(gate.judgement.verdict) << ": "
+                                          << gate.measured.value.value_or(-1) << ' ' << gate.measured.note;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BuiltInPart, testing::ValuesIn(built_in_parts()), [](const auto& one) {
+  std::string name = one.param.kind + "_" + one.param.name;
+  for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+  return name;
+});
+
+// A wrong part, a gate that has to see it, and one of another kind that its defect leaves alone.
+struct Wrong {
+  const char *kind, *name, *red, *green;
+  friend std::ostream& operator<<(std::ostream& out, const Wrong& one) { return out << one.kind << ' ' << one.name; }
+};
+constexpr Wrong wrong_parts[] = {
+    {"shape", "wrong-unity", "unity/line", "gradient/sums/line"},
+    {"shape", "wrong-centre", "linear/plane", "unity/plane"},
+    {"shape", "wrong-gradient", "gradient/derivative/line", "gradient/sums/line"},
+    {"shape", "wrong-anchor", "continuity/value/plane", "linear/plane"},
+    {"shape", "wrong-inertia", "inertia/second-moment/line", "linear/line"},
+    {"shape", "wrong-smooth", "continuity/gradient/line", "gradient/derivative/line"},
+    {"shape", "wrong-affine", "inertia/affine/plane", "inertia/second-moment/plane"},
+    {"shape", "wrong-blur", "inertia/blur/line", "inertia/constant/line"},
+    {"shape", "wrong-nearest", "order/value/line", "unity/line"},
+    {"shape", "wrong-force", "adjoint/forces/space", "adjoint/values/space"},
+    {"shape", "wrong-volume", "volume/rings", "unity/rings"},
+    {"shape", "wrong-reach", "support/reach/plane", "support/sides/plane"},
+    {"shape", "wrong-sides", "support/sides/line", "support/reach/line"},
+};
+
+class WrongPart : public testing::TestWithParam<Wrong> {};
+
+TEST_P(WrongPart, IsRedByTheGateOfItsDefect) {
+  const JudgedPart judged = judge_part(kind_named(GetParam().kind), GetParam().name);
+  const std::set<std::string> found = red(judged);
+  EXPECT_THAT(found, Contains(GetParam().red));
+  const auto green = std::find_if(judged.gates.begin(), judged.gates.end(),
+                                  [](const JudgedGate& gate) { return gate.gate.id == GetParam().green; });
+  ASSERT_NE(green, judged.gates.end()) << GetParam().green;
+  EXPECT_EQ(green->judgement.verdict, Verdict::pass) << GetParam().green;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, WrongPart, testing::ValuesIn(wrong_parts), [](const auto& one) {
+  std::string name = one.param.name;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+// Every wrong part stands in the table above.
+TEST(WrongParts, AreAllJudged) {
+  for (const PartKind& kind : part_kinds()) {
+    for (const std::string& name : kind.names()) {
+      if (!is_wrong(name)) continue;
+      EXPECT_TRUE(std::any_of(std::begin(wrong_parts), std::end(wrong_parts), [&](const Wrong& one) {
+        return one.kind == kind.name && one.name == name;
+      })) << name;
+    }
+  }
+}
+
+// Each id once, each with a reason, a bound and what usually causes a miss.
+TEST(PartGates, AreDeclaredInFull) {
+  for (const auto& [kind, name] : built_in_parts()) {
+    std::set<std::string> ids;
+    for (const MeasuredGate& row : kind_named(kind).gates(name)) {
+      EXPECT_NO_THROW(validate(row.gate)) << row.gate.id;
+      EXPECT_FALSE(row.explanation.empty()) << row.gate.id;
+      EXPECT_EQ(row.gate.id.rfind(row.family + "/", 0), 0U) << row.gate.id;
+      EXPECT_TRUE(ids.insert(row.gate.id).second) << row.gate.id;
+    }
+  }
+}
+
+TEST(PartGates, EndAtTheFirstRedOneIfAsked) {
+  const JudgedPart judged = judge_part(kind_named("shape"), "wrong-unity", {1, true, {}});
+  EXPECT_EQ(judged.gates.size(), 1U);
+  EXPECT_GT(judged.declared, 10);
+}
+
+TEST(PartGates, UnknownNamesAreOfferedTheNearest) {
+  try {
+    judge_part(kind_named("shape"), "cubics");
+    FAIL();
+  } catch (const UsageError& error) {
+    EXPECT_THAT(error.nearest, Contains("cubic"));
+    EXPECT_THAT(error.what(), HasSubstr("shape"));
+  }
+}
+
+}  // namespace
+}  // namespace plumbline

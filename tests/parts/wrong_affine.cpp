@@ -1,0 +1,16 @@
+#include "tests/parts/wrong.hpp"
+
+namespace plumbline::wrong {
+namespace {
+
+struct Affine : Quadratic {
+  template <class Number>
+  static void affine_weights(const Number& f, Number (&a)[support]) {
+    Quadratic::affine_weights(f, a);
+    for (Number& one : a) one *= 1 + 1e-6;
+  }
+};
+const RegisterShape entry(shape<Affine>("wrong-affine", "quadratic B-splines that take 1.000001 of the affine part"));
+
+}  // namespace
+}  // namespace plumbline::wrong

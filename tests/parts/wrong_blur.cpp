@@ -1,0 +1,20 @@
+#include "tests/parts/around.hpp"
+
+namespace plumbline::wrong {
+namespace {
+
+template <class Geometry>
+struct Blur final : AroundQuadratic<Geometry> {
+  using Base = AroundQuadratic<Geometry>;
+  using Base::Base;
+  ShapeTraits shape() const override {
+    ShapeTraits traits = Base::shape();
+    traits.blur *= 1.001;
+    return traits;
+  }
+};
+const RegisterShape entry(shape_around<Blur>("wrong-blur",
+                                             "quadratic B-splines that say they smooth 1.001 times as much"));
+
+}  // namespace
+}  // namespace plumbline::wrong

@@ -1,0 +1,20 @@
+#include "tests/parts/around.hpp"
+
+namespace plumbline::wrong {
+namespace {
+
+template <class Geometry>
+struct Force final : AroundQuadratic<Geometry> {
+  using Base = AroundQuadratic<Geometry>;
+  using Base::Base;
+  double map_forces(const Body& body, const typename Base::At& at, const Chunk& chunk, bool exchange,
+                    typename Base::Field& field) const override {
+    const double hoop = Base::map_forces(body, at, chunk, exchange, field);
+    for (auto& force : field.force) force *= 1 + 1e-6;
+    return hoop;
+  }
+};
+const RegisterShape entry(shape_around<Force>("wrong-force", "quadratic B-splines whose forces are 1e-6 strong"));
+
+}  // namespace
+}  // namespace plumbline::wrong

@@ -1,0 +1,16 @@
+#include "tests/parts/wrong.hpp"
+
+namespace plumbline::wrong {
+namespace {
+
+struct Inertia : Quadratic {
+  template <class Number>
+  static Number inertia(const Number&) {
+    return 0.2500001;
+  }
+};
+
+const RegisterShape entry(shape<Inertia>("wrong-inertia", "quadratic B-splines with an inertia of 0.2500001 cells"));
+
+}  // namespace
+}  // namespace plumbline::wrong

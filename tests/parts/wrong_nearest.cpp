@@ -1,0 +1,16 @@
+#include "tests/parts/wrong.hpp"
+
+namespace plumbline::wrong {
+namespace {
+
+struct Nearest : Quadratic {
+  template <class Number>
+  static void weights(const Number&, Number (&w)[support]) {
+    w[0] = w[2] = 0.0;
+    w[1] = 1.0;
+  }
+};
+const RegisterShape entry(shape<Nearest>("wrong-nearest", "all of a point goes to its nearest node"));
+
+}  // namespace
+}  // namespace plumbline::wrong

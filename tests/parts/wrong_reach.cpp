@@ -1,0 +1,20 @@
+#include "tests/parts/around.hpp"
+
+namespace plumbline::wrong {
+namespace {
+
+template <class Geometry>
+struct Reach final : AroundQuadratic<Geometry> {
+  using Base = AroundQuadratic<Geometry>;
+  using Base::Base;
+  ShapeTraits shape() const override {
+    ShapeTraits traits = Base::shape();
+    traits.support = 2;
+    return traits;
+  }
+};
+const RegisterShape entry(shape_around<Reach>("wrong-reach",
+                                              "quadratic B-splines that say they reach two nodes a direction"));
+
+}  // namespace
+}  // namespace plumbline::wrong

@@ -1,0 +1,13 @@
+#include "kernel/shapes/linear.hpp"
+#include "tests/parts/wrong.hpp"
+
+namespace plumbline::wrong {
+namespace {
+
+struct Smooth : Linear {
+  static constexpr bool smooth_gradients = true;
+};
+const RegisterShape entry(shape<Smooth>("wrong-smooth", "tents that offer gradients continuous across cells"));
+
+}  // namespace
+}  // namespace plumbline::wrong
