@@ -85,6 +85,13 @@ constexpr Wrong wrong_parts[] = {
     {"shape", "wrong-volume", "volume/rings", "unity/rings"},
     {"shape", "wrong-reach", "support/reach/plane", "support/sides/plane"},
     {"shape", "wrong-sides", "support/sides/line", "support/reach/line"},
+    {"contact", "wrong-reaction", "momentum/line", "release/line"},
+    {"contact", "wrong-bounce", "energy/plane", "momentum/plane"},
+    {"contact", "wrong-sticking", "release/space", "momentum/space"},
+    {"contact", "wrong-passing", "approach/plane", "energy/plane"},
+    {"contact", "wrong-silent", "told/line", "momentum/line"},
+    {"contact", "wrong-pull", "tension/plane", "momentum/plane"},
+    {"contact", "wrong-choosing", "again/line", "told/line"},
 };
 
 class WrongPart : public testing::TestWithParam<Wrong> {};

@@ -1,4 +1,4 @@
-#include "tests/parts/wrong.hpp"
+#include "tests/parts/wrong_shape.hpp"
 
 namespace plumbline::wrong {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/parts/around.hpp"
+#include "tests/parts/around_quadratic.hpp"
 
 namespace plumbline::wrong {
 namespace {

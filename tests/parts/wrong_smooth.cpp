@@ -1,5 +1,5 @@
 #include "kernel/shapes/linear.hpp"
-#include "tests/parts/wrong.hpp"
+#include "tests/parts/wrong_shape.hpp"
 
 namespace plumbline::wrong {
 namespace {

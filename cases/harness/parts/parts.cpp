@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cases/harness/files/errors.hpp"
+#include "cases/harness/parts/contact_gates.hpp"
 #include "cases/harness/parts/shape_gates.hpp"
 
 namespace plumbline {
@@ -24,8 +25,11 @@ bool is_red(const JudgedGate& gate) {
 }  // namespace
 
 const std::vector<PartKind>& part_kinds() {
-  static const std::vector<PartKind> all{{"shape", [] { return names_of(shapes()); },
-                                          [](const std::string& name) { return shape_gates(shape_named(name)); }}};
+  static const std::vector<PartKind> all{
+      {"shape", [] { return names_of(shapes()); },
+       [](const std::string& name) { return shape_gates(shape_named(name)); }},
+      {"contact", [] { return names_of(contacts()); },
+       [](const std::string& name) { return contact_gates(named(contacts(), name, "contact")); }}};
   return all;
 }
 

@@ -5,10 +5,10 @@
 
 #include <array>
 #include <memory>
-#include <random>
 #include <string>
 #include <vector>
 
+#include "cases/harness/parts/probe_random.hpp"
 #include "kernel/shapes/shape.hpp"
 
 namespace plumbline {
@@ -63,17 +63,5 @@ bool has_geometry(const ShapeEntry& shape, std::size_t geometry);
 // A grid of a few cells that are no unit of length, off the origin but for the radius of rings; walls on all sides or on none.
 GridSpec probe_grid(std::size_t geometry, bool walls);
 std::unique_ptr<ShapeProbe> probe(const ShapeEntry& shape, std::size_t geometry, const GridSpec& grid);
-
-// Uniform numbers, the same with every standard library.
-class ProbeRandom {
- public:
-  explicit ProbeRandom(unsigned long seed) : engine_(seed) {}
-  double operator()(double low, double high) {
-    return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 }  // namespace plumbline

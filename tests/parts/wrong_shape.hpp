@@ -1,14 +1,13 @@
-// What wrong parts are made with. Each stands in a file of its own that registers it, as a plug-in would; its title is the defect.
+// Wrong shapes made of loops of their own.
 #pragma once
 
 #include <string>
 
 #include "kernel/engine/loops/shape_entry.hpp"
 #include "kernel/shapes/quadratic.hpp"
+#include "tests/parts/wrong_source.hpp"
 
 namespace plumbline::wrong {
-
-inline const char* const here = "tests/parts";  // what stands as source of a part that nobody has published
 
 // On lines and in the plane alone: each further geometry takes seconds to compile.
 template <class Shape>

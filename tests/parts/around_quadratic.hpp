@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kernel/shapes/shape.hpp"
-#include "tests/parts/wrong.hpp"
+#include "tests/parts/wrong_shape.hpp"
 
 namespace plumbline::wrong {
 
