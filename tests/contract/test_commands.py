@@ -167,6 +167,8 @@ def test_a_part_is_judged_without_cases(plumbline):
     assert unknown.code == 2 and "cubic" in unknown.err
     beside = plumbline("verify", "sod", "--shape", "cubic")
     assert beside.code == 2 and "--set shape=cubic" in beside.err
+    assert plumbline("verify", "--transfer", "flip", "--set", "shape=cubic").code == 0
+    assert plumbline("verify", "--shape", "cubic", "--set", "cells=4").code == 2
 
 
 def test_reference_alone(plumbline):

@@ -15,7 +15,8 @@ class Choosing final : public AroundTouching<dim> {
  private:
   void alter(const Fields&, Fields&) const override {}
 };
-const RegisterContact entry(law<Choosing>("wrong-choosing", "nodes in contact are chosen anew in every pass of a step"));
+const RegisterContact entry(law<Choosing>("wrong-choosing",
+                                          "nodes in contact are chosen anew in every pass of a step"));
 
 }  // namespace
 }  // namespace plumbline::wrong

@@ -207,8 +207,9 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
   const Output out(common);
   Verification verification;
   const Scorecards scorecards = judge_integrators(common, options, folder, verification);
-  const Json parts = judge_parts(options.parts, threads_for_judging(common), options.until_red, judging_progress,
-                                 verification);
+  PartJudging of_parts{threads_for_judging(common), options.until_red, {}};
+  if (!none(options.parts) && common.integrators.empty()) of_parts.shape = shape_for(options.parts, common.settings);
+  const Json parts = judge_parts(options.parts, of_parts, judging_progress, verification);
   const bool parts_alone = options.patterns.empty() && common.schemes.empty() &&
                            (!common.integrators.empty() || !none(options.parts));
   if (!parts_alone) verify_cases(common, options, store, verification);

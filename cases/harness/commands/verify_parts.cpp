@@ -48,14 +48,31 @@ void refuse_cases(const ChosenParts& chosen, const std::vector<std::string>& pat
   }
 }
 
-Json judge_parts(const ChosenParts& chosen, int threads, bool until_red,
+std::string shape_for(const ChosenParts& chosen, const std::vector<std::string>& assignments) {
+  std::string shape = Scene().shape;
+  const auto transfers = chosen.find("transfer");
+  for (const std::string& assignment : assignments) {
+    const std::string key = assignment.substr(0, assignment.find('='));
+    if (key != "shape" || transfers == chosen.end() || transfers->second.empty()) {
+      throw UsageError(
+          key, assignment, "shape, of transfers", {},
+          fmt::format("--set {}: a part is judged without keys, but for the shape with which a transfer is",
+                      assignment));
+    }
+    shape = assignment.substr(key.size() + 1);
+  }
+  return shape;
+}
+
+Json judge_parts(const ChosenParts& chosen, PartJudging how,
                  const std::function<JudgingProgress(const std::string& name)>& progress, Verification& verification) {
   Json all = Json::array();
   for (const PartKind& kind : part_kinds()) {
     const auto names = chosen.find(kind.name);
     if (names == chosen.end()) continue;
     for (const std::string& name : names->second) {
-      JudgedPart judged = judge_part(kind, name, {threads, until_red, progress(name)});
+      how.progress = progress(name);
+      JudgedPart judged = judge_part(kind, name, how);
       end_progress();
       all.push_back(summary(kind.name, name, judged));
       verification.declared += judged.declared;

@@ -22,8 +22,12 @@ void refuse_cases(const ChosenParts& chosen, const std::vector<std::string>& pat
 
 // The gates of each part are added to `verification`; returns what is known of each, as JSON documents have it (`parts` of the
 // schema). Throws UsageError for an unknown name.
-Json judge_parts(const ChosenParts& chosen, int threads, bool until_red,
+Json judge_parts(const ChosenParts& chosen, PartJudging how,
                  const std::function<JudgingProgress(const std::string& name)>& progress, Verification& verification);
+
+// The shape that --set shape=X names for the transfers among the parts, else the default one. Throws UsageError for any other key:
+// parts have none.
+std::string shape_for(const ChosenParts& chosen, const std::vector<std::string>& assignments);
 
 // "shape cubic: red by unity/line"
 std::string part_line(const Json& part);

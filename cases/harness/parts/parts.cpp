@@ -6,6 +6,7 @@
 #include "cases/harness/files/errors.hpp"
 #include "cases/harness/parts/contact_gates.hpp"
 #include "cases/harness/parts/shape_gates.hpp"
+#include "cases/harness/parts/transfer_gates.hpp"
 
 namespace plumbline {
 namespace {
@@ -15,6 +16,10 @@ std::vector<std::string> names_of(const std::vector<Entry>& all) {
   std::vector<std::string> names;
   for (const Entry& entry : all) names.push_back(entry.name);
   return names;
+}
+
+void want_name(const std::string& what, const std::string& name, const std::vector<std::string>& known) {
+  if (std::find(known.begin(), known.end(), name) == known.end()) throw unknown_name(what, name, known);
 }
 
 bool is_red(const JudgedGate& gate) {
@@ -27,16 +32,20 @@ bool is_red(const JudgedGate& gate) {
 const std::vector<PartKind>& part_kinds() {
   static const std::vector<PartKind> all{
       {"shape", [] { return names_of(shapes()); },
-       [](const std::string& name) { return shape_gates(shape_named(name)); }},
+       [](const std::string& name, const std::string&) { return shape_gates(shape_named(name)); }},
+      {"transfer", [] { return names_of(transfers()); },
+       [](const std::string& name, const std::string& shape) {
+         return transfer_gates(transfer_named(name), shape_named(shape));
+       }},
       {"contact", [] { return names_of(contacts()); },
-       [](const std::string& name) { return contact_gates(named(contacts(), name, "contact")); }}};
+       [](const std::string& name, const std::string&) { return contact_gates(named(contacts(), name, "contact")); }}};
   return all;
 }
 
 JudgedPart judge_part(const PartKind& kind, const std::string& name, const PartJudging& how) {
-  const std::vector<std::string> known = kind.names();
-  if (std::find(known.begin(), known.end(), name) == known.end()) throw unknown_name(kind.name, name, known);
-  const std::vector<MeasuredGate> rows = kind.gates(name);
+  want_name(kind.name, name, kind.names());
+  want_name("shape", how.shape, names_of(shapes()));
+  const std::vector<MeasuredGate> rows = kind.gates(name, how.shape);
   JudgedPart found;
   found.declared = static_cast<int>(rows.size());
   for (GateOutcome& outcome :

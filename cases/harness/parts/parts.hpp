@@ -6,13 +6,15 @@
 #include <vector>
 
 #include "cases/harness/judge/measured_gates.hpp"
+#include "kernel/scene.hpp"
 
 namespace plumbline {
 
 struct PartKind {
   std::string name;  // "shape": the option of `verify`, and where results name a case
   std::function<std::vector<std::string>()> names;
-  std::function<std::vector<MeasuredGate>(const std::string& part)> gates;
+  // shape: with which transfers are judged.
+  std::function<std::vector<MeasuredGate>(const std::string& part, const std::string& shape)> gates;
 };
 const std::vector<PartKind>& part_kinds();
 
@@ -26,6 +28,7 @@ struct PartJudging {
   int threads = 1;         // no number depends on it
   bool until_red = false;  // no gate is begun after one that is red
   JudgingProgress progress = {};
+  std::string shape = Scene().shape;  // with which transfers are judged
 };
 
 // Throws UsageError for an unknown name, and Interrupted; what the part throws is a failure of the gate that asked it.

@@ -32,10 +32,6 @@ std::vector<MeasuredGate> shape_support_gates(const SharedSubject& subject);
 std::vector<MeasuredGate> shape_path_gates(const SharedSubject& subject);
 std::vector<MeasuredGate> shape_order_gates(const SharedSubject& subject);
 
-// Random points of a grid, fixed by the seed; a third of their coordinates stand on sides, on node lines, half way between them
-// or a rounding off. Those off the axis of rings stand at a tenth of a cell from it or more.
-std::vector<ProbePoint> probe_points(const GridSpec& grid, int count, unsigned long seed, bool off_axis = false);
-
 // Random values from -1 to 1 on every node, a column for each direction.
 Eigen::MatrixXd random_field(const ShapeProbe& probe, unsigned long seed);
 

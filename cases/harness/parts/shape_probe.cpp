@@ -1,5 +1,7 @@
 #include "cases/harness/parts/shape_probe.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -200,6 +202,18 @@ auto of_geometry(std::size_t geometry, Call&& call) {
   }
 }
 
+// A place along a direction of so many cells, in cells.
+double coordinate(ProbeRandom& random, int cells, double least) {
+  double x = random(least, cells);
+  if (random(0, 1) < 1.0 / 3) {
+    x = std::round(2 * x) / 2;
+    const double side = random(-1, 1);
+    if (side < -0.3) x = std::nextafter(x, 0.0);
+    if (side > 0.3) x = std::nextafter(x, 2.0 * cells);
+  }
+  return std::max(x, least);
+}
+
 }  // namespace
 
 const std::vector<std::string>& geometry_names() {
@@ -230,6 +244,20 @@ std::unique_ptr<ShapeProbe> probe(const ShapeEntry& shape, std::size_t geometry,
   return of_geometry(geometry, [&](auto k) -> std::unique_ptr<ShapeProbe> {
     return std::make_unique<Probe<GeometryOf<k()>>>(shape.name, grid);
   });
+}
+
+std::vector<ProbePoint> probe_points(const GridSpec& grid, int count, unsigned long seed, bool off_axis) {
+  constexpr double least_half = 0.1, widest_half = 0.5;  // of boxes, in cells: up to half a cell on each side
+  ProbeRandom random(seed);
+  std::vector<ProbePoint> points(static_cast<std::size_t>(count));
+  for (ProbePoint& point : points) {
+    point.half = grid.h * random(least_half, widest_half);
+    for (std::size_t d = 0; d < static_cast<std::size_t>(grid.dim); ++d) {
+      const double least = off_axis && grid.axisymmetric && d == 0 ? 0.1 : 0;
+      point.x[d] = grid.origin[d] + grid.h * coordinate(random, grid.cells[d], least);
+    }
+  }
+  return points;
 }
 
 }  // namespace plumbline

@@ -64,4 +64,8 @@ bool has_geometry(const ShapeEntry& shape, std::size_t geometry);
 GridSpec probe_grid(std::size_t geometry, bool walls);
 std::unique_ptr<ShapeProbe> probe(const ShapeEntry& shape, std::size_t geometry, const GridSpec& grid);
 
+// Random points of a grid, fixed by the seed; a third of their coordinates stand on sides, on node lines, half way between them
+// or a rounding off. Those off the axis of rings stand at a tenth of a cell from it or more.
+std::vector<ProbePoint> probe_points(const GridSpec& grid, int count, unsigned long seed, bool off_axis = false);
+
 }  // namespace plumbline
