@@ -168,6 +168,7 @@ def test_a_part_is_judged_without_cases(plumbline):
     beside = plumbline("verify", "sod", "--shape", "cubic")
     assert beside.code == 2 and "--set shape=cubic" in beside.err
     assert plumbline("verify", "--transfer", "flip", "--set", "shape=cubic").code == 0
+    assert plumbline("verify", "--material", "neo_hookean", "--contact", "touching").code == 0
     assert plumbline("verify", "--shape", "cubic", "--set", "cells=4").code == 2
 
 

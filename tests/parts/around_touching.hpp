@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernel/contact/contact.hpp"
+#include "kernel/register_part.hpp"
 #include "tests/parts/wrong_source.hpp"
 
 namespace plumbline::wrong {

@@ -10,7 +10,7 @@ struct Affine : Quadratic {
     for (Number& one : a) one *= 1 + 1e-6;
   }
 };
-const RegisterShape entry(shape<Affine>("wrong-affine", "quadratic B-splines that take 1.000001 of the affine part"));
+const RegisterPart entry(shape<Affine>("wrong-affine", "quadratic B-splines that take 1.000001 of the affine part"));
 
 }  // namespace
 }  // namespace plumbline::wrong

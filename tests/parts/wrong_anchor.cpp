@@ -17,7 +17,7 @@ struct Anchor : Quadratic {
   }
 };
 
-const RegisterShape entry(
+const RegisterPart entry(
     shape<Anchor>("wrong-anchor", "quadratic B-splines whose pieces change 0.05 cells beside the middle of a cell"));
 
 }  // namespace

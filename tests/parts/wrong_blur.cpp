@@ -13,8 +13,8 @@ struct Blur final : AroundQuadratic<Geometry> {
     return traits;
   }
 };
-const RegisterShape entry(shape_around<Blur>("wrong-blur",
-                                             "quadratic B-splines that say they smooth 1.001 times as much"));
+const RegisterPart entry(shape_around<Blur>("wrong-blur",
+                                            "quadratic B-splines that say they smooth 1.001 times as much"));
 
 }  // namespace
 }  // namespace plumbline::wrong

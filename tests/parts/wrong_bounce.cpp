@@ -18,7 +18,7 @@ class Bounce final : public AroundTouching<dim> {
     }
   }
 };
-const RegisterContact entry(law<Bounce>("wrong-bounce", "bodies part 1.01 times as fast as without loss"));
+const RegisterPart entry(law<Bounce>("wrong-bounce", "bodies part 1.01 times as fast as without loss"));
 
 }  // namespace
 }  // namespace plumbline::wrong

@@ -13,8 +13,8 @@ struct Centre : Quadratic {
   }
 };
 
-const RegisterShape entry(shape<Centre>("wrong-centre",
-                                        "quadratic B-splines that move the mean place of a point by 2e-7 cells"));
+const RegisterPart entry(shape<Centre>("wrong-centre",
+                                       "quadratic B-splines that move the mean place of a point by 2e-7 cells"));
 
 }  // namespace
 }  // namespace plumbline::wrong

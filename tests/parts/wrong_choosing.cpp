@@ -15,8 +15,7 @@ class Choosing final : public AroundTouching<dim> {
  private:
   void alter(const Fields&, Fields&) const override {}
 };
-const RegisterContact entry(law<Choosing>("wrong-choosing",
-                                          "nodes in contact are chosen anew in every pass of a step"));
+const RegisterPart entry(law<Choosing>("wrong-choosing", "nodes in contact are chosen anew in every pass of a step"));
 
 }  // namespace
 }  // namespace plumbline::wrong

@@ -14,7 +14,7 @@ struct Force final : AroundQuadratic<Geometry> {
     return hoop;
   }
 };
-const RegisterShape entry(shape_around<Force>("wrong-force", "quadratic B-splines whose forces are 1e-6 strong"));
+const RegisterPart entry(shape_around<Force>("wrong-force", "quadratic B-splines whose forces are 1e-6 strong"));
 
 }  // namespace
 }  // namespace plumbline::wrong

@@ -14,7 +14,7 @@ struct Gradient : Quadratic {
   }
 };
 
-const RegisterShape entry(shape<Gradient>(
+const RegisterPart entry(shape<Gradient>(
     "wrong-gradient", "quadratic B-splines whose gradients are not their derivatives, by 1e-4 of a curvature"));
 
 }  // namespace

@@ -10,7 +10,7 @@ struct Inertia : Quadratic {
   }
 };
 
-const RegisterShape entry(shape<Inertia>("wrong-inertia", "quadratic B-splines with an inertia of 0.2500001 cells"));
+const RegisterPart entry(shape<Inertia>("wrong-inertia", "quadratic B-splines with an inertia of 0.2500001 cells"));
 
 }  // namespace
 }  // namespace plumbline::wrong

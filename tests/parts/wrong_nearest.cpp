@@ -10,7 +10,7 @@ struct Nearest : Quadratic {
     w[1] = 1.0;
   }
 };
-const RegisterShape entry(shape<Nearest>("wrong-nearest", "all of a point goes to its nearest node"));
+const RegisterPart entry(shape<Nearest>("wrong-nearest", "all of a point goes to its nearest node"));
 
 }  // namespace
 }  // namespace plumbline::wrong

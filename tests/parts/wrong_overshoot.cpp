@@ -17,8 +17,7 @@ class Overshoot final : public AroundQuadratic<Geometry> {
     return sums;
   }
 };
-const RegisterShape entry(shape_around<Overshoot>("wrong-overshoot",
-                                                  "points take 1.0001 of what the grid gives them"));
+const RegisterPart entry(shape_around<Overshoot>("wrong-overshoot", "points take 1.0001 of what the grid gives them"));
 
 }  // namespace
 }  // namespace plumbline::wrong

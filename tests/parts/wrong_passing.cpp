@@ -12,7 +12,7 @@ class Passing final : public AroundTouching<dim> {
  private:
   void alter(const Fields& before, Fields& fields) const override { fields = before; }
 };
-const RegisterContact entry(law<Passing>("wrong-passing", "bodies that touch pass through each other"));
+const RegisterPart entry(law<Passing>("wrong-passing", "bodies that touch pass through each other"));
 
 }  // namespace
 }  // namespace plumbline::wrong

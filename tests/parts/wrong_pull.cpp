@@ -18,7 +18,7 @@ class Pull final : public AroundTouching<dim> {
     }
   }
 };
-const RegisterContact entry(law<Pull>("wrong-pull", "impulses in the first direction pull"));
+const RegisterPart entry(law<Pull>("wrong-pull", "impulses in the first direction pull"));
 
 }  // namespace
 }  // namespace plumbline::wrong

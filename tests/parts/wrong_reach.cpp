@@ -13,8 +13,8 @@ struct Reach final : AroundQuadratic<Geometry> {
     return traits;
   }
 };
-const RegisterShape entry(shape_around<Reach>("wrong-reach",
-                                              "quadratic B-splines that say they reach two nodes a direction"));
+const RegisterPart entry(shape_around<Reach>("wrong-reach",
+                                             "quadratic B-splines that say they reach two nodes a direction"));
 
 }  // namespace
 }  // namespace plumbline::wrong

@@ -16,8 +16,8 @@ class Reaction final : public AroundTouching<dim> {
     }
   }
 };
-const RegisterContact entry(law<Reaction>("wrong-reaction",
-                                          "the second body is given 1.000001 of what the first gives it"));
+const RegisterPart entry(law<Reaction>("wrong-reaction",
+                                       "the second body is given 1.000001 of what the first gives it"));
 
 }  // namespace
 }  // namespace plumbline::wrong

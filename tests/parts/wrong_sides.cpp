@@ -12,8 +12,8 @@ struct Sides final : AroundQuadratic<Geometry> {
     return true;
   }
 };
-const RegisterShape entry(shape_around<Sides>("wrong-sides",
-                                              "quadratic B-splines that take points beyond a side to be on the grid"));
+const RegisterPart entry(shape_around<Sides>("wrong-sides",
+                                             "quadratic B-splines that take points beyond a side to be on the grid"));
 
 }  // namespace
 }  // namespace plumbline::wrong

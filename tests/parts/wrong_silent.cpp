@@ -13,7 +13,7 @@ class Silent final : public AroundTouching<dim> {
   void alter(const Fields&, Fields&) const override {}
   bool tells() const override { return false; }
 };
-const RegisterContact entry(law<Silent>("wrong-silent", "contact tells of none of its changes"));
+const RegisterPart entry(law<Silent>("wrong-silent", "contact tells of none of its changes"));
 
 }  // namespace
 }  // namespace plumbline::wrong

@@ -7,7 +7,7 @@ namespace {
 struct Smooth : Linear {
   static constexpr bool smooth_gradients = true;
 };
-const RegisterShape entry(shape<Smooth>("wrong-smooth", "tents that offer gradients continuous across cells"));
+const RegisterPart entry(shape<Smooth>("wrong-smooth", "tents that offer gradients continuous across cells"));
 
 }  // namespace
 }  // namespace plumbline::wrong

@@ -18,7 +18,7 @@ class Spin final : public AroundQuadratic<Geometry> {
     return sums;
   }
 };
-const RegisterShape entry(shape_around<Spin>("wrong-spin", "points take 0.99 of the affine part"));
+const RegisterPart entry(shape_around<Spin>("wrong-spin", "points take 0.99 of the affine part"));
 
 }  // namespace
 }  // namespace plumbline::wrong

@@ -18,7 +18,7 @@ class Sticking final : public AroundTouching<dim> {
     }
   }
 };
-const RegisterContact entry(law<Sticking>("wrong-sticking", "bodies that touch move in common, also where they part"));
+const RegisterPart entry(law<Sticking>("wrong-sticking", "bodies that touch move in common, also where they part"));
 
 }  // namespace
 }  // namespace plumbline::wrong

@@ -11,7 +11,7 @@ struct Unity : Quadratic {
   }
 };
 
-const RegisterShape entry(shape<Unity>("wrong-unity", "quadratic B-splines whose weights add up to 1.000001"));
+const RegisterPart entry(shape<Unity>("wrong-unity", "quadratic B-splines whose weights add up to 1.000001"));
 
 }  // namespace
 }  // namespace plumbline::wrong

@@ -17,8 +17,8 @@ struct Volume final : AroundQuadratic<Geometry> {
     return all;
   }
 };
-const RegisterShape entry(shape_around<Volume>("wrong-volume",
-                                               "quadratic B-splines whose last node has 1.001 of its volume"));
+const RegisterPart entry(shape_around<Volume>("wrong-volume",
+                                              "quadratic B-splines whose last node has 1.001 of its volume"));
 
 }  // namespace
 }  // namespace plumbline::wrong

@@ -31,7 +31,7 @@ class AtWalls final : public AroundQuadratic<Geometry> {
 
   GridSpec grid_;
 };
-const RegisterShape entry(shape_around<AtWalls>(
+const RegisterPart entry(shape_around<AtWalls>(
     "wrong-walls", "points within half a cell of a wall lose a millionth of the velocity that they take"));
 
 }  // namespace

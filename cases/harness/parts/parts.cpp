@@ -5,6 +5,7 @@
 
 #include "cases/harness/files/errors.hpp"
 #include "cases/harness/parts/contact_gates.hpp"
+#include "cases/harness/parts/material_gates.hpp"
 #include "cases/harness/parts/shape_gates.hpp"
 #include "cases/harness/parts/transfer_gates.hpp"
 
@@ -37,6 +38,8 @@ const std::vector<PartKind>& part_kinds() {
        [](const std::string& name, const std::string& shape) {
          return transfer_gates(transfer_named(name), shape_named(shape));
        }},
+      {"material", [] { return names_of(materials()); },
+       [](const std::string& name, const std::string&) { return material_gates(material_named(name)); }},
       {"contact", [] { return names_of(contacts()); },
        [](const std::string& name, const std::string&) { return contact_gates(named(contacts(), name, "contact")); }}};
   return all;

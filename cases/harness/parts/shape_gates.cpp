@@ -23,7 +23,6 @@ Eigen::MatrixXd random_field(const ShapeProbe& probe, unsigned long seed) {
 std::vector<MeasuredGate> shape_gates(const ShapeEntry& shape) {
   std::vector<MeasuredGate> all;
   for (std::size_t geometry = 0; geometry < geometry_names().size(); ++geometry) {
-    if (!has_geometry(shape, geometry)) continue;
     const auto subject = std::make_shared<const ShapeSubject>(shape, geometry);
     for (auto* rows : {shape_identity_gates, shape_support_gates, shape_path_gates, shape_order_gates}) {
       std::vector<MeasuredGate> some = rows(subject);

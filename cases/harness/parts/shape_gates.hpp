@@ -1,4 +1,4 @@
-// Gates that any shape must meet, in each geometry that it has loops for. Bounds follow from theory.
+// Gates that any shape must meet, in each geometry. Bounds follow from theory.
 #pragma once
 
 #include <memory>

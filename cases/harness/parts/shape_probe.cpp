@@ -164,6 +164,7 @@ class Probe final : public ShapeProbe {
         if (space_.shape.boxes) body.points(column::half_size, d)[p] = point.half;
       }
     }
+    if (space_.loops->follows()) space_.loops->follow(body.points);
     return body;
   }
 
@@ -219,10 +220,6 @@ double coordinate(ProbeRandom& random, int cells, double least) {
 const std::vector<std::string>& geometry_names() {
   static const std::vector<std::string> all{"line", "plane", "rings", "space"};
   return all;
-}
-
-bool has_geometry(const ShapeEntry& shape, std::size_t geometry) {
-  return of_geometry(geometry, [&](auto k) { return std::get<k()>(shape.loops) != nullptr; });
 }
 
 GridSpec probe_grid(std::size_t geometry, bool walls) {

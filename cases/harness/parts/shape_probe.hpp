@@ -58,7 +58,6 @@ class ShapeProbe {
 
 // The four geometries: "line", "plane", "rings", "space".
 const std::vector<std::string>& geometry_names();
-bool has_geometry(const ShapeEntry& shape, std::size_t geometry);
 
 // A grid of a few cells that are no unit of length, off the origin but for the radius of rings; walls on all sides or on none.
 GridSpec probe_grid(std::size_t geometry, bool walls);

@@ -73,7 +73,6 @@ double order_of_filter(const TransferEntry& transfer, const ShapeEntry& shape) {
 }  // namespace
 
 std::vector<MeasuredGate> transfer_filter_gates(const TransferEntry& transfer, const ShapeEntry& shape) {
-  if (!has_geometry(shape, 0)) return {};
   std::vector<MeasuredGate> all{
       {"filter",
        gate_row("filter", "range/line",

@@ -282,7 +282,7 @@ void add_gates(const Subject& subject, std::vector<MeasuredGate>& all) {
 std::vector<MeasuredGate> transfer_gates(const TransferEntry& transfer, const ShapeEntry& shape) {
   std::vector<MeasuredGate> all;
   for (std::size_t geometry = 0; geometry < geometry_names().size(); ++geometry) {
-    if (has_geometry(shape, geometry)) add_gates({&transfer, &shape, geometry}, all);
+    add_gates({&transfer, &shape, geometry}, all);
   }
   std::vector<MeasuredGate> filters = transfer_filter_gates(transfer, shape);
   std::move(filters.begin(), filters.end(), std::back_inserter(all));
