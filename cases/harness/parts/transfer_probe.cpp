@@ -52,7 +52,7 @@ void TransferProbe::pass(double dt, bool moving) {
   } else {
     engine_->kick_points(dt);
   }
-  engine_->check();
+  if (!engine_->survey().admissible) stop_at_inadmissible(scene_);
   ledger_.close_step(engine_->totals());
   time_ += dt;
 }
