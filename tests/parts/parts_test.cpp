@@ -91,6 +91,7 @@ constexpr Wrong wrong_parts[] = {
     {"material", "wrong-viscosity", "entropy/production/line", "energy/derivative/line"},
     {"material", "wrong-viscosity", "entropy/told/rings", "speed/motion/rings"},
     {"material", "wrong-speed", "speed/small-strains/plane", "energy/derivative/plane"},
+    {"material", "wrong-hesitant", "speed/excess/plane", "speed/small-strains/plane"},
     {"material", "wrong-tangent", "speed/strained/line", "speed/small-strains/line"},
     {"material", "wrong-still", "speed/motion/space", "speed/strained/space"},
     {"material", "wrong-rates", "rates/advance/rings", "energy/derivative/rings"},

@@ -77,7 +77,7 @@ double energy(const ContactEntry& law) {
   ProbeRandom random(seed);
   double worst = -1;
   for (int k = 0; k < encounters; ++k) {
-    const auto first = all.meet(Motion::any, random), again = all.meet_again(Motion::any, random);
+    const auto first = all.meet(Motion::approaching, random), again = all.meet_again(Motion::approaching, random);
     for (const auto& pass : {first, again}) {
       for (const bool keep : {false, true}) worst = worse(energy_gained<dim>(pass.told, keep), worst);
     }
@@ -209,8 +209,8 @@ void add_gates(const ContactEntry& law, const std::string& where, std::vector<Me
   row("momentum", "largest change of momentum at a node over its mass" + of_random, rounding, Origin::identity,
       "what one body gets the other gives, node by node; a few thousand roundings",
       "impulses on two bodies are not opposite, or weighted with other masses", momentum<dim>);
-  row("energy", "energy gained beyond the work of the other forces, over that of the nodes" + of_random, rounding,
-      Origin::theory, "contact without a store of its own may only take energy; a few thousand roundings",
+  row("energy", "energy gained beyond the work of the other forces, over that of the nodes, where bodies approach",
+      rounding, Origin::theory, "contact without a store of its own may only take energy; a few thousand roundings",
       "a restitution, an impulse that is too strong, or another instant's velocity", energy<dim>);
   row("tension", "strongest pull on a body that approaches the other, as a change of speed", rounding, Origin::theory,
       "contact pushes bodies apart and never together; a few thousand roundings",

@@ -19,6 +19,7 @@ constexpr double small_strain = 1e-3;
 // Differences from -dt to dt have errors of dt^2 and of roundings over dt, of rates and strains of order one.
 constexpr double dt = 1e-5, of_difference = 1e-7;
 constexpr double rounding = 1e-12;
+constexpr double most_excess = 1;
 constexpr double speeds_agree = 1e-2;  // at small strains moduli differ by a few of them from those at rest
 
 double worse(double a, double b) { return std::isnan(a) || a > b ? a : b; }
@@ -139,17 +140,20 @@ std::pair<double, double> speed_ratios(const MaterialProbe& probe) {
   return found;
 }
 
-// Pulled alike in all directions, a little, so that what only pulls does.
-double off_speed(const MaterialSubject& subject, std::size_t geometry) {
-  double worst = 0;
+// Points pulled alike in all directions, a little, so that what only pulls does: how much the step's speed is below that of waves,
+// or above it.
+double off_speed(const MaterialSubject& subject, std::size_t geometry, bool above) {
+  double worst = -1;
   for (const auto& material : subject.made) {
     MaterialProbe probe(material, geometry, subject.density);
     probe = probe.strained({Eigen::MatrixXd::Identity(probe.dim(), probe.dim()), 0}, small_strain);
     const auto [least, most] = speed_ratios(probe);
-    worst = worse(std::max(std::abs(least), most), worst);
+    worst = worse(above ? most : -least, worst);
   }
   return worst;
 }
+double too_slow(const MaterialSubject& subject, std::size_t geometry) { return off_speed(subject, geometry, false); }
+double too_fast(const MaterialSubject& subject, std::size_t geometry) { return off_speed(subject, geometry, true); }
 
 // How much faster waves are than the step takes them to be.
 double overtaken(const MaterialProbe& probe, ProbeRandom&) { return -speed_ratios(probe).first; }
@@ -281,12 +285,17 @@ std::vector<MeasuredGate> gates_of(const std::shared_ptr<const MaterialSubject>&
              "strains that are added up in fixed axes", off_spin);
   }
   if (waves) {
+    rows.add("speed", "small-strains",
+             "how much faster the fastest plane wave is than the step takes it to be; strains of 0.001", speeds_agree,
+             Origin::theory,
+             "no wave may be faster than the step is made for; a strain of a thousandth changes it by some thousandths",
+             "a modulus, or the density, of step_bounds() or of the stress", too_slow);
     rows.add(
-        "speed", "small-strains",
-        "speed that the step is made for over that of the fastest plane wave, less 1; points at rest", speeds_agree,
-        Origin::theory,
-        "steps are limited by waves of the tangent's speed; a strain of a thousandth changes it by some thousandths",
-        "a modulus, or the density, of step_bounds() or of the stress", off_speed);
+        "speed", "excess",
+        "speed that the step is made for over that of the fastest plane wave, less 1; strains of 0.001", most_excess,
+        Origin::requirement,
+        "a bound may be above the speed of waves, but one of twice that speed takes twice the steps that are needed",
+        "a modulus, or the density, of step_bounds() or of the stress", too_fast);
     rows.add("speed", "strained",
              "how much faster the fastest plane wave is than the step takes it to be; strains up to 0.2", of_difference,
              Origin::theory, "no wave may be faster than the step is made for" + by_difference,
