@@ -1,12 +1,12 @@
 #include "cases/harness/parts/material_gates.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
 
+#include "cases/harness/parts/material_waves.hpp"
 #include "cases/harness/parts/shape_probe.hpp"
 
 namespace plumbline {
@@ -15,9 +15,8 @@ namespace {
 constexpr int states = 5;  // strained at random, all points each
 constexpr unsigned long seed = 70;
 constexpr double strain = 0.2;
-constexpr double small_strain = 1e-3;
 // Differences from -dt to dt have errors of dt^2 and of roundings over dt, of rates and strains of order one.
-constexpr double dt = 1e-5, of_difference = 1e-7;
+constexpr double dt = step_of_difference, of_difference = 1e-7;
 constexpr double rounding = 1e-12;
 constexpr double most_excess = 1;
 constexpr double speeds_agree = 1e-2;  // at small strains moduli differ by a few of them from those at rest
@@ -99,77 +98,6 @@ double off_spin(const MaterialProbe& probe, ProbeRandom& random) {
     worst = worse((change - (spin * sigma - sigma * spin)).norm() / scale, worst);
     const double stored = (after.energy(p) - before.energy(p)) / (2 * dt);
     worst = worse(std::abs(stored) / (probe.volume(p) * scale), worst);
-  }
-  return worst;
-}
-
-// The acoustic tensor of waves along n, m^2/s^2: Q a is the change of the stress on n under the gradient a n^T. (The traction on a
-// material surface changes by that alone.)
-Eigen::MatrixXd acoustic_tensor(const MaterialProbe& probe, const Eigen::VectorXd& n, int p) {
-  Eigen::MatrixXd q(probe.dim(), probe.dim());
-  for (int d = 0; d < probe.dim(); ++d) {
-    const Straining rate{Eigen::VectorXd::Unit(probe.dim(), d) * n.transpose(), 0};
-    const Eigen::MatrixXd change = probe.strained(rate, dt).stress(p) - probe.strained(rate, -dt).stress(p);
-    q.col(d) = change * n / (2 * dt * probe.density(p));
-  }
-  return 0.5 * (q + q.transpose());
-}
-
-// Of plane waves in any direction, m/s: from each axis the direction is turned to that of the fastest wave's motion.
-double fastest_wave(const MaterialProbe& probe, int p) {
-  double largest = 0;
-  for (int d = 0; d < probe.dim(); ++d) {
-    Eigen::VectorXd n = Eigen::VectorXd::Unit(probe.dim(), d) + Eigen::VectorXd::Constant(probe.dim(), 0.1);
-    for (int k = 0; k < 4; ++k) {
-      n.normalize();
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> waves(acoustic_tensor(probe, n, p));
-      largest = std::max(largest, waves.eigenvalues().tail<1>()[0]);
-      n = waves.eigenvectors().rightCols<1>();
-    }
-  }
-  return std::sqrt(largest);
-}
-
-// Of points at rest: the step's speed over that of the fastest wave, less 1. The least and the most of all points.
-std::pair<double, double> speed_ratios(const MaterialProbe& probe) {
-  std::pair<double, double> found{std::numeric_limits<double>::infinity(), 0};
-  for (int p = 0; p < probe.count(); ++p) {
-    const double ratio = probe.fastest(p) / fastest_wave(probe, p) - 1;
-    found = {std::min(found.first, ratio), worse(ratio, found.second)};
-  }
-  return found;
-}
-
-// Points pulled alike in all directions, a little, so that what only pulls does: how much the step's speed is below that of waves,
-// or above it.
-double off_speed(const MaterialSubject& subject, std::size_t geometry, bool above) {
-  double worst = -1;
-  for (const auto& material : subject.made) {
-    MaterialProbe probe(material, geometry, subject.density);
-    probe = probe.strained({Eigen::MatrixXd::Identity(probe.dim(), probe.dim()), 0}, small_strain);
-    const auto [least, most] = speed_ratios(probe);
-    worst = worse(above ? most : -least, worst);
-  }
-  return worst;
-}
-double too_slow(const MaterialSubject& subject, std::size_t geometry) { return off_speed(subject, geometry, false); }
-double too_fast(const MaterialSubject& subject, std::size_t geometry) { return off_speed(subject, geometry, true); }
-
-// How much faster waves are than the step takes them to be.
-double overtaken(const MaterialProbe& probe, ProbeRandom&) { return -speed_ratios(probe).first; }
-
-// What points that move add to the speed, less their own speed, over the speed of waves.
-double off_motion(const MaterialProbe& probe, ProbeRandom& random) {
-  MaterialProbe moving = probe;
-  double worst = 0;
-  for (int p = 0; p < probe.count(); ++p) {
-    double square = 0;
-    for (int d = 0; d < probe.dim(); ++d) {
-      const double v = random(-1, 1);
-      moving.points()(column::velocity, d)[p] = v;
-      square += v * v;
-    }
-    worst = worse(std::abs(moving.fastest(p) - probe.fastest(p) - std::sqrt(square)) / probe.fastest(p), worst);
   }
   return worst;
 }
