@@ -184,7 +184,7 @@ def test_another_parts_name_is_unknown_without_it(installed, example):
     assert installed("run", case, "--set", choice).code == 2
     key, _, wanted = choice.partition("=")
     refused = installed("run", case, "--plugin", library, "--set", f"{key}={wanted[:-1]}", json=True)
-    assert refused.code == 2 and wanted in refused.json()["error"]["nearest"]
+    assert refused.code == 2 and wanted in refused.json("error")["error"]["nearest"]
 
 
 def test_another_part_that_cannot_be_taken_in(installed, example, tmp_path):
