@@ -54,7 +54,7 @@ class Motion {
           .dt = dt,
           .drift = drift,
           .carrying = carrying == NodalVelocity::end ? nullptr : &at.velocity(field, step.resolved(carrying)),
-          .exchange = exchanges_heat(body)};
+          .exchange = exchanges_heat(body, field)};
       const MotionSums own = space_.template sum_over_chunks<MotionSums>(at.weights[b], [&](const Chunk& chunk) {
         return space_.loops->gather_motion(body, at.weights[b], chunk, field, motion);
       });
@@ -144,8 +144,10 @@ class Motion {
           });
     }
   }
-  // Heat is exchanged as points move or are kicked, by integrators that give heat back. [Exchange 1]
-  bool exchanges_heat(const Body& body) const { return exchange_ && body.material->takes_heat(); }
+  // Heat is exchanged as points move or are kicked, once forces were mapped, by integrators that give heat back. [Exchange 1]
+  bool exchanges_heat(const Body& body, const Field& field) const {
+    return exchange_ && body.material->takes_heat() && !field.exchange.empty();
+  }
   Sums finish_body(Bodies& at, std::size_t b, const Record& step, double dt, std::optional<double> drift);
   // Strains the points of a range and gives them what they lost.
   void strain_and_heat(Body& body, PointRange range, double dt, Sums& sums) const;

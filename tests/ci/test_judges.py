@@ -189,7 +189,7 @@ def steps(tmp_path_factory):
     made = made.replace("{{\n", '{{\n    {0, "", "no change"},\n', 1)
     (folder / "run.cpp").write_text(RUN.replace("%%", "\0").replace("%s", made, 1).replace("\0", "%"))
     (folder / "kernel").mkdir()
-    (folder / "kernel/header_hash.hpp").write_text('#define PLUMBLINE_VERSION "0"\n#define PLUMBLINE_HEADERS "0"\n')
+    (folder / "kernel/header_hash.hpp").write_text('#define PLUMBLINE_VERSION "0"\n#define PLUMBLINE_INTEGRATOR_HEADERS "0"\n')
     eigen = ["-isystem", "/usr/include/eigen3"]
     subprocess.run(["g++", "-std=c++20", "-O0", "-Wall", "-Wextra", "-Werror", f"-I{ROOT}", f"-I{folder}", *eigen, "run.cpp", "-o", "run"], cwd=folder, check=True)
     printed = subprocess.run([folder / "run"], capture_output=True, text=True, check=True).stdout

@@ -52,7 +52,8 @@ class Encounter {
   // Velocities mapped anew; nothing is told of these.
   Pass remap(ProbeRandom& random) {
     for (VelocityField<dim>& field : fields_) {
-      for_nodes(field, [&](int node) { at(field.remapped, node) = velocity(node, 0, random); });
+      auto& remapped = field.held(&VelocityField<dim>::remapped);
+      for_nodes(field, [&](int node) { at(remapped, node) = velocity(node, 0, random); });
     }
     Pass pass{fields_, {}, {}};
     if (law_) law_->apply_to_remapped(fields_);
