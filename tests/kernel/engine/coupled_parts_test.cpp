@@ -83,7 +83,7 @@ Scene pulled_chain() {
   return scene;
 }
 
-// What no node sees is taken out: elastic energy falls, the centre of mass stays, and the turn of the shifts is told.
+// What has no share in the nodes' motion is taken out: elastic energy falls, the centre of mass stays, and the turn of the shifts is told.
 // [Coupling 2]
 TEST(Chains, RelaxationReleasesEnergyAndKeepsTheCentre) {
   Located on(pulled_chain());
