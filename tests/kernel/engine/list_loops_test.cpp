@@ -189,6 +189,7 @@ class Pair {
                                &column::transfer_loss, &column::rest_length})
       numbers(*id, 0.5, 1.5);
     numbers(column::half_size, 0.04, 0.14);
+    hold(field_);
     for (auto* nodes : {&field_.start, &field_.end, &field_.midpoint, &field_.filtered}) {
       for (Vec& value : *nodes) {
         for (int d = 0; d < dim; ++d) value[d] = random(-1, 1);
@@ -224,9 +225,18 @@ class Pair {
     EXPECT_FALSE(lists_->find_lowest(moved.points, {0, 60}, lowest));
   }
 
+  // The arrays that loops read and write without asking whether a scene needs them.
+  static void hold(VelocityField<dim>& field) {
+    field.held(&VelocityField<dim>::filtered);
+    for (const auto array : {&VelocityField<dim>::density, &VelocityField<dim>::heat, &VelocityField<dim>::exchange})
+      field.held(array);
+  }
+
   template <class Map>
   void to_nodes(const std::string& what, Map&& map) const {
     VelocityField<dim> own(grid_), other(grid_);
+    hold(own);
+    hold(other);
     for (const Chunk& chunk : at_.bins.chunks())
       expect_alike(map(*lists_, chunk, own), map(*products_, chunk, other), what + " sum");
     const auto flat = [](const std::vector<Vec>& nodes) { return std::span(nodes.front().data(), nodes.size() * dim); };
