@@ -1,6 +1,7 @@
 // Materials by name: each registers itself in its own source file, with the parameters by which it is made and written down.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <memory>
@@ -76,14 +77,15 @@ MaterialEntry material_entry(std::string title, std::string source, std::vector<
   };
   const auto make = [members](const std::map<std::string, double>& values) {
     auto made = std::make_shared<M>();
-    std::size_t set = 0;
-    for (const ParameterMember<M>& member : members) {
-      const auto value = values.find(member.name);
-      if (value == values.end()) continue;
-      member.set(*made, value->second);
-      ++set;
+    for (const auto& [name, value] : values) {
+      const auto member = std::find_if(members.begin(), members.end(), [&](const auto& m) { return m.name == name; });
+      if (member == members.end()) {
+        std::string known;
+        for (const ParameterMember<M>& m : members) known += (known.empty() ? "" : ", ") + std::string(m.name);
+        throw std::invalid_argument("material " + made->name() + " has no parameter " + name + "; it has " + known);
+      }
+      member->set(*made, value);
     }
-    if (set < values.size()) throw std::invalid_argument("material " + made->name() + " lacks one of the parameters");
     return made;
   };
   return {M().name(), std::move(title), std::move(source), read, make, std::move(known_failures)};

@@ -43,5 +43,15 @@ TEST(MaterialEntry, MakesWhatItReads) {
   EXPECT_THROW(material_named("rubber"), std::invalid_argument);
 }
 
+TEST(MaterialEntry, ParameterThatIsNoneIsNamedBesideThoseThatAre) {
+  std::string said;
+  try {
+    material_named("neo_hookean").make({{"density", 7}, {"stiffness", 1}});
+  } catch (const std::invalid_argument& error) {
+    said = error.what();
+  }
+  EXPECT_EQ(said, "material neo_hookean has no parameter stiffness; it has youngs_modulus, poissons_ratio, density");
+}
+
 }  // namespace
 }  // namespace plumbline
