@@ -1,11 +1,12 @@
 #include "kernel/materials/neo_hookean.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/largest.hpp"
+#include "kernel/logarithm.hpp"
 #include "kernel/materials/material_entry.hpp"
-#include "kernel/points/components.hpp"
+#include "kernel/points/pack_tensors.hpp"
 #include "kernel/register_part.hpp"
 
 namespace plumbline {
@@ -17,117 +18,130 @@ const RegisterPart entry(material_entry<NeoHookean>("finite strains, compressibl
                                                      {"poissons_ratio", "1", &NeoHookean::poissons_ratio},
                                                      {"density", "kg/m^3", &NeoHookean::density}}));
 
-// One point's deformation, or the rate of its change: F and the hoop's stretch, which is 1 where there is none.
+// Loops over points of one geometry, packs of them at a time.
 template <int dim, bool rings>
 struct Loops {
-  using Matrix = Eigen::Matrix<double, dim, dim>;
-  template <class Number>
-  struct Reading {
-    Components<Matrix, Number> in_plane;
-    Number* hoop;
-    template <class C>
-    Reading(C& points, const ColumnId& id) : in_plane(points, id),
-                                             hoop(rings ? points(id, dim * dim) : nullptr) {}
-    double hoop_at(int p, double none) const { return rings ? hoop[p] : none; }
-  };
-  struct Stretch {
-    Matrix f;
-    double hoop = 1;
-    double volume_ratio() const { return f.determinant() * hoop; }
-  };
-  static Stretch after(const Matrix& f, double hoop, const Matrix& rate, double hoop_rate, double dt) {
-    return {f + dt * rate * f, hoop + dt * hoop_rate * hoop};  // [Neo-Hookean 2]
+  using Tensor = PackTensor<dim, rings>;
+  using Reading = TensorColumn<Tensor, const double>;
+  using Writing = TensorColumn<Tensor, double>;
+  static constexpr int size = Tensor::size;
+
+  static Tensor after(const Tensor& f, const Tensor& rate, double dt) {
+    Tensor then = rate * f;
+    for (int k = 0; k < size; ++k) then.at[k] = f.at[k] + dt * then.at[k];  // [Neo-Hookean 2]
+    return then;
   }
-  static double energy(const LameConstants& c, const Stretch& s) {
-    const double log_j = std::log(s.volume_ratio());
-    const double squares = s.f.squaredNorm() - dim + (rings ? s.hoop * s.hoop - 1 : 0.0);
-    return 0.5 * c.mu * (squares - 2 * log_j) + 0.5 * c.lambda * log_j * log_j;  // [Neo-Hookean 1]
+  static Pack energy(const LameConstants& c, const Tensor& f) {
+    constexpr double directions = dim + (rings ? 1 : 0);
+    const Pack log_j = logarithm(f.determinant());
+    return 0.5 * c.mu * (f.sum_of_squares() - directions - 2.0 * log_j) +
+           0.5 * c.lambda * log_j * log_j;  // [Neo-Hookean 1]
+  }
+  // P.
+  static Tensor stress(const LameConstants& c, const Tensor& f) {
+    const Pack j = f.determinant(), log_j = logarithm(j), share = 1.0 / j;
+    Tensor p, inverse = f.cofactors();
+    for (int k = 0; k < size; ++k) {
+      inverse.at[k] *= share;
+      p.at[k] = c.mu * (f.at[k] - inverse.at[k]) + c.lambda * log_j * inverse.at[k];  // [Neo-Hookean 1]
+    }
+    return p;
+  }
+  // Along a principal stretch s waves run at sqrt((mu (s^2 + 1) + lambda (1 - ln J)) / rho_0) in space; no s^2 is larger
+  // than the largest row sum of F F^T. This is rho_0 times the square of the speed.
+  static Pack stiffness(const LameConstants& c, const Tensor& f) {
+    const Tensor left = f * f.transposed();
+    Pack square = rings ? left.at[size - 1] : Pack(0.0);
+    for (int row = 0; row < dim * dim; row += dim) {
+      Pack sum = abs(left.at[row]);
+      for (int k = 1; k < dim; ++k) sum += abs(left.at[row + k]);
+      square = larger(square, sum);
+    }
+    const Pack log_j = logarithm(f.determinant());
+    return c.mu * (square + 1.0) + c.lambda * choose(log_j < 1.0, 1.0 - log_j, Pack(0.0));
   }
 
   static double advance(const NeoHookean& m, Columns& points, PointRange range, double dt) {
     const LameConstants c = m.constants();
-    Reading<double> deformation(points, column::deformation);
-    const Reading<double> rate(points, column::strain_rate);
+    const Writing deformation(points, column::deformation);
+    const Reading rate(points, column::strain_rate);
     const double* mass = points(column::mass);
-    double stored = 0;
-    for (int p = range.first; p < range.last; ++p) {
-      const Stretch before{deformation.in_plane[p], deformation.hoop_at(p, 1)};
-      const Stretch now = after(before.f, before.hoop, rate.in_plane[p], rate.hoop_at(p, 0), dt);
-      deformation.in_plane.set(p, now.f);
-      if (rings) deformation.hoop[p] = now.hoop;
-      stored += mass[p] / m.density * (energy(c, now) - energy(c, before));
-    }
-    return stored;
+    Pack stored = 0.0;
+    for_packs(
+        range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
+          const Tensor before = deformation[p], now = after(before, rate[p], dt);
+          deformation.set(p, now, count);
+          stored += kept(load(mass + p) * (energy(c, now) - energy(c, before)), count);
+        });
+    return sum(stored) / m.density;
   }
 
   static void evaluate(const NeoHookean& m, Columns& points, PointRange range, double ahead) {
     const LameConstants c = m.constants();
-    const Reading<double> deformation(points, column::deformation), rate(points, column::strain_rate);
-    Reading<double> stress(points, column::stress);
-    const double* mass = points(column::mass);
+    const Reading deformation(points, column::deformation), rate(points, column::strain_rate);
+    const Writing stresses(points, column::stress);
+    const double *mass = points(column::mass), specific_volume = 1 / m.density;
     double* volume = points(column::volume);
-    for (int p = range.first; p < range.last; ++p) {
-      const Stretch here{deformation.in_plane[p], deformation.hoop_at(p, 1)};
-      const Stretch then = ahead == 0 ? here : after(here.f, here.hoop, rate.in_plane[p], rate.hoop_at(p, 0), ahead);
-      const double log_j = std::log(then.volume_ratio()), j = here.volume_ratio();
-      const Matrix inverse = then.f.inverse().transpose();
-      const Matrix first = c.mu * (then.f - inverse) + c.lambda * log_j * inverse;  // [Neo-Hookean 1]
-      stress.in_plane.set(p, first * here.f.transpose() / j);
-      if (rings) stress.hoop[p] = (c.mu * (then.hoop - 1 / then.hoop) + c.lambda * log_j / then.hoop) * here.hoop / j;
-      volume[p] = j * mass[p] / m.density;
-    }
+    for_packs(
+        range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
+          const Tensor here = deformation[p];
+          const Pack j = here.determinant(), share = 1.0 / j;
+          Tensor s = stress(c, ahead == 0 ? here : after(here, rate[p], ahead)) * here.transposed();
+          for (int k = 0; k < size; ++k) s.at[k] *= share;
+          stresses.set(p, s, count);
+          plumbline::store(volume + p, j * load(mass + p) * specific_volume, count);
+        });
   }
 
   static std::vector<double> rates(const Columns& points) {
-    const Reading<const double> deformation(points, column::deformation), rate(points, column::strain_rate);
+    const Reading deformation(points, column::deformation), rate(points, column::strain_rate);
     Columns result(points.points());
-    result.add(column::deformation, points.components(column::deformation));
-    Reading<double> change(result, column::deformation);
-    for (int p = 0; p < points.points(); ++p) {
-      change.in_plane.set(p, rate.in_plane[p] * deformation.in_plane[p]);
-      if (rings) change.hoop[p] = rate.hoop[p] * deformation.hoop[p];
-    }
+    result.add(column::deformation, size);
+    const Writing change(result, column::deformation);
+    for_packs(
+        0, points.points(), [&](int p, int count) __attribute__((always_inline)) {
+          change.set(p, rate[p] * deformation[p], count);
+        });
     const auto values = result.values(column::deformation);
     return {values.begin(), values.end()};
   }
 
   static double stored(const NeoHookean& m, const Columns& points, PointRange range) {
     const LameConstants c = m.constants();
-    const Reading<const double> deformation(points, column::deformation);
+    const Reading deformation(points, column::deformation);
     const double* mass = points(column::mass);
-    double sum = 0;
-    for (int p = range.first; p < range.last; ++p) {
-      sum += mass[p] / m.density * energy(c, {deformation.in_plane[p], deformation.hoop_at(p, 1)});
-    }
-    return sum;
+    Pack total = 0.0;
+    for_packs(
+        range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
+          total += kept(load(mass + p) * energy(c, deformation[p]), count);
+        });
+    return sum(total) / m.density;
   }
 
-  // Along a principal stretch s waves run at sqrt((mu (s^2 + 1) + lambda (1 - ln J)) / rho_0) in space; no s^2 is larger
-  // than the largest row sum of F F^T.
   static double fastest_wave(const NeoHookean& m, const Columns& points, PointRange range) {
     const LameConstants c = m.constants();
-    const Reading<const double> deformation(points, column::deformation);
-    double largest = 0;
-    for (int p = range.first; p < range.last; ++p) {
-      const Stretch here{deformation.in_plane[p], deformation.hoop_at(p, 1)};
-      const Matrix left = here.f * here.f.transpose();
-      const double square = std::max(left.cwiseAbs().rowwise().sum().maxCoeff(), rings ? here.hoop * here.hoop : 0.0);
-      const double speed = std::sqrt(
-          (c.mu * (square + 1) + c.lambda * std::max(0.0, 1 - std::log(here.volume_ratio()))) / m.density);
-      if (!std::isnan(largest) && !(speed <= largest)) largest = speed;
-    }
-    return largest;
+    const Reading deformation(points, column::deformation);
+    Largest largest;
+    for_packs(
+        range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
+          largest.include(stiffness(c, deformation[p]), count);
+        });
+    return std::sqrt(largest.value() / m.density);
   }
 
   static Material::Fault fault(const Columns& points, PointRange range) {
-    const Reading<const double> deformation(points, column::deformation);
-    for (int p = range.first; p < range.last; ++p) {
-      const double j = Stretch{deformation.in_plane[p], deformation.hoop_at(p, 1)}.volume_ratio();
-      if (!(j > 0) || !std::isfinite(j)) {
-        return {p, column::deformation.name(), j, "the determinant of the deformation gradient must be positive"};
-      }
-    }
-    return {};
+    const Reading deformation(points, column::deformation);
+    Material::Fault first;
+    for_packs(
+        range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
+          const Pack j = deformation[p].determinant();
+          const PackMask bad = !(j > 0.0 && j < HUGE_VAL) && first_lanes(count);
+          if (first.point >= 0 || none_of(bad)) return;
+          const int lane = find_first_set(bad);
+          first = {p + lane, column::deformation.name(), j[static_cast<std::size_t>(lane)],
+                   "the determinant of the deformation gradient must be positive"};
+        });
+    return first;
   }
 };
 
