@@ -1,10 +1,9 @@
 // Boxes of points, of shapes that are averages over them, and other columns of shapes that follow the points.
 #pragma once
 
-#include <cmath>
-
 #include "kernel/engine/discretisation.hpp"
 #include "kernel/ledger.hpp"
+#include "kernel/pack.hpp"
 #include "kernel/rotations.hpp"
 
 namespace plumbline {
@@ -31,32 +30,50 @@ template <class G>
 void deform_boxes(const Discretisation<G>& space, Columns& points, Ledger& ledger) {
   constexpr int dim = G::dim;
   if (!space.shape.boxes || !points.has(column::half_size_at_start)) return;
-  double energy = 0;
-  Turn spin{};
-  for (int p = 0; p < points.points(); ++p) {
-    double change[dim];  // of D
+  const bool affine = space.transfer.affine;
+  const double *mass = points(column::mass), *at_start[dim], *f[dim][dim], *twist[dim][dim] = {};
+  double* half_size[dim];
+  for (int d = 0; d < dim; ++d) {
+    at_start[d] = points(column::half_size_at_start, d);
+    half_size[d] = points(column::half_size, d);
+    for (int e = 0; e < dim; ++e) {
+      f[d][e] = points(column::deformation, d * dim + e);
+      if (affine) twist[d][e] = points(column::affine, d * dim + e);
+    }
+  }
+  const auto inertia = [&](int d, int p, int count) {
+    return Pack([&](auto lane) {
+      const int k = static_cast<int>(lane);
+      return k < count ? space.loops->inertia(points, d, p + k) : 0.0;
+    });
+  };
+  Pack energy = 0.0, spin[3] = {0.0, 0.0, 0.0};
+  for_packs(0, points.points(), [&](int p, int count) {
+    Pack change[dim];  // of m D
     for (int d = 0; d < dim; ++d) {
-      const double before = space.loops->inertia(points, d, p);
-      double square = 0;
+      Pack before = 0.0, square = 0.0;
+      if (affine) before = inertia(d, p, count);
       for (int e = 0; e < dim; ++e) {
-        const double edge = points(column::deformation, d * dim + e)[p] * points(column::half_size_at_start, e)[p];
+        const Pack edge = load(f[d][e] + p) * load(at_start[e] + p);
         square += edge * edge;
       }
-      points(column::half_size, d)[p] = std::sqrt(square);  // [GIMP 2]
-      change[d] = points(column::mass)[p] * (space.loops->inertia(points, d, p) - before);
+      store(half_size[d] + p, sqrt(square), count);  // [GIMP 2]
+      if (affine) change[d] = load(mass + p) * (inertia(d, p, count) - before);
     }
-    if (!space.transfer.affine) continue;
-    const auto c = [&](int d, int e) { return points(column::affine, d * dim + e)[p]; };
+    if (!affine) return;
+    const auto c = [&](int d, int e) { return kept(load(twist[d][e] + p), count); };
     for (int d = 0; d < dim; ++d) {
       for (int e = 0; e < dim; ++e) energy += 0.5 * change[e] * c(d, e) * c(d, e);
     }
     for (int k = 0; k < G::rotations; ++k) {
       const int a = rotation_axis<dim>(k, 0), b = rotation_axis<dim>(k, 1);
-      spin[Discretisation<G>::about + static_cast<std::size_t>(k)] += change[a] * c(b, a) - change[b] * c(a, b);
+      spin[k] += change[a] * c(b, a) - change[b] * c(a, b);
     }
+  });
+  ledger.energy.book(Flow::transfer, sum(energy));
+  for (int k = 0; k < G::rotations; ++k) {
+    ledger.angular_momentum[Discretisation<G>::about + static_cast<std::size_t>(k)].book(Flow::transfer, sum(spin[k]));
   }
-  ledger.energy.book(Flow::transfer, energy);
-  for (std::size_t k = 0; k < 3; ++k) ledger.angular_momentum[k].book(Flow::transfer, spin[k]);
 }
 
 // The same of columns that a shape sets itself.

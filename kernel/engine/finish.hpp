@@ -7,8 +7,7 @@ namespace plumbline {
 
 template <class G>
 void Motion<G>::strain_and_heat(Body& body, PointRange range, double dt, Sums& sums) const {
-  sums.power.power = stress_power(body.points, range, dt);
-  sums.power.viscous = body.material->viscous_heat(body.points, range, space_.context, dt);
+  sums.power = power_of(body, range, space_.context, dt);
   sums.power.stored = body.material->advance(body.points, range, space_.context, dt);  // [EC-APIC 6]
   if (body.material->takes_heat()) sums.returned = add_heat(body, range);
 }

@@ -210,7 +210,6 @@ class Mechanics final : public Engine {
  private:
   void carry_points(double dt, std::optional<double> drift, NodalVelocity carrying) {
     layout_.want_places(drift ? "kick_points" : "move_points");
-    strain_.settle_power(layout_, step_);
     to_grid_.settle_loss(layout_, step_);
     survey_.reset();
     motion_.carry(layout_, step_, dt, drift, carrying);

@@ -42,10 +42,11 @@ class Motion {
   }
 
   // Moves points over dt with the nodal velocity `carrying`; with a drift they move with their own, for that long. The loss
-  // of the map and the power are known.
+  // of the map is known; the power of the forces is summed in the same pass, if it is not.
   void carry(Bodies& at, Record& step, double dt, std::optional<double> drift, NodalVelocity carrying) {
+    const bool power_wanted = step.wants_power(), strained = !power_wanted || step.rates_of == NodalVelocity::midpoint;
     filter_velocities(at, step);
-    MotionSums sums;
+    Sums all;
     for (std::size_t b = 0; b < at.bodies.size(); ++b) {
       Body& body = at.bodies[b];
       Field& field = at.field(b);
@@ -53,18 +54,24 @@ class Motion {
       const typename Space::Loops::Motion motion{
           .dt = dt,
           .drift = drift,
+          .straining = strained ? nullptr : &space_.straining_velocity(field, field.midpoint),
           .carrying = carrying == NodalVelocity::end ? nullptr : &at.velocity(field, step.resolved(carrying)),
           .exchange = exchanges_heat(body, field)};
-      const MotionSums own = space_.template sum_over_chunks<MotionSums>(at.weights[b], [&](const Chunk& chunk) {
-        return space_.loops->gather_motion(body, at.weights[b], chunk, field, motion);
+      const Sums own = space_.template sum_over_chunks<Sums>(at.weights[b], [&](const Chunk& chunk) {
+        Sums sums;
+        sums.motion = space_.loops->gather_motion(body, at.weights[b], chunk, field, motion);
+        if (power_wanted) sums.power = power_of(body, {chunk.first, chunk.last}, space_.context, step.advance->dt);
+        return sums;
       });
-      stop_if_too_far(own, body, dt);
-      sums += own;
+      stop_if_too_far(own.motion, body, dt);
+      all += own;
     }
+    if (power_wanted) step.power = all.power;
+    if (!strained) step.rates_of = NodalVelocity::midpoint;
     for (std::size_t b = 0; b < at.bodies.size(); ++b) {
-      if (!drift) chains_.relax(at.bodies[b], at.weights[b], sums);
+      if (!drift) chains_.relax(at.bodies[b], at.weights[b], all.motion);
     }
-    book(at, step, sums);
+    book(at, step, all.motion);
   }
 
   // x_p += dt v_p. [Leapfrog 1]

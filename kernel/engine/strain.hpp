@@ -26,6 +26,11 @@ inline double stress_power(const Columns& points, PointRange range, double dt) {
   return sum(power);
 }
 
+// What a range of points does over dt by the strain rates and stresses that it holds.
+inline PowerSums power_of(const Body& body, PointRange range, const MaterialContext& context, double dt) {
+  return {stress_power(body.points, range, dt), body.material->viscous_heat(body.points, range, context, dt)};
+}
+
 template <class Geometry>
 class Strain {
  public:
@@ -40,17 +45,21 @@ class Strain {
         chains_(space, 0, smoothing),
         ledger_(ledger) {}
 
-  // The points hold the strain rates of a nodal velocity. [York 3.23]
+  // The points hold the strain rates of a nodal velocity [York 3.23]. What the map lost is summed in the same pass, if it is not
+  // known yet: until points move, their velocities are those that were mapped.
   void find_rates(Bodies& at, Record& step, NodalVelocity which) const {
     which = step.resolved(which);
     if (which == step.rates_of) return;
+    double lost = 0;
     for (std::size_t b = 0; b < at.bodies.size(); ++b) {
       auto& field = at.field(b);
-      const auto& velocity = space_.straining_velocity(field, at.velocity(field, which));
-      space_.for_chunks(at.weights[b], [&](const Chunk& chunk) {
-        space_.loops->gather_start(at.bodies[b], at.weights[b], chunk, {.rates = &velocity});
+      const typename Space::Loops::Wanted wanted{.loss = step.map_loss ? nullptr : &field.start,
+                                                 .rates = &space_.straining_velocity(field, at.velocity(field, which))};
+      lost += space_.template sum_over_chunks<double>(at.weights[b], [&](const Chunk& chunk) {
+        return space_.loops->gather_start(at.bodies[b], at.weights[b], chunk, wanted);
       });
     }
+    if (!step.map_loss) step.map_loss = lost;
     step.rates_of = which;
   }
 
@@ -60,10 +69,8 @@ class Strain {
     if (!step.wants_power()) return;
     find_rates(at, step, NodalVelocity::midpoint);
     const double dt = step.advance->dt;
-    step.power = sum_over_points(at, [&](Body& body, PointRange range) {
-      return PowerSums{stress_power(body.points, range, dt),
-                       body.material->viscous_heat(body.points, range, space_.context, dt)};
-    });
+    step.power = sum_over_points(
+        at, [&](Body& body, PointRange range) { return power_of(body, range, space_.context, dt); });
   }
 
   // Strains all points over dt. What they store before the forces are known waits for settle_early().

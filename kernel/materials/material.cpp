@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "kernel/largest.hpp"
+
 namespace plumbline {
 
 void StepBounds::include(const StepBounds& other) {
@@ -15,13 +17,14 @@ void StepBounds::include(const StepBounds& other) {
 double fastest_point(const Columns& points, PointRange range, int dim) {
   const double* velocity[3];
   for (int d = 0; d < dim; ++d) velocity[d] = points(column::velocity, d);
-  double largest = 0;
-  for (int p = range.first; p < range.last; ++p) {
-    double square = 0;
-    for (int d = 0; d < dim; ++d) square += velocity[d][p] * velocity[d][p];
-    if (!std::isnan(largest) && !(square <= largest)) largest = square;
-  }
-  return std::sqrt(largest);
+  Largest square;
+  for_packs(
+      range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
+        Pack sum = 0.0;
+        for (int d = 0; d < dim; ++d) sum += load(velocity[d] + p) * load(velocity[d] + p);
+        square.include(sum, count);
+      });
+  return std::sqrt(square.value());
 }
 
 Material::Fault first_not_finite(const Columns& points, PointRange range, const ColumnId& id,

@@ -36,7 +36,8 @@ struct Gimp {
   template <class Number>
   [[gnu::always_inline]] static void weights(const Number& f, const Number& l, Number (&w)[support]) {
     using std::max;
-    const Number below = share(Number(l - f), l), above = share(Number(l + f), l);
+    Number below, above;
+    shares(f, l, below, above);
     w[0] = l * below * below + max(Number(-f - l), Number(0.0));
     w[2] = l * above * above + max(Number(f - l), Number(0.0));
     w[1] = 1.0 - w[0] - w[2];
@@ -44,20 +45,18 @@ struct Gimp {
   // d N / d x in units of 1/h.
   template <class Number>
   [[gnu::always_inline]] static void gradients(const Number& f, const Number& l, Number (&g)[support]) {
-    g[0] = -share(Number(l - f), l);
-    g[2] = share(Number(l + f), l);
+    Number below, above;
+    shares(f, l, below, above);
+    g[0] = -below;
+    g[2] = above;
     g[1] = -g[0] - g[2];
   }
-  // D / h^2 = sum_i N_i r_i^2 / h^2 with r_i = x_i - x_p.
+  // D / h^2 = sum_i N_i r_i^2 / h^2 with r_i = x_i - x_p, of which sum_i N_i = 1 leaves terms that are never negative.
   template <class Number>
   [[gnu::always_inline]] static Number inertia(const Number& f, const Number& l) {
-    Number w[support], sum = 0.0;
+    Number w[support];
     weights(f, l, w);
-    for (int k = 0; k < support; ++k) {
-      const Number r = static_cast<double>(k + first) - f;
-      sum += w[k] * r * r;
-    }
-    return sum;
+    return f * f + w[0] * (1.0 + 2.0 * f) + w[2] * (1.0 - 2.0 * f);
   }
   // N_i r_i h / D. D is f (1 - f) where the box reaches no node and l / 2 at a node, never zero.
   template <class Number>
@@ -82,11 +81,13 @@ struct Gimp {
   }
 
  private:
-  // Of a box of half size l, what reaches `reach` beyond the anchor.
+  // Of a box of half size l, what lies below and above the anchor.
   template <class Number>
-  [[gnu::always_inline]] static Number share(const Number& reach, const Number& l) {
+  [[gnu::always_inline]] static void shares(const Number& f, const Number& l, Number& below, Number& above) {
     using std::max, std::min;
-    return min(max(Number(reach / (2.0 * l)), Number(0.0)), Number(1.0));
+    const Number per_width = 0.5 / l;
+    below = min(max(Number((l - f) * per_width), Number(0.0)), Number(1.0));
+    above = min(max(Number((l + f) * per_width), Number(0.0)), Number(1.0));
   }
 };
 
