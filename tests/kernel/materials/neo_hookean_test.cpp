@@ -1,6 +1,7 @@
 #include "kernel/materials/neo_hookean.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include "tests/kernel/dense.hpp"
 #include "tests/kernel/scenes.hpp"
@@ -284,6 +285,111 @@ TEST_P(Finite, SaysWhatIsWrong) {
   points(column::deformation)[2] = 1;
   points(column::deformation, points.components(column::deformation) - 1)[1] = std::nan("");
   EXPECT_EQ(material.first_fault(points, all_points(points)).point, 1);
+}
+
+// --- packs of points, against the law point by point ----------------------------------------------------------------
+
+// Points that all differ, as many as fill no whole number of packs.
+constexpr int some_points = 2 * 8 + 3;
+
+struct Varied {
+  Columns points;
+  std::vector<Matrix> f, rate;
+};
+Varied varied(const Tensor& tensor) {
+  Varied v{points_of(tensor.space, some_points), {}, {}};
+  scenes::Random random(3);
+  for (int p = 0; p < some_points; ++p) {
+    Matrix f = Matrix::Identity(), l;
+    for (int k = 0; k < 9; ++k) {
+      f(k / 3, k % 3) += random(-0.2, 0.2);
+      l(k / 3, k % 3) = random(-1, 1);
+    }
+    v.f.push_back(tensor.of(f, 1));
+    v.rate.push_back(tensor.of(l, 0));
+    tensor.write(v.points, column::deformation, p, v.f.back());
+    tensor.write(v.points, column::strain_rate, p, v.rate.back());
+    v.points(column::mass)[p] = random(0.5, 1.5);
+    for (int d = 0; d < tensor.dim(); ++d) v.points(column::velocity, d)[p] = random(-1, 1);
+  }
+  return v;
+}
+// P by Eigen's inverse.
+Matrix stress_of(const Matrix& f) {
+  const Matrix inverse = f.inverse().transpose();
+  return mu * (f - inverse) + lambda * std::log(f.determinant()) * inverse;
+}
+double wave_speed(const Tensor& tensor, const Matrix& f) {
+  const int dim = tensor.dim();
+  const Eigen::MatrixXd left = (f * f.transpose()).topLeftCorner(dim, dim);
+  const double rows = left.cwiseAbs().rowwise().sum().maxCoeff(),
+               square = tensor.rings() ? std::max(rows, f(2, 2) * f(2, 2)) : rows;
+  return std::sqrt((mu * (square + 1) + lambda * std::max(0.0, 1 - std::log(f.determinant()))) / rho);
+}
+const std::vector<PointRange> ranges{{0, some_points}, {0, 1}, {3, 4}, {1, 8}, {5, 5}, {2, some_points - 1}};
+
+TEST_P(Finite, EveryPointOfARangeFollowsTheLaw) {
+  const double dt = 0.1, rounding = 4e-15;
+  for (const PointRange range : ranges) {
+    for (const double ahead : {0.0, 0.05}) {
+      Varied v = varied(tensor);
+      const Columns before = v.points;
+      material.evaluate_stress(v.points, range, in(GetParam(), ahead));
+      double stored = 0, gained = 0, fastest = 0, fastest_point = 0;
+      for (int p = 0; p < some_points; ++p) {
+        const Matrix f = v.f[static_cast<std::size_t>(p)], l = v.rate[static_cast<std::size_t>(p)];
+        const bool mine = p >= range.first && p < range.last;
+        const Matrix then = tensor.of(Matrix(f + ahead * l * f), 1), now = tensor.of(Matrix(f + dt * l * f), 1),
+                     sigma = tensor.of(stress_of(then) * f.transpose() / f.determinant(), 0),
+                     expected = mine ? sigma : Matrix(Matrix::Zero());
+        const double own = v.points(column::mass)[p], volume = before(column::volume)[p];
+        EXPECT_LE((tensor.read(v.points, column::stress, p, 0) - expected).cwiseAbs().maxCoeff(), rounding) << p;
+        EXPECT_NEAR(v.points(column::volume)[p], mine ? own / rho * f.determinant() : volume, rounding) << p;
+        if (!mine) continue;
+        stored += own / rho * energy(f);
+        gained += own / rho * (energy(now) - energy(f));
+        fastest = std::max(fastest, wave_speed(tensor, f));
+        double square = 0;
+        for (int d = 0; d < tensor.dim(); ++d) square += std::pow(v.points(column::velocity, d)[p], 2);
+        fastest_point = std::max(fastest_point, std::sqrt(square));
+      }
+      EXPECT_NEAR(material.stored_energy(v.points, range), stored, rounding * (1 + stored));
+      EXPECT_NEAR(material.step_bounds(v.points, range, tensor.dim()).fastest, fastest + fastest_point, rounding);
+      EXPECT_EQ(material.first_fault(v.points, range).point, -1);
+      EXPECT_NEAR(material.advance(v.points, range, in(GetParam()), dt), gained, rounding * (1 + std::abs(gained)));
+      for (int p = 0; p < some_points; ++p) {
+        const Matrix f = v.f[static_cast<std::size_t>(p)], l = v.rate[static_cast<std::size_t>(p)];
+        const bool mine = p >= range.first && p < range.last;
+        const Matrix expected = mine ? tensor.of(Matrix(f + dt * l * f), 1) : f;
+        EXPECT_LE((tensor.read(v.points, column::deformation, p, 1) - expected).cwiseAbs().maxCoeff(),
+                  mine ? rounding : 0)
+            << p;
+      }
+    }
+  }
+}
+
+// What is inadmissible is the first such point of the range, in whatever lane; what is not finite reaches the bound of the waves.
+TEST_P(Finite, OneBadPointIsSeenInAnyLane) {
+  const int last = Columns(some_points).points() - 1,
+            components = stress_components(StressMeasure::full, tensor.dim(), tensor.rings());
+  for (int bad = 0; bad <= last; ++bad) {
+    for (const double j : {-0.3, 0.0, std::nan(""), HUGE_VAL}) {
+      Columns points = points_of(GetParam(), some_points);
+      points(column::deformation, components - 1)[bad] = j;
+      if (bad < last) points(column::deformation)[last] = -2;
+      const Material::Fault fault = material.first_fault(points, all_points(points));
+      EXPECT_EQ(fault.point, bad) << j;
+      EXPECT_EQ(material.first_fault(points, {0, bad}).point, -1) << j;
+      EXPECT_EQ(material.first_fault(points, {bad + 1, some_points}).point, bad < last ? last : -1) << j;
+      const double bound = material.step_bounds(points, {0, last}, tensor.dim()).fastest;
+      if (bad < last && !(std::abs(j) > 0 && std::abs(j) < HUGE_VAL)) {
+        EXPECT_FALSE(bound < HUGE_VAL) << bad << ' ' << j;
+      } else {
+        EXPECT_NEAR(bound, std::sqrt((lambda + 2 * mu) / rho), 1e-15) << bad;
+      }
+    }
+  }
 }
 
 TEST(NeoHookean, IsAnElasticMaterialOfFullStress) {
