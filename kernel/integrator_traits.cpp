@@ -191,6 +191,7 @@ std::vector<Lack> lacks(const IntegratorEntry& entry, const Scene& scene) {
   }
   if (scene.loss_to_gas) needs(Trait::returned_loss, "giving losses to the gas");
   if (scene.contact != "none") needs(Trait::forward_steps, "contact");
+  if (!scene.filter.none()) needs(Trait::forward_steps, "a filter at a rate");
   if (scene.heat_exchange > 0) needs(Trait::forward_steps, "exchange of heat");
   if (scene.chain_relaxation > 0 || scene.strain_smoothing > 0) needs(Trait::forward_steps, "relaxation of membranes");
   for (const Body& body : scene.bodies) {

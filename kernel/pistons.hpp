@@ -24,22 +24,30 @@ class Pistons {
   double drive(const Grid<dim>& grid, const VelocityField<dim>& field, std::vector<Vec>& velocity,
                WallAction<dim>& action) const {
     double work = 0;
+    for_driven(grid, field, [&](std::size_t i, const Piston& piston) {
+      const int d = piston.direction;
+      Vec impulse = Vec::Zero();
+      impulse[d] = field.mass[i] * (piston.velocity - velocity[i][d]);
+      velocity[i][d] = piston.velocity;
+      action.linear += impulse;
+      action.angular += cross<dim>(grid.position(static_cast<int>(i)), impulse);
+      work += impulse[d] * piston.velocity;
+    });
+    return work;
+  }
+
+  // visit(node, piston) for each touched node that a piston drives.
+  template <class Visit>
+  void for_driven(const Grid<dim>& grid, const VelocityField<dim>& field, Visit&& visit) const {
     for (const Piston& piston : pistons_) {
       const int d = piston.direction;
       const double reach = piston.position + piston.velocity * time_ + (piston.side == 0 ? 0.5 : -0.5) * grid.h();
       field.for_touched(grid, [&](std::size_t i) {
         const double x = grid.line(grid.index(static_cast<int>(i), d), d);
         if (piston.side == 0 ? x >= reach : x <= reach) return;
-        if (held(grid, static_cast<int>(i), d)) return;
-        Vec impulse = Vec::Zero();
-        impulse[d] = field.mass[i] * (piston.velocity - velocity[i][d]);
-        velocity[i][d] = piston.velocity;
-        action.linear += impulse;
-        action.angular += cross<dim>(grid.position(static_cast<int>(i)), impulse);
-        work += impulse[d] * piston.velocity;
+        if (!held(grid, static_cast<int>(i), d)) visit(i, piston);
       });
     }
-    return work;
   }
 
  private:

@@ -27,6 +27,13 @@ struct Piston {
   double velocity = 0;  // m/s
 };
 
+// How fast the affine transfers take from points what the nodes do not carry: rates of time, not shares of a step. [Filter 1]
+struct FilterRate {
+  double sound = 0;                                             // k_f >= 0, of c/h
+  double compression = 0;                                       // b_f >= 0, of -div v where that is positive
+  bool none() const { return sound == 0 && compression == 0; }  // all of it in each step, however short
+};
+
 struct Scene {
   GridSpec grid;
   std::array<double, 3> gravity{0, 0, 0};  // b, m/s^2
@@ -39,12 +46,17 @@ struct Scene {
   std::string contact = "none";          // between velocity fields: one of contacts()
   std::string normals = "connectivity";  // how membranes that carry their strain know their tangents: normals_methods()
   double sharpening = 0;  // 0: none, 1: the leading term of the maps' smoothing undone, see sharpening.hpp; [0, 1]
-  double split = 0;       // > 0: gas points larger than this many cells are split, see splitting.hpp; 0: never
+  double sharpening_second = 0, sharpening_third = 0;  // >= 0: of the powers beyond it, where `sharpening` is not 0
+  bool sharpened_motion = false;                       // points move with the velocity that strains them [Sharpening 2]
+  bool sharpened_density =
+      false;         // and read densities off nodes where the maps' smoothing of these is undone [Read-off 1]
+  double split = 0;  // > 0: gas points larger than this many cells are split, see splitting.hpp; 0: never
   bool loss_to_gas =
       false;  // what maps, and strains of membranes, take from points without an energy equation heats the
               // gas at their nodes [Coupling 1]
   double chain_relaxation = 0;  // theta of segments, [0, 1]: motion that no node sees is taken out [Coupling 2]
   double strain_smoothing = 0;  // kappa >= 0 of carried strains: what no node sees is taken out [Coupling 3]
+  FilterRate filter;
   double heat_exchange = 0;  // kappa >= 0: heat that points of a compressed gas exchange through the nodes [Exchange 1]
 };
 

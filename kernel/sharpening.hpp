@@ -1,11 +1,14 @@
 // The smoothing of the maps undone on the nodes. A map by shape functions damps the wave number k of a force, and of the
-// velocity whose gradient strains a point, by S(k) = 1 - theta k^2 h^2 + ...; Q = 1 + theta M^-1 K, K the graph Laplacian
-// of the nodes' masses, undoes the leading term:
-//   (Q u)_i = u_i + theta / M_i sum_j K_ij (u_i - u_j),  K_ij = 2 M_i M_j / (M_i + M_j),  j the neighbours along the axes.
-// K is symmetric: sum_i M_i (Q a)_i = sum_i M_i a_i, and Q is self-adjoint under M, so that forces through Q do exactly
-// the work that strains through Q give back. Across a wall the mirror images are the neighbours. [Sharpening 1]
+// velocity whose gradient strains a point, by S(k) = 1 - theta k^2 h^2 + ... along each axis d, which
+//   Q = 1 + sum_d (s_1 B_d + s_2 B_d^2 + s_3 B_d^3),  (B_d u)_i = theta / M_i sum_j K_ij (u_i - u_j),
+//   K_ij = 2 M_i M_j / (M_i + M_j),  j the neighbours along d,
+// undoes to leading order with s_1 = 1. K is symmetric, so that every power of B_d is self-adjoint under M and keeps
+// sum_i M_i u_i: forces through Q do exactly the work that strains through Q give back. Across a wall the mirror images are
+// the neighbours. [Sharpening 1]
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -33,38 +36,43 @@ template <int dim>
 class Sharpening {
  public:
   using Vec = Eigen::Matrix<double, dim, 1>;
-  // theta: 1/12 linear, 1/8 quadratic, 1/6 cubic shapes; 0: Q is the identity.
-  Sharpening(const Grid<dim>& grid, double theta) : grid_(grid), theta_(theta) {}
+  using Amounts = std::array<double, 3>;  // s_1, s_2, s_3 >= 0
+  // theta: 1/12 linear, 1/8 quadratic, 1/6 cubic shapes.
+  Sharpening(const Grid<dim>& grid, double theta, const Amounts& amounts = {1, 0, 0})
+      : grid_(grid),
+        theta_(theta),
+        amounts_(amounts) {
+    while (powers_ < 3 && std::any_of(amounts.begin() + powers_, amounts.end(), [](double s) { return s != 0; }))
+      ++powers_;
+  }
 
-  bool none() const { return theta_ == 0; }
+  // Whether Q is the identity.
+  bool none() const { return theta_ == 0 || powers_ == 0; }
 
   // to = Q from, on the touched nodes that are not ghosts of a wall.
-  void apply(const VelocityField<dim>& field, const std::vector<Vec>& from, std::vector<Vec>& to, int threads) const {
-    for_each_piece(grid_.rows(), threads,
-                   [&](int row) { apply_to_row(field, row, from, to, [](int, int, int, const Vec&, bool) {}); });
+  void apply(VelocityField<dim>& field, const std::vector<Vec>& from, std::vector<Vec>& to, int threads) const {
+    apply_powers(field, from, to, threads, [](int, int, int, int, const Vec&, bool) {});
   }
 
   // The same; returns what Q adds to sum_i M_i a_i and sum_i x_i x M_i a_i.
-  SharpeningAction<dim> apply_to_accelerations(const VelocityField<dim>& field, const std::vector<Vec>& from,
+  SharpeningAction<dim> apply_to_accelerations(VelocityField<dim>& field, const std::vector<Vec>& from,
                                                std::vector<Vec>& to, int threads) const {
     std::vector<SharpeningAction<dim>> rows(static_cast<std::size_t>(grid_.rows()));
-    for_each_piece(grid_.rows(), threads, [&](int row) {
+    apply_powers(field, from, to, threads, [&](int row, int i, int j, int d, const Vec& change, bool off_walls) {
+      if (!off_walls && on_wall(i, d)) return;  // counted from inside
+      // Node i is pulled from node j, which node i pulls back: a couple with the arm x_i - x_j, half of it counted from
+      // each side, all of it where the other node stands on a wall.
       SharpeningAction<dim>& all = rows[static_cast<std::size_t>(row)];
-      apply_to_row(field, row, from, to, [&](int i, int j, int d, const Vec& change, bool off_walls) {
-        if (!off_walls && on_wall(i, d)) return;  // counted from inside
-        // Node i is pulled from node j, which node i pulls back: a couple with the arm x_i - x_j, half of it counted from
-        // each side, all of it where the other node stands on a wall.
-        const Vec pull = field.mass[static_cast<std::size_t>(i)] * change;
-        const bool walled_in = !off_walls && on_wall(j, d);
-        Vec arm = Vec::Zero();
-        arm[d] = (walled_in ? 1.0 : 0.5) * grid_.h() * (i > j ? 1 : -1);
-        all.turn += cross<dim>(arm, pull);
-        if (!walled_in) return;
-        // The node on the wall takes what is even of the other half; what is odd the wall takes.
-        const Vec held = held_by(pull, j, d);
-        all.walls.linear += held;
-        all.walls.angular += cross<dim>(grid_.position(j), held);
-      });
+      const Vec pull = field.mass[static_cast<std::size_t>(i)] * change;
+      const bool walled_in = !off_walls && on_wall(j, d);
+      Vec arm = Vec::Zero();
+      arm[d] = (walled_in ? 1.0 : 0.5) * grid_.h() * (i > j ? 1 : -1);
+      all.turn += cross<dim>(arm, pull);
+      if (!walled_in) return;
+      // The node on the wall takes what is even of the other half; what is odd the wall takes.
+      const Vec held = held_by(pull, j, d);
+      all.walls.linear += held;
+      all.walls.angular += cross<dim>(grid_.position(j), held);
     });
     return pairwise_sum(rows.data(), rows.size());
   }
@@ -93,30 +101,43 @@ class Sharpening {
     if (walled(0, 1)) to = std::min(to, last(0) + 1);
     for (int i = from; i < to; ++i) visit(row * grid_.row_length() + i);
   }
-  // visit(i, j, direction, what neighbour j adds to (Q u)_i, whether i is plain) for neighbours that are no mirror images.
+  // visit(row, i, j, direction, what neighbour j adds to (Q u)_i, whether i is plain) for neighbours that are no mirror images.
   template <class Visit>
-  void apply_to_row(const VelocityField<dim>& field, int row, const std::vector<Vec>& from, std::vector<Vec>& to,
+  void apply_powers(VelocityField<dim>& field, const std::vector<Vec>& from, std::vector<Vec>& to, int threads,
                     Visit&& visit) const {
-    if (ghost_row(row)) return;
-    const auto [plain_from, plain_to] = plain_nodes(field, row);
-    for_own_nodes(field, row, [&](int i) {
-      const auto at = static_cast<std::size_t>(i);
-      Vec sum = Vec::Zero();
-      const bool plain = i >= plain_from && i < plain_to;
-      const auto add = [&](int j, int d, bool mirrored, double share) __attribute__((always_inline)) {
-        Vec other = from[static_cast<std::size_t>(j)];
-        if (mirrored) other = image(other, i, d);
-        const Vec change = theta_ * share * (from[at] - other);
-        sum += change;
-        if (!mirrored) visit(i, j, d, change, plain);
-      };
-      if (plain) {
-        for_plain_neighbours(field, i, add);
-      } else {
-        for_neighbours(field, row, i, add);
+    for (int d = 0; d < dim; ++d) {
+      const std::vector<Vec>* power = &from;
+      for (int k = 0; k < powers_; ++k) {
+        std::vector<Vec>* const next = k + 1 == powers_ ? nullptr
+                                                        : &field.held(k % 2 == 0 ? &VelocityField<dim>::odd_power
+                                                                                 : &VelocityField<dim>::even_power);
+        for_each_piece(grid_.rows(), threads, [&](int row) {
+          if (ghost_row(row)) return;
+          const auto [plain_from, plain_to] = plain_nodes(field, row);
+          for_own_nodes(field, row, [&](int i) {
+            const auto at = static_cast<std::size_t>(i);
+            const bool plain = i >= plain_from && i < plain_to;
+            const double amount = amounts_[static_cast<std::size_t>(k)];
+            Vec sum = Vec::Zero();
+            const auto add = [&](int j, bool mirrored, double share) __attribute__((always_inline)) {
+              Vec other = (*power)[static_cast<std::size_t>(j)];
+              if (mirrored) other = image(other, i, d);
+              const Vec change = theta_ * share * ((*power)[at] - other);
+              sum += change;
+              if (!mirrored) visit(row, i, j, d, amount * change, plain);
+            };
+            if (plain) {
+              for_plain_neighbours(field, i, d, add);
+            } else {
+              for_neighbours(field, row, i, d, add);
+            }
+            if (next) (*next)[at] = sum;
+            to[at] = (d == 0 && k == 0 ? from[at] : to[at]) + amount * sum;
+          });
+        });
+        power = next;
       }
-      to[at] = from[at] + sum;
-    });
+    }
   }
 
   // The nodes of a row, [first, last), all of whose neighbours are touched and, like they, off the walls.
@@ -149,48 +170,46 @@ class Sharpening {
 
   // for_neighbours() of a plain node, all of whose neighbours count in full and none is a mirror image.
   template <class Visit>
-  void for_plain_neighbours(const VelocityField<dim>& field, int i, Visit&& visit) const {
+  void for_plain_neighbours(const VelocityField<dim>& field, int i, int d, Visit&& visit) const {
     const double mass = field.mass[static_cast<std::size_t>(i)];
     if (!(mass > least_mass)) return;
-    for (int d = 0; d < dim; ++d) {
-      for (const int j : {i - grid_.stride(d), i + grid_.stride(d)}) {
-        const double other = field.mass[static_cast<std::size_t>(j)];
-        if (other > least_mass) visit(j, d, false, 2 * other / (mass + other));
-      }
+    for (const int j : {i - grid_.stride(d), i + grid_.stride(d)}) {
+      const double other = field.mass[static_cast<std::size_t>(j)];
+      if (other > least_mass) visit(j, false, 2 * other / (mass + other));
     }
   }
-  // visit(neighbour, direction, whether it stands for a mirror image, K_ij / M_i).
+  // visit(neighbour, whether it stands for a mirror image, K_ij / M_i) along d.
   template <class Visit>
-  void for_neighbours(const VelocityField<dim>& field, int row, int i, Visit&& visit) const {
+  void for_neighbours(const VelocityField<dim>& field, int row, int i, int d, Visit&& visit) const {
     const int length = grid_.row_length(), column = i - row * length;
-    for (int d = 0; d < dim; ++d) {
-      const int k = d == 0 ? column : grid_.row_index(row, d);
-      const double weight = (k == first(d) && walled(d, 0)) || (k == last(d) && walled(d, 1)) ? 2 : 1;
-      const double mass = weight * field.mass[static_cast<std::size_t>(i)];
-      if (!(mass > least_mass)) continue;
-      for (int side = 0; side < 2; ++side) {
-        bool mirrored = false;
-        int step = side == 0 ? -1 : 1;
-        if (walled(d, side) && k == (side == 0 ? first(d) : last(d))) {
-          mirrored = true;
-          step = -step;
-        }
-        const int there = k + step;
-        if (there < 0 || there >= grid_.nodes(d)) continue;
-        const int row_there = d == 0 ? row : row + step * (grid_.stride(d) / length);
-        const int column_there = d == 0 ? there : column;
-        const auto [from, to] = field.touched[static_cast<std::size_t>(row_there)];
-        if (column_there < from || column_there >= to) continue;
-        const int j = row_there * length + column_there;
-        const double share = (there == first(d) && walled(d, 0)) || (there == last(d) && walled(d, 1)) ? 2 : 1;
-        const double other = share * field.mass[static_cast<std::size_t>(j)];
-        if (other > least_mass) visit(j, d, mirrored, 2 * other / (mass + other));
+    const int k = dim == 1 || d == 0 ? column : grid_.row_index(row, d);
+    const double weight = (k == first(d) && walled(d, 0)) || (k == last(d) && walled(d, 1)) ? 2 : 1;
+    const double mass = weight * field.mass[static_cast<std::size_t>(i)];
+    if (!(mass > least_mass)) return;
+    for (int side = 0; side < 2; ++side) {
+      bool mirrored = false;
+      int step = side == 0 ? -1 : 1;
+      if (walled(d, side) && k == (side == 0 ? first(d) : last(d))) {
+        mirrored = true;
+        step = -step;
       }
+      const int there = k + step;
+      if (there < 0 || there >= grid_.nodes(d)) continue;
+      const int row_there = dim == 1 || d == 0 ? row : row + step * (grid_.stride(d) / length);
+      const int column_there = dim == 1 || d == 0 ? there : column;
+      const auto [from, to] = field.touched[static_cast<std::size_t>(row_there)];
+      if (column_there < from || column_there >= to) continue;
+      const int j = row_there * length + column_there;
+      const double share = (there == first(d) && walled(d, 0)) || (there == last(d) && walled(d, 1)) ? 2 : 1;
+      const double other = share * field.mass[static_cast<std::size_t>(j)];
+      if (other > least_mass) visit(j, mirrored, 2 * other / (mass + other));
     }
   }
 
   Grid<dim> grid_;
   double theta_;
+  Amounts amounts_;
+  int powers_ = 0;  // the highest whose amount is not zero
 };
 
 }  // namespace plumbline

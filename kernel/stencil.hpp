@@ -20,6 +20,13 @@ struct Jet {
   Number value, gradient[dim], affine[dim];
 };
 
+// What a scalar on the nodes is at the points up to second moments, r = x_i - x_p: sum N f, sum D^-1 N f r, sum N f r and
+// sum N f r r^T D^-1.
+template <int dim, class Number>
+struct Moments {
+  Number value, affine[dim], moment[dim], turn[dim][dim];
+};
+
 // Weights of one point, or of a pack of points of one bin, in each direction.
 template <int dim, class Shape, class Number>
 class Stencil {
@@ -67,6 +74,18 @@ class Stencil {
     own.stride[0] = 1;
     for (int d = 1; d < dim; ++d) own.stride[d] = own.stride[d - 1] * support;
     return gather(own, [&](std::size_t k) { return at(static_cast<int>(k)); });
+  }
+
+  // The moments of an array with one scalar for each node of the stencil in turn.
+  template <class At>
+  [[gnu::always_inline]] inline Moments<dim, Number> moments_of_array(At&& at) const {
+    Number square[dim][support];  // D^-1 N r^2
+    for (int d = 0; d < dim; ++d) {
+      for (int k = 0; k < support; ++k) {
+        square[d][k] = a_[d][k] * ((static_cast<double>(k + Shape::first) - local_[d]) * h_);
+      }
+    }
+    return moments_along<dim - 1>(at, square, 0);
   }
 
   // D_p along d: sum N (x_i - x_p)_d^2, m^2. [EC-APIC 5]
@@ -124,6 +143,37 @@ class Stencil {
           sums.gradient[k] += n_[d][j] * below.gradient[k];
           sums.affine[k] += n_[d][j] * below.affine[k];
         }
+      }
+    }
+    return sums;
+  }
+
+  template <int d, class At>
+  [[gnu::always_inline]] inline Moments<dim, Number> moments_along(At& at, const Number (&square)[dim][support],
+                                                                   int offset) const {
+    Moments<dim, Number> sums;
+    sums.value = 0.0;
+    for (int k = 0; k <= d; ++k) {
+      sums.affine[k] = sums.moment[k] = 0.0;
+      for (int l = 0; l <= d; ++l) sums.turn[k][l] = 0.0;
+    }
+    for (int j = 0; j < support; ++j) {
+      const int here = offset + j * block<d>();
+      Moments<dim, Number> below;
+      if constexpr (d == 0)
+        below.value = at(here);
+      else
+        below = moments_along<d - 1>(at, square, here);
+      sums.value += n_[d][j] * below.value;
+      sums.affine[d] += a_[d][j] * below.value;
+      sums.moment[d] += moment_[d][j] * below.value;
+      sums.turn[d][d] += square[d][j] * below.value;
+      for (int k = 0; k < d; ++k) {
+        sums.affine[k] += n_[d][j] * below.affine[k];
+        sums.moment[k] += n_[d][j] * below.moment[k];
+        sums.turn[d][k] += moment_[d][j] * below.affine[k];
+        sums.turn[k][d] += a_[d][j] * below.moment[k];
+        for (int l = 0; l < d; ++l) sums.turn[k][l] += n_[d][j] * below.turn[k][l];
       }
     }
     return sums;

@@ -68,15 +68,20 @@ struct VelocityField {
   std::vector<Vec> end;                      // v~_i = v_i + dt f_i / M_i
   std::vector<Vec> midpoint;                 // (v_i + v~_i) / 2
   // Empty until a step needs them:
-  std::vector<Vec> body_force;   // what of the force is sum_p m_p b_p N_ip, as points put it there
-  std::vector<Vec> remapped;     // v_i from the updated point velocities [York 3.24]
-  std::vector<Vec> straining;    // the nodal velocity whose gradients strain the points, sharpened
-  std::vector<Vec> filtered;     // w_i of the transfers xpic and fmpm
-  std::vector<double> density;   // M_i / |cell_i|
-  std::vector<double> heat;      // sum_p m_p e_p N_ip, then E_i, its mean per mass
-  std::vector<double> exchange;  // sum_p m_p N_ip max(0, -div v), then alpha_i
-  std::vector<double> gas_mass;  // of the bodies that take heat, if others share the field
-  std::vector<double> loss;      // what the others lost this step, then per mass of gas, J/kg
+  std::vector<Vec> body_force;             // what of the force is sum_p m_p b_p N_ip, as points put it there
+  std::vector<Vec> remapped;               // v_i from the updated point velocities [York 3.24]
+  std::vector<Vec> odd_power, even_power;  // of B_d on it [Sharpening 1]
+  std::vector<Vec> straining;              // the nodal velocity whose gradients strain the points, sharpened
+  std::vector<Vec> filtered;               // w_i of the transfers xpic and fmpm
+  std::vector<double> density;             // M_i / |cell_i|
+  std::vector<double> heat;                // sum_p m_p e_p N_ip, then E_i, its mean per mass
+  std::vector<double> exchange;            // sum_p m_p N_ip max(0, -div v), then alpha_i
+  std::vector<double> kept;                // sum_p m_p c_p N_ip, then 1 - alpha_i of [Filter 1]
+  std::vector<Vec> mapped;                 // P_i as points put it there, before folding
+  std::vector<double> closing;             // K_i of [Limiter 1]
+  std::vector<Vec> slopes;                 // and what it is found from
+  std::vector<double> gas_mass;            // of the bodies that take heat, if others share the field
+  std::vector<double> loss;                // what the others lost this step, then per mass of gas, J/kg
 
   // Calls visit(node) for every touched node of a row.
   template <class Visit>

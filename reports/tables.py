@@ -53,7 +53,8 @@ _HAPPENED = {
 # The keys that the contract gives to all cases; the others are a case's own.
 _NUMERICAL = frozenset(
     "cells shape transfer integrator density cfl dt ppc points offset viscosity.linear viscosity.quadratic "
-    "sharpening heat_exchange split transfer_order normals "
+    "viscosity.closing sharpening sharpening.second sharpening.third motion read_off filter.sound filter.compression "
+    "heat_exchange split transfer_order normals "
     "membrane.strain membrane.loss contact pressure".split()
 )
 _FIRST_FIELDS = ("integrator", "shape", "transfer", "density", "points", "ppc", "cfl", "dt")

@@ -41,24 +41,18 @@ void deform_boxes(const Discretisation<G>& space, Columns& points, Ledger& ledge
       if (affine) twist[d][e] = points(column::affine, d * dim + e);
     }
   }
-  const auto inertia = [&](int d, int p, int count) {
-    return Pack([&](auto lane) {
-      const int k = static_cast<int>(lane);
-      return k < count ? space.loops->inertia(points, d, p + k) : 0.0;
-    });
-  };
   Pack energy = 0.0, spin[3] = {0.0, 0.0, 0.0};
   for_packs(0, points.points(), [&](int p, int count) {
     Pack change[dim];  // of m D
     for (int d = 0; d < dim; ++d) {
       Pack before = 0.0, square = 0.0;
-      if (affine) before = inertia(d, p, count);
+      if (affine) before = space.loops->pack_inertia(points, d, p, count);
       for (int e = 0; e < dim; ++e) {
         const Pack edge = load(f[d][e] + p) * load(at_start[e] + p);
         square += edge * edge;
       }
       store(half_size[d] + p, sqrt(square), count);  // [GIMP 2]
-      if (affine) change[d] = load(mass + p) * (inertia(d, p, count) - before);
+      if (affine) change[d] = load(mass + p) * (space.loops->pack_inertia(points, d, p, count) - before);
     }
     if (!affine) return;
     const auto c = [&](int d, int e) { return kept(load(twist[d][e] + p), count); };

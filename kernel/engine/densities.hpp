@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kernel/density/cell_density.hpp"
+#include "kernel/density/read_off.hpp"
 #include "kernel/engine/placing.hpp"
 
 namespace plumbline {
@@ -21,7 +22,12 @@ class Densities {
   static constexpr int dim = Geometry::dim;
   using Field = typename Space::Field;
 
-  Densities(const Space& space, DensityMethod method) : space_(space), placing_(space), method_(method) {}
+  // sharpening: how much of the maps' smoothing is undone, as of forces.
+  Densities(const Space& space, DensityMethod method, double sharpening = 0)
+      : space_(space),
+        placing_(space),
+        read_off_(space.grid, sharpening * space.shape.blur),
+        method_(method) {}
 
   // What the points of a body take their volumes from.
   struct Source {
@@ -75,6 +81,7 @@ class Densities {
                                               : 0.0;
         },
         space_.threads);
+    if (!body.enclosure) read_off_.apply(field, density, space_.threads);
     space_.walls.extend_even(field, density);
   }
 
@@ -88,6 +95,7 @@ class Densities {
 
   const Space& space_;
   Placing<Geometry> placing_;
+  ReadOff<dim> read_off_;
   DensityMethod method_;
   std::vector<double> inverse_volume_;  // 1 / |cell_i|, m^-dim; axisymmetric per radian; found when first used
   std::vector<double> enclosed_;        // |cell_i| inside the enclosure last asked for

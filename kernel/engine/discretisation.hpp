@@ -3,11 +3,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "kernel/engine/point_loops.hpp"
+#include "kernel/limiter.hpp"
 #include "kernel/normals/membrane_tangents.hpp"
 #include "kernel/parallel.hpp"
 #include "kernel/scene.hpp"
@@ -18,6 +20,11 @@
 #include "kernel/walls.hpp"
 
 namespace plumbline {
+
+inline std::array<double, 3> amounts_of(const Scene& scene) {
+  if (scene.sharpening == 0) return {};
+  return {scene.sharpening, scene.sharpening_second, scene.sharpening_third};
+}
 
 template <class Geometry>
 struct Discretisation {
@@ -34,6 +41,7 @@ struct Discretisation {
   std::unique_ptr<const Loops> loops;
   ShapeTraits shape;
   Sharpening<dim> sharpening;
+  Limiter<dim> limiter;
   MaterialContext context;
   int threads;
 
@@ -43,7 +51,8 @@ struct Discretisation {
         transfer(transfer_of(scene.transfer, scene.transfer_order)),
         loops(std::get<MakeLoops<Geometry>>(shape_named(scene.shape).loops)(scene.grid, transfer)),
         shape(loops->shape()),
-        sharpening(grid, scene.sharpening * shape.blur),
+        sharpening(grid, shape.blur, amounts_of(scene)),
+        limiter(grid),
         context{dim,
                 grid.h(),
                 scene.density == DensityMethod::continuity,
@@ -51,6 +60,9 @@ struct Discretisation {
                 scene.density == DensityMethod::grid,
                 MembraneTangents::given_by(scene.normals)},
         threads(thread_count) {}
+
+  // Whether what gases lose in the maps is a matter of time. [Filter 1]
+  bool filters_at_rate(const Scene& scene) const { return transfer.affine && !scene.filter.none(); }
 
   // work(chunk) for each of one body's, in any order.
   template <class Work>
@@ -126,6 +138,15 @@ struct Discretisation {
     sharpening.apply(field, velocity, straining, threads);
     walls.extend(field, straining);
     return straining;
+  }
+
+  // How fast that velocity closes; null: the body's material does not ask. [Limiter 1]
+  const std::vector<double>* closing(const Body& body, Field& field, const std::vector<Vec>& straining) const {
+    if (!body.points.has(column::closing)) return nullptr;
+    std::vector<double>& closing = field.held(&Field::closing);
+    limiter.apply(field, straining, field.held(&Field::slopes), closing, threads);
+    walls.extend_even(field, closing);
+    return &closing;
   }
 
   // What points put on nodes, per mass of those that put it: zero where there is none, continued beyond the walls.

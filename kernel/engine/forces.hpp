@@ -18,24 +18,29 @@ class Forces {
   using Bodies = Layout<dim>;
   using Field = typename Space::Field;
 
-  // exchange: gases also map what their points exchange heat by. [Exchange 1]
-  Forces(const Space& space, bool exchange) : space_(space), exchange_(exchange) {}
+  // shares: what gases map beside their forces.
+  Forces(const Space& space, Shares shares) : space_(space), shares_(shares) {}
 
   void clear(Bodies& at, Record& step) const {
     step.forces.emplace();
     for (Field& field : at.fields) {
       clear(field, field.force);
       if (!field.body_force.empty()) clear(field, field.body_force);
-      if (!exchange_) continue;
+    }
+    for (std::size_t b = 0; b < at.bodies.size() && shares_ != Shares::none; ++b) {
+      if (!at.bodies[b].material->takes_heat()) continue;
+      Field& field = at.field(b);
       clear(field, field.held(&Field::heat));
       clear(field, field.held(&Field::exchange));
+      if (shares_ == Shares::heat_and_sound) clear(field, field.held(&Field::kept));
     }
   }
 
   // Of the stresses of a chunk of body b's points; returns what hoop stress adds to the radial momentum, N.
   double map(Bodies& at, std::size_t b, const Chunk& chunk) const {
     const Body& body = at.bodies[b];
-    return space_.loops->map_forces(body, at.weights[b], chunk, exchange_ && body.material->takes_heat(), at.field(b));
+    const Shares shares = body.material->takes_heat() ? shares_ : Shares::none;
+    return space_.loops->map_forces(body, at.weights[b], chunk, shares, at.field(b));
   }
 
   // What else body b does to the nodes once its stresses are mapped.
@@ -98,7 +103,7 @@ class Forces {
   }
 
   const Space& space_;
-  bool exchange_;
+  Shares shares_;
 };
 
 }  // namespace plumbline

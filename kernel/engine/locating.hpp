@@ -77,7 +77,7 @@ class Locating {
     std::vector<ColumnId> stale{column::transfer_loss};
     if (!space_.context.continuity_density) stale.push_back(column::density);
     if (!options_.evaluates_stress_first) return stale;
-    stale.push_back(column::strain_rate);
+    stale.insert(stale.end(), {column::strain_rate, column::sound_speed, column::closing});
     if (body.material->has_density()) stale.insert(stale.end(), {column::stress, column::volume, column::pressure});
     return stale;
   }

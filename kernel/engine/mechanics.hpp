@@ -18,6 +18,12 @@ inline int threads_for(const Scene& scene, int wanted) {
   return points < fewest_shared ? 1 : wanted;
 }
 
+// What gases map beside their forces.
+inline Shares shares_of(const Scene& scene, bool filters_at_rate, bool keep_loss) {
+  if (filters_at_rate) return Shares::heat_and_sound;
+  return scene.heat_exchange > 0 && keep_loss ? Shares::heat : Shares::none;
+}
+
 template <class Geometry>
 class Mechanics final : public Engine {
  public:
@@ -31,13 +37,14 @@ class Mechanics final : public Engine {
         to_grid_(space_),
         momentum_(space_, scene, layout_.field_of_body),
         strain_(space_, scene.strain_smoothing, ledger),
-        stress_(space_, scene.density, scene.heat_exchange > 0 && options.keep_loss),
+        stress_(space_, scene, shares_of(scene, space_.filters_at_rate(scene), options.keep_loss)),
         motion_(space_, scene, options.keep_loss, ledger) {
     refuse_what_cannot_work(scene, space_);
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
       Body& body = scene.bodies[b];
       if (space_.transfer.affine) body.points.add(column::affine, dim * dim);
       if (space_.shape.boxes) add_boxes<Geometry>(body, shape_named(scene.shape).boxes_deform);
+      if (space_.filters_at_rate(scene) && body.material->takes_heat()) body.points.add(column::sound_speed);
       motion_.add_columns(body, layout_.field(b));
     }
   }

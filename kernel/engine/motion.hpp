@@ -1,6 +1,8 @@
 // Velocities and places of the points from the grid's motion, the heat that goes with them, and its booking.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -32,6 +34,7 @@ class Motion {
         exchange_(scene.heat_exchange > 0 && keep_loss),
         contact_(scene.contact != "none"),
         keep_loss_(keep_loss),
+        sharpened_motion_(scene.sharpened_motion),
         ledger_(ledger) {}
 
   // For what the maps take from points that give it back, or to the gas of their field.
@@ -56,6 +59,7 @@ class Motion {
           .drift = drift,
           .straining = strained ? nullptr : &space_.straining_velocity(field, field.midpoint),
           .carrying = carrying == NodalVelocity::end ? nullptr : &at.velocity(field, step.resolved(carrying)),
+          .sharpened = sharpened_midpoint(field),
           .exchange = exchanges_heat(body, field)};
       const Sums own = space_.template sum_over_chunks<Sums>(at.weights[b], [&](const Chunk& chunk) {
         Sums sums;
@@ -67,7 +71,10 @@ class Motion {
       all += own;
     }
     if (power_wanted) step.power = all.power;
-    if (!strained) step.rates_of = NodalVelocity::midpoint;
+    const bool closes = std::any_of(at.bodies.begin(), at.bodies.end(),
+                                    [](const Body& body) { return body.points.has(column::closing); });
+    if (!strained && !closes)
+      step.rates_of = NodalVelocity::midpoint;  // how fast the flow closes was not found with them
     for (std::size_t b = 0; b < at.bodies.size(); ++b) {
       if (!drift) chains_.relax(at.bodies[b], at.weights[b], all.motion);
     }
@@ -151,6 +158,10 @@ class Motion {
           });
     }
   }
+  // The velocity that strains over the step where it is another than the midpoint's; null: it is not.
+  const std::vector<typename Space::Vec>* sharpened_midpoint(Field& field) const {
+    return space_.sharpening.none() || !sharpened_motion_ ? nullptr : &space_.straining_velocity(field, field.midpoint);
+  }
   // Heat is exchanged as points move or are kicked, once forces were mapped, by integrators that give heat back. [Exchange 1]
   bool exchanges_heat(const Body& body, const Field& field) const {
     return exchange_ && body.material->takes_heat() && !field.exchange.empty();
@@ -209,10 +220,26 @@ class Motion {
         action.linear -= keep * before.linear;
         action.angular -= keep * before.angular;
       }
+      if (!field.kept.empty()) {  // of what points keep the walls saw nothing
+        for (const WallAction<dim>& kept : kept_actions(field)) {
+          action.linear -= kept.linear;
+          action.angular -= kept.angular;
+        }
+      }
       wall.linear += action.linear;
       wall.angular += action.angular;
     }
     step.book(ledger_, sums, contact_);
+  }
+
+  // What the maps' folding and extension would give to what points keep of their own velocities and of the nodes'.
+  std::array<WallAction<dim>, 2> kept_actions(const Field& field) const {
+    std::vector<typename Space::Vec> own(field.mapped), nodal(field.start);
+    field.for_touched(space_.grid, [&](std::size_t i) {
+      own[i] *= field.kept[i];
+      nodal[i] *= field.kept[i];
+    });
+    return {space_.walls.fold(field, own), space_.walls.extension_impulse(field, nodal)};
   }
 
   void stop_if_too_far(const MotionSums& sums, const Body& body, double dt) const {
@@ -232,7 +259,7 @@ class Motion {
   Reflection<Geometry> reflection_;
   VelocityFilter<Geometry> filter_;
   LossToGas<Geometry> loss_to_gas_;
-  bool exchange_, contact_, keep_loss_;
+  bool exchange_, contact_, keep_loss_, sharpened_motion_;
   Ledger& ledger_;
 };
 

@@ -49,6 +49,10 @@ class NodalMomentum {
   double start(Field& field, StepRecord<dim, rotations>& record) const {
     double mass = 0;
     field.for_touched(space_.grid, [&](std::size_t i) { mass += field.own_mass[i] = field.mass[i]; });
+    if (space_.filters_at_rate(scene_)) {
+      std::vector<Vec>& mapped = field.held(&Field::mapped);
+      for_touched(field, [&](std::size_t i) { mapped[i] = field.momentum[i]; });
+    }
     space_.walls.fold_mass(field);
     WallAction<dim> action = space_.walls.fold(field, field.momentum);
     space_.divide_by_mass(field, field.momentum, field.start);
@@ -92,7 +96,7 @@ class NodalMomentum {
       record.wall_work += drive(field, field.end, record.wall);
       WallAction<dim> counted;
       drive(field, field.midpoint, counted);
-      if (!field.exchange.empty()) solve_exchange(field, dt);
+      if (!field.exchange.empty()) solve_shares(field, dt);
       if (!loaded_) continue;
       const std::vector<Vec>& straining = space_.straining_velocity(field, field.midpoint);
       field.for_touched(space_.grid,
@@ -171,19 +175,33 @@ class NodalMomentum {
     for (Field& field : fields) space_.walls.extend(field, field.start);
   }
 
-  // E_i = sum_p m_p e_p N_ip / M_i, alpha_i = min(1, kappa dt sum_p m_p N_ip max(0, -div v) / M_i), M_i of the gas.
-  // [Exchange 1]
-  void solve_exchange(Field& field, double dt) const {
-    space_.walls.fold_even(field, field.heat);
-    space_.walls.fold_even(field, field.exchange);
+  // With means over the mass of gas: E_i = sum_p m_p e_p N_ip / M_i, D_i = sum_p m_p N_ip max(0, -div v) / M_i and
+  // c_i = sum_p m_p c_p N_ip / M_i; alpha_i = min(1, kappa dt D_i) of heat [Exchange 1], and of velocities
+  // alpha_i = min(1, dt (k_f c_i / h + b_f D_i)) [Filter 1]; 1 where pistons set a velocity, and where membranes share the
+  // node: what their points keep of their own motion strains them, and nothing stops it.
+  void solve_shares(Field& field, double dt) const {
+    const bool filters = !field.kept.empty();
+    const FilterRate& rate = scene_.filter;
+    for (std::vector<double>* sums : {&field.heat, &field.exchange, &field.kept}) {
+      if (!sums->empty()) space_.walls.fold_even(field, *sums);
+    }
     const std::vector<double>& mass = field.mass_of_gas();
     for_touched(field, [&](std::size_t i) {
       const double share = mass[i] > least_mass ? 1 / mass[i] : 0.0;
       field.heat[i] *= share;
-      field.exchange[i] = std::min(1.0, scene_.heat_exchange * dt * field.exchange[i] * share);
+      const double closing = field.exchange[i] * share;
+      field.exchange[i] = std::min(1.0, scene_.heat_exchange * dt * closing);
+      if (!filters) return;
+      const double taken = dt * (rate.sound * field.kept[i] * share / space_.grid.h() + rate.compression * closing);
+      const bool gas_alone = share > 0 && mass[i] >= field.mass[i];
+      field.kept[i] = gas_alone ? 1 - std::min(1.0, taken) : 0.0;
     });
-    space_.walls.extend_even(field, field.heat);
-    space_.walls.extend_even(field, field.exchange);
+    if (filters) {
+      pistons_.for_driven(space_.grid, field, [&](std::size_t i, const Piston&) { field.kept[i] = 0; });
+    }
+    for (std::vector<double>* values : {&field.heat, &field.exchange, &field.kept}) {
+      if (!values->empty()) space_.walls.extend_even(field, *values);
+    }
   }
 
   const Space& space_;

@@ -10,6 +10,7 @@
 #include "kernel/bins.hpp"
 #include "kernel/engine/sums.hpp"
 #include "kernel/engine/weights.hpp"
+#include "kernel/pack.hpp"
 #include "kernel/points/body.hpp"
 #include "kernel/velocity_field.hpp"
 
@@ -32,6 +33,11 @@ struct ShapeTraits {
   bool fixed_inertia;  // D_p is the same wherever a point stands
   bool boxes;          // points have half sizes
 };
+
+// What a gas puts on the nodes beside its forces.
+//   heat            sum_p m_p e_p N_ip and sum_p m_p N_ip max(0, -div v) [Exchange 1]
+//   heat_and_sound  these and sum_p m_p c_p N_ip [Filter 1]
+enum class Shares { none, heat, heat_and_sound };
 
 template <class Geometry>
 class PointLoops {
@@ -56,6 +62,13 @@ class PointLoops {
                            std::vector<Mover>& movers) const = 0;
   // D_p along d where the point stands, m^2.
   virtual double inertia(const Columns& points, int d, int p) const = 0;
+  // The same of a pack of points from p on, `count` of them; the other lanes hold anything.
+  virtual Pack pack_inertia(const Columns& points, int d, int p, int count) const {
+    return Pack([&](auto lane) {
+      const int k = static_cast<int>(lane);
+      return k < count ? inertia(points, d, p + k) : 0.0;
+    });
+  }
   // Whether weights depend on columns of the shape's own; follow() sets these from the points as they are, once a step, before
   // they are located.
   virtual bool follows() const { return false; }
@@ -68,8 +81,8 @@ class PointLoops {
   // M_i v_i alone.
   virtual void map_momentum(const Body& body, const Weights<dim>& at, const Chunk& chunk, Field& field) const = 0;
   // -sum_p V_p sigma_p grad N_ip [York 3.17] [EC-APIC 4]; returns what hoop stress adds to the radial momentum, N.
-  // exchange: also sum_p m_p e_p N_ip and sum_p m_p N_ip max(0, -div v). [Exchange 1]
-  virtual double map_forces(const Body& body, const Weights<dim>& at, const Chunk& chunk, bool exchange,
+  // Also what `shares` says.
+  virtual double map_forces(const Body& body, const Weights<dim>& at, const Chunk& chunk, Shares shares,
                             Field& field) const = 0;
   // nodes_i += sum_p N_ip q_p of values q, weighted with the points' masses or not; nodes are `stride` numbers apart.
   struct Spread {
@@ -92,8 +105,9 @@ class PointLoops {
                       std::span<const Gather> all) const = 0;
   // Nodal arrays that gather_start reads; null: that part is not wanted.
   struct Wanted {
-    const std::vector<Vec>* loss = nullptr;   // nodal velocity of the map
-    const std::vector<Vec>* rates = nullptr;  // nodal velocity that strains
+    const std::vector<Vec>* loss = nullptr;        // nodal velocity of the map
+    const std::vector<Vec>* rates = nullptr;       // nodal velocity that strains
+    const std::vector<double>* closing = nullptr;  // with it: how fast it closes; null: nobody asks
     const std::vector<double>* density = nullptr;
     bool specific = false;  // `density` holds specific volumes
     bool none() const { return !loss && !rates && !density; }
@@ -102,15 +116,18 @@ class PointLoops {
   //   loss     sum_p m_p A_p with A_p = sum_i N_ip |v_p + C_p (x_i - x_p) - v_i|^2 / 2, returned, as the sum of three terms
   //            that are never negative: what v_p and C_p differ by from the grid's, and what of the grid's velocity is
   //            not affine [EC-APIC 1]
-  //   rates    strain rates of a nodal velocity [York 3.23]
+  //   rates    strain rates of a nodal velocity [York 3.23], and the column closing, min(max(0, -div v), sum_i N_ip K_i)
   //   density  V_p = m_p / rho_p, rho_p = sum_i N_ip rho_i [EC-APIC 2]; specific: V_p = m_p sum_i N_ip v_i [Coupling 4]
   virtual double gather_start(Body& body, const Weights<dim>& at, const Chunk& chunk, const Wanted& wanted) const = 0;
   // How gather_motion moves points.
   struct Motion {
     double dt;
-    std::optional<double> drift;  // how long they then move with the velocity they got; none: over dt with the grid's
+    std::optional<double> drift =
+        {};  // how long they then move with the velocity they got; none: over dt with the grid's
     const std::vector<Vec>* straining = nullptr;  // also the strain rates of this nodal velocity
     const std::vector<Vec>* carrying = nullptr;   // nodal velocity that carries them; null: the end's
+    // Nodal velocity that strains over the step beyond the midpoint's: it carries them too, over dt. [Sharpening 2]
+    const std::vector<Vec>* sharpened = nullptr;
     // Also e_p += sum_i N_ip alpha_i (E_i - e_p), which conserves sum_p m_p e_p node by node, and leaves no energy
     // negative: each becomes a mean of what points have. [Exchange 1]
     bool exchange = false;

@@ -53,8 +53,10 @@ class Strain {
     double lost = 0;
     for (std::size_t b = 0; b < at.bodies.size(); ++b) {
       auto& field = at.field(b);
+      const auto& velocity = space_.straining_velocity(field, at.velocity(field, which));
       const typename Space::Loops::Wanted wanted{.loss = step.map_loss ? nullptr : &field.start,
-                                                 .rates = &space_.straining_velocity(field, at.velocity(field, which))};
+                                                 .rates = &velocity,
+                                                 .closing = space_.closing(at.bodies[b], field, velocity)};
       lost += space_.template sum_over_chunks<double>(at.weights[b], [&](const Chunk& chunk) {
         return space_.loops->gather_start(at.bodies[b], at.weights[b], chunk, wanted);
       });

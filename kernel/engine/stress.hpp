@@ -14,11 +14,11 @@ class Stress {
   using Record = StepRecord<dim, Geometry::rotations>;
   using Bodies = Layout<dim>;
 
-  // exchange: see Forces.
-  Stress(const Space& space, DensityMethod density, bool exchange)
+  // shares: see Forces.
+  Stress(const Space& space, const Scene& scene, Shares shares)
       : space_(space),
-        densities_(space, density),
-        forces_(space, exchange) {}
+        densities_(space, scene.density, scene.sharpened_density ? scene.sharpening : 0),
+        forces_(space, shares) {}
 
   // Stresses of the step's start and `ahead` s more, with the strain rates of a nodal velocity; sums what the map lost, if
   // that is not known yet, and maps the forces too where these are wanted, while the points stand where they were located. Point forces
@@ -39,7 +39,10 @@ class Stress {
       const auto source = densities_.find(at.bodies, body, places, field, at.own_mass[b]);
       typename Space::Loops::Wanted wanted;
       if (!step.map_loss) wanted.loss = &field.start;
-      if (velocity != step.rates_of) wanted.rates = &space_.straining_velocity(field, at.velocity(field, velocity));
+      if (velocity != step.rates_of) {
+        wanted.rates = &space_.straining_velocity(field, at.velocity(field, velocity));
+        wanted.closing = space_.closing(body, field, *wanted.rates);
+      }
       if (!source.elsewhere) wanted.density = source.nodes;
       wanted.specific = source.specific;
       if (of_places && wanted.rates) {  // the velocities of all points before any looks at others'

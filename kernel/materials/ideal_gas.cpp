@@ -55,13 +55,13 @@ struct Loops {
   using Writing = Reference<double>;
 
   // The stress as written in the header. `rate`: strain rates; p: pressure.
-  static Tensor stress(const IdealGas& gas, const Tensor& rate, const Pack& rho, const Pack& e, const Pack& p,
-                       double h) {
+  // closes: D.
+  static Tensor stress(const IdealGas& gas, const Tensor& rate, const Pack& closes, const Pack& rho, const Pack& e,
+                       const Pack& p, double h) {
     const Pack divergence = rate.trace();
     Pack pressure = p;
     if (gas.viscosity_linear > 0 || gas.viscosity_quadratic > 0) {
-      const Pack c = sqrt(gas.gamma * (gas.gamma - 1) * e);
-      const Pack closing = max(-divergence * h, Pack(0.0));
+      const Pack c = sqrt(gas.gamma * (gas.gamma - 1) * e), closing = closes * h;
       pressure += rho * closing * (gas.viscosity_linear * c + gas.viscosity_quadratic * closing);  // [York 4.11]
     }
     const double mu = gas.viscosity;
@@ -73,9 +73,27 @@ struct Loops {
     return s;
   }
 
+  // D of points from p on.
+  static Pack closing(const double* limited, const Tensor& rate, int p) {
+    return limited ? load(limited + p) : max(-rate.trace(), Pack(0.0));
+  }
+
   static Tensor viscous_part(Tensor stress, const Pack& p) {
     for (int k = 0; k < normals; ++k) stress.component[k] += p;
     return stress;
+  }
+
+  // What of |v_p|^2 is lost in the sum of kinetic and internal energy: a cold gas may not become colder than nothing by less.
+  static constexpr double rounding = 1e-16;
+  static std::vector<const double*> components(const Columns& points, const ColumnId& id) {
+    std::vector<const double*> all;
+    for (int k = 0; k < points.components(id); ++k) all.push_back(points(id, k));
+    return all;
+  }
+  static Pack square(const std::vector<const double*>& v, int p) {
+    Pack sum = 0.0;
+    for (const double* component : v) sum += load(component + p) * load(component + p);
+    return sum;
   }
 
   // The energy after isentropic compression, e' = -(gamma - 1) e div v, to first order; never negative. [Leapfrog 2]
@@ -85,12 +103,14 @@ struct Loops {
     const Reading rate(points, column::strain_rate), stress(points, column::stress);
     const double *volume = points(column::volume), *mass = points(column::mass);
     double *energy = points(column::energy), *density = points(column::density);
+    const std::vector<const double*> velocity = components(points, column::velocity);
     Pack stored = 0.0;
     for_packs(
         range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
           const Tensor d = rate[p];
           const Pack heat = dt * load(volume + p) * stress[p].dot(d);
-          store(energy + p, load(energy + p) + heat / load(mass + p), count);                     // [York 4.8]
+          const Pack e = load(energy + p) + heat / load(mass + p);  // [York 4.8]
+          store(energy + p, choose(e < 0.0 && e > -rounding * square(velocity, p), Pack(0.0), e), count);
           if (continuity) store(density + p, load(density + p) / (1.0 + dt * d.trace()), count);  // [York 4.7]
           stored += kept(heat, count);
         });
@@ -102,6 +122,8 @@ struct Loops {
     const Writing stresses(points, column::stress);
     const double *mass = points(column::mass), *energy = points(column::energy), *density = points(column::density);
     double *volume = points(column::volume), *pressure = points(column::pressure);
+    double* sound = points.has(column::sound_speed) ? points(column::sound_speed) : nullptr;
+    const double* limited = gas.limits_viscosity ? points(column::closing) : nullptr;
     for_packs(
         range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
           const Tensor d = rate[p];
@@ -110,7 +132,8 @@ struct Loops {
           if (!context.volume_given) store(volume + p, m / rho, count);
           const Pack p_now = (gas.gamma - 1) * rho * e;  // [York 4.4]
           store(pressure + p, p_now, count);
-          stresses.set(p, stress(gas, d, rho, e, p_now, context.h), count);
+          stresses.set(p, stress(gas, d, closing(limited, d, p), rho, e, p_now, context.h), count);
+          if (sound) store(sound + p, sqrt(gas.gamma * (gas.gamma - 1) * e), count);
         });
   }
 
@@ -119,6 +142,7 @@ struct Loops {
     const Writing stresses(points, column::stress);
     const double *mass = points(column::mass), *energy = points(column::energy), *volume = points(column::volume);
     const double* pressures = points(column::pressure);
+    const double* limited = gas.limits_viscosity ? points(column::closing) : nullptr;
     bool changed = false;
     for_packs(
         range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
@@ -126,7 +150,7 @@ struct Loops {
           const Tensor d = rate[p], old = stresses[p];
           const PackMask cools = viscous_part(old, pressure).dot(d) < 0.0 && first_lanes(count);
           if (none_of(cools)) return;
-          Tensor s = stress(gas, d, rho, e, pressure, h);
+          Tensor s = stress(gas, d, closing(limited, d, p), rho, e, pressure, h);
           for (int k = 0; k < strains; ++k) s.component[k] = choose(cools, s.component[k], old.component[k]);
           stresses.set(p, s, count);
           changed = true;
@@ -181,6 +205,7 @@ void IdealGas::add_columns(Columns& points, int) const {
   points.add(column::density);
   points.add(column::energy);
   points.add(column::pressure);
+  if (limits_viscosity) points.add(column::closing);
 }
 
 double IdealGas::advance(Columns& points, PointRange range, const MaterialContext& context, double dt) const {

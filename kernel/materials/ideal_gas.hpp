@@ -7,7 +7,7 @@ namespace plumbline {
 
 // sigma = 2 mu e - 2/3 mu tr(e) 1 - (p + q) 1                                    [York 4.1]
 // p = (gamma - 1) rho e                                                          [York 4.4]
-// q = rho (c_L c h |div v| + c_Q h^2 (div v)^2) in compression, else 0           [York 4.11]
+// q = rho (c_L c h D + c_Q h^2 D^2), D = max(0, -div v) or, limited, the column closing  [York 4.11] [Limiter 1]
 // The printed (4.11, 4.12) have one velocity too many and the wrong sign; this is the von Neumann-Richtmyer-Landshoff
 // form after Wilkins (1980, doi 10.1016/0021-9991(80)90161-8).
 struct IdealGas final : Material {
@@ -15,6 +15,7 @@ struct IdealGas final : Material {
   double viscosity = 0;            // mu, Pa s, >= 0
   double viscosity_linear = 0;     // c_L, >= 0
   double viscosity_quadratic = 0;  // c_Q, >= 0
+  bool limits_viscosity = false;   // to what is not linear in the flow
 
   std::string name() const override { return "ideal_gas"; }
   void add_columns(Columns& points, int dim) const override;

@@ -30,10 +30,12 @@ inline const ColumnId stress{"stress", "Pa"};             // sigma_p in the same
 inline const ColumnId density{"density", "kg/m^3"};       // rho_p, > 0
 inline const ColumnId energy{"energy", "J/kg"};           // e_p, specific internal energy, >= 0
 inline const ColumnId pressure{"pressure", "Pa"};         // thermodynamic p_p, without viscosity
-inline const ColumnId strain{"strain", "1"};              // total: of a membrane along its tangent, else as strain_rate
-inline const ColumnId deformation{"deformation", "1"};    // F_p, row by row, then the hoop's
-inline const ColumnId body_force{"body_force", "m/s^2"};  // b_p where a body's load sets it
-inline const ColumnId half_size{"half_size", "m"};        // of the point's box, along each axis
+inline const ColumnId sound_speed{"sound_speed", "m/s"};  // c_p, where the nodes want to know it
+inline const ColumnId closing{"closing", "1/s"};  // how fast the flow closes, for artificial viscosity that is limited
+inline const ColumnId strain{"strain", "1"};      // total: of a membrane along its tangent, else as strain_rate
+inline const ColumnId deformation{"deformation", "1"};                // F_p, row by row, then the hoop's
+inline const ColumnId body_force{"body_force", "m/s^2"};              // b_p where a body's load sets it
+inline const ColumnId half_size{"half_size", "m"};                    // of the point's box, along each axis
 inline const ColumnId half_size_at_start{"half_size_at_start", "m"};  // of the undeformed box
 inline const ColumnId tangent{"tangent", "1"};                        // unit tangent of a membrane point, from 2-D on
 inline const ColumnId transfer_loss{"transfer_loss", "J"};            // what the two maps of a step took from the point

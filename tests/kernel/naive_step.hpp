@@ -8,7 +8,9 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "kernel/materials/linear_elastic.hpp"
@@ -25,12 +27,13 @@ struct NaivePoint {
   Eigen::Vector3d half = 0.5 * Eigen::Vector3d::Ones(), half_at_start = half;      // of the box, in cells
   Eigen::Vector3d pull = Eigen::Vector3d::Zero();                                  // of the segments on the point
   double m = 0, volume = 0, density = 0, energy = 0, pressure = 0, strain = 0, loss = 0, exchanged = 0, rest = 0;
+  double sound = 0, closing = 0;  // of the stress: c, and how fast the flow is compressed
 };
 
 struct NaiveNode {
   Eigen::Vector3d x = Eigen::Vector3d::Zero(), momentum = x, force = x;
   Eigen::Vector3d start = x, end = x, middle = x, again = x;
-  double m = 0, volume = 0, heat = 0, alpha = 0;
+  double m = 0, volume = 0, heat = 0, alpha = 0, kept = 0;
 };
 
 class NaiveStep {
@@ -326,26 +329,69 @@ class NaiveStep {
     for (auto& velocity : straining_) velocity.clear();
   }
 
-  // Each node against its neighbours along the axes, theta half the variance of the shape. [Sharpening 1]
+  // Half the variance of the shape.
+  double theta() const {
+    return (boxes()                       ? 1.0 / 6 + 0.25 * 0.25 / 3
+            : scene_.shape == "linear"    ? 1.0 / 6
+            : scene_.shape == "quadratic" ? 1.0 / 4
+                                          : 1.0 / 3) /
+           2;
+  }
+  // The node beside another along d, if there is one.
+  std::optional<std::size_t> beside(std::size_t i, int d, int side) const {
+    int stride = 1;
+    for (int e = 0; e < d; ++e) stride *= scene_.grid.cells[static_cast<std::size_t>(e)] + 5;  // see make_nodes()
+    const auto j = static_cast<std::size_t>(static_cast<int>(i) + side * stride);
+    const bool there = j < nodes_.size() && std::abs((nodes_[j].x - nodes_[i].x).norm() - h_) < 0.1 * h_;
+    return there ? std::optional(j) : std::nullopt;
+  }
+  // Each node against its neighbours, one axis after another, up to the third power. [Sharpening 1]
   std::vector<Vec> sharpened(const std::vector<Vec>& u) const {
-    const double variance = boxes()                       ? 1.0 / 6 + 0.25 * 0.25 / 3
-                            : scene_.shape == "linear"    ? 1.0 / 6
-                            : scene_.shape == "quadratic" ? 1.0 / 4
-                                                          : 1.0 / 3;
     std::vector<Vec> q = u;
-    for (std::size_t i = 0; i < nodes_.size() && scene_.sharpening > 0; ++i) {
-      int stride = 1;
-      for (int d = 0; d < dim_; ++d) {
-        for (int side : {-1, 1}) {
-          const auto j = static_cast<std::size_t>(static_cast<int>(i) + side * stride);
-          if (j >= nodes_.size() || std::abs((nodes_[j].x - nodes_[i].x).norm() - h_) > 0.1 * h_) continue;
-          const double m = nodes_[i].m, other = nodes_[j].m;
-          if (m > 0 && other > 0) q[i] += scene_.sharpening * variance / 2 * 2 * other / (m + other) * (u[i] - u[j]);
+    for (int d = 0; d < dim_ && scene_.sharpening > 0; ++d) {
+      std::vector<Vec> power = u;
+      for (const double amount : {scene_.sharpening, scene_.sharpening_second, scene_.sharpening_third}) {
+        std::vector<Vec> next(u.size(), Vec::Zero());
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+          for (int side : {-1, 1}) {
+            const auto j = beside(i, d, side);
+            const double m = nodes_[i].m, other = j ? nodes_[*j].m : 0;
+            if (m > 0 && other > 0) next[i] += theta() * 2 * other / (m + other) * (power[i] - power[*j]);
+          }
+          q[i] += amount * next[i];
         }
-        stride *= scene_.grid.cells[static_cast<std::size_t>(d)] + 5;  // nodes of a direction, see make_nodes()
+        power = next;
       }
     }
     return q;
+  }
+  // Nodal densities with what two maps smoothed of them undone. [Read-off 1]
+  void sharpen_densities(std::vector<double>& rho) const {
+    const double share = scene_.sharpened_density ? scene_.sharpening * theta() : 0;
+    const std::vector<double> mapped = rho;
+    for (int pass = 0; pass < 2 && share > 0; ++pass) {
+      const std::vector<double> before = rho;
+      const auto at = [&](std::optional<std::size_t> i) { return i ? before[*i] : 0.0; };
+      std::vector<double> leaves(rho.size(), 0.0);
+      std::vector<std::tuple<std::size_t, std::size_t, double>> fluxes;
+      for (std::size_t i = 0; i < rho.size(); ++i) {
+        for (int d = 0; d < dim_ && mapped[i] > 0; ++d) {
+          const auto j = beside(i, d, 1);
+          if (!j || mapped[*j] == 0) continue;
+          const double change = before[*j] - before[i], sign = change < 0 ? -1 : 1;
+          const double behind = before[i] - at(beside(i, d, -1)), ahead = at(beside(*j, d, 1)) - before[*j];
+          const double flux = sign * std::max(0.0, std::min({share * std::abs(change), sign * behind, sign * ahead}));
+          leaves[flux > 0 ? i : *j] += std::abs(flux);
+          fluxes.emplace_back(i, *j, flux);
+        }
+      }
+      for (const auto& [i, j, flux] : fluxes) {
+        const std::size_t from = flux > 0 ? i : j;
+        const double given = flux * (leaves[from] > before[from] ? std::max(0.0, before[from] / leaves[from]) : 1.0);
+        rho[i] -= given;
+        rho[j] += given;
+      }
+    }
   }
 
   // What a point will get through the nodes. [Exchange 1]
@@ -363,6 +409,17 @@ class NaiveStep {
     for_pairs([&](NaivePoint& p, NaiveNode& i, double n, const Vec&) {
       p.exchanged += n * std::min(1.0, i.alpha) * (i.heat - p.energy);
     });
+  }
+
+  // 1 - alpha_i of the velocities' filter. [Filter 1]
+  void keep_shares(double dt) {
+    const FilterRate& rate = scene_.filter;
+    for (NaiveNode& node : nodes_) node.kept = 0;
+    if (!gas_ || rate.none() || scene_.transfer != "apic") return;
+    for_pairs([&](NaivePoint& p, NaiveNode& i, double n, const Vec&) {
+      i.kept += dt * p.m * n * (rate.sound * p.sound / h_ + rate.compression * p.closing) / i.m;
+    });
+    for (NaiveNode& node : nodes_) node.kept = node.m > 0 ? 1 - std::min(1.0, node.kept) : 0;
   }
 
   void drift(double dt) {
@@ -401,25 +458,31 @@ class NaiveStep {
   void move(double dt, bool along, bool with_middle) {
     const bool filters = scene_.transfer == "xpic" || scene_.transfer == "fmpm";
     const std::vector<Vec> w = filters ? filtered() : std::vector<Vec>();
+    keep_shares(dt);
     for (std::size_t p = 0; p < points.size(); ++p) {
       NaivePoint& point = points[p];
-      Vec v = Vec::Zero(), change = v, carried = v, of_filter = v;
+      Vec v = Vec::Zero(), change = v, carried = v, of_filter = v, middle = v;
       Mat moment = Mat::Zero(), b = Mat::Zero(), l = Mat::Zero();
       double square = 0, change_square = 0;
+      const Vec own = point.v;
       for_nodes_of(p, [&](const NaiveNode& i, double n, const Vec& g) {
         const Vec r = i.x - at_[p], dv = i.end - i.start;
-        v += n * i.end;
+        const Vec apart = own + point.c * r - i.start, taken = i.end + i.kept * apart;  // [Filter 1]
+        v += n * taken;
         carried += n * (with_middle ? i.middle : i.end);
+        middle += n * i.middle;
         if (filters) of_filter += n * w[static_cast<std::size_t>(&i - nodes_.data())];
         change += n * dv;
-        square += n * i.end.squaredNorm();
+        square += n * (taken.squaredNorm() - i.kept * i.kept * apart.squaredNorm());
         change_square += n * dv.squaredNorm();
-        b += n * i.end * r.transpose();
+        b += n * taken * r.transpose();
         moment += n * r * r.transpose();
-        l += i.end * g.transpose();
+        l += taken * g.transpose();
       });
       if (filters) v = of_filter;
       if (along) point.x += dt * carried;  // [York 3.21] [Midpoint 4]
+      if (scene_.sharpening > 0 && scene_.sharpened_motion)
+        point.x += dt * (velocity_at(p, Of::middle) - middle);  // [Sharpening 2]
       const bool flip = scene_.transfer == "flip", affine = scene_.transfer == "apic";
       point.v = flip ? Vec(point.v + change) : v;  // [York 3.22] [EC-APIC 5]
       double kept = flip ? change.squaredNorm() : v.squaredNorm();
@@ -588,11 +651,13 @@ class NaiveStep {
           if (!apart(point.x, nodes_[i])) mass[i] += point.m * weight(point, nodes_[i]);
         }
       }
+      for (std::size_t i = 0; i < nodes_.size(); ++i) mass[i] /= nodes_[i].volume;
+      sharpen_densities(mass);
       for (NaivePoint& point : points) {
         point.density = 0;
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
           if (apart(point.x, nodes_[i])) continue;
-          point.density += weight(point, nodes_[i]) * mass[i] / nodes_[i].volume;  // [EC-APIC 2]
+          point.density += weight(point, nodes_[i]) * mass[i];  // [EC-APIC 2]
         }
       }
     }
@@ -603,7 +668,7 @@ class NaiveStep {
     densities();
     if (segments_) return set_pulls(which, drifted_ ? 0 : ahead);
     for (std::size_t p = 0; p < points.size(); ++p)
-      points[p].stress = stress_of(p, gradient_of_velocity(p, which), ahead);
+      points[p].stress = stress_of(p, gradient_of_velocity(p, which), ahead, which);
   }
 
   bool wrinkled(double strain) const { return membrane_->one_way && strain <= 0; }
@@ -625,7 +690,7 @@ class NaiveStep {
 
   // `ahead` seconds later, should the strain rates go on: an isentropic gas to first order, e' = -(gamma - 1) e div v, from the
   // side that stays positive; a membrane strained further. [Leapfrog 2]
-  Mat stress_of(std::size_t p, const Mat& l, double ahead = 0) {
+  Mat stress_of(std::size_t p, const Mat& l, double ahead = 0, Of which = Of::start) {
     NaivePoint& point = points[p];
     const Mat e = (l + l.transpose()) / 2;
     if (hooke_) return hooke_stress(point.eps + ahead * e);  // [Hooke 1]
@@ -649,11 +714,42 @@ class NaiveStep {
     const double energy = z < 0 ? point.energy * (1 - z) : point.energy / (1 + z);
     const double c = std::sqrt(gas_->gamma * (gas_->gamma - 1) * energy);
     point.pressure = (gas_->gamma - 1) * point.density * energy;  // [York 4.4]
-    const double closing = div < 0 ? h_ * std::abs(div) : 0;
+    point.sound = c;
+    point.closing = std::max(0.0, -div);
+    const double closing = h_ * (gas_->limits_viscosity && !l.isZero(0) ? limited(p, which) : point.closing);
     const double q = point.density * (gas_->viscosity_linear * c * closing +
                                       gas_->viscosity_quadratic * closing * closing);  // [York 4.11]
     return 2 * gas_->viscosity * e -
            (2.0 / 3 * gas_->viscosity * div + point.pressure + q) * Mat::Identity();  // [York 4.1]
+  }
+
+  // What of the compression is not linear in the flow along an axis. [Limiter 1]
+  double limited(std::size_t p, Of which) const {
+    const std::vector<Vec>& u = straining_velocity(which);
+    double sum = 0;
+    const auto massive = [&](std::size_t i, int d, int side) {
+      const auto j = beside(i, d, side);
+      return j && nodes_[*j].m > 0 ? j : std::nullopt;
+    };
+    const auto slope_at = [&](std::size_t i, int d) {
+      const auto low = massive(i, d, -1), high = massive(i, d, 1);
+      const double change = u[high.value_or(i)][d] - u[low.value_or(i)][d];
+      return low || high ? change / (h_ * (low && high ? 2 : 1)) : 0.0;
+    };
+    for (std::size_t k = first_pair_[p]; k < first_pair_[p + 1]; ++k) {
+      for (int d = 0; d < dim_; ++d) {
+        const std::size_t i = pairs_[k].node;
+        const double g = slope_at(i, d);
+        const auto low = massive(i, d, -1), high = massive(i, d, 1);
+        double linear = 0;
+        if (low && high && g != 0) {
+          const double before = slope_at(*low, d) / g, after = slope_at(*high, d) / g;
+          linear = std::clamp(std::min({(before + after) / 2, 2 * before, 2 * after}), 0.0, 1.0);
+        }
+        sum += pairs_[k].n * (1 - linear) * std::max(0.0, -g);
+      }
+    }
+    return std::min(points[p].closing, sum);
   }
 
   // Where the viscous stress takes heat out over the midpoint velocity, it is taken from that velocity.
@@ -664,8 +760,11 @@ class NaiveStep {
       const Mat e = strain_rate(p, Of::middle);
       const double heat = points[p].stress.cwiseProduct(e).sum() + points[p].pressure * e.trace();
       if (heat >= 0) continue;
-      points[p].stress = stress_of(p, e);
+      points[p].stress = stress_of(p, e, 0, Of::middle);
       any = true;
+    }
+    for (std::size_t p = 0; p < points.size() && any; ++p) {  // forces are mapped again, with these rates
+      points[p].closing = std::max(0.0, -strain_rate(p, Of::middle).trace());
     }
     return any;
   }

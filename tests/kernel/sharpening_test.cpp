@@ -50,6 +50,10 @@ TEST(Sharpening, UndoesTheLeadingTermOfTheSmoothing) {
 
 // --- the operator on nodes ------------------------------------------------------------------------------------------
 
+// Of powers of the Laplacians along the axes: the first alone, and all three.
+using Amounts = std::array<double, 3>;
+constexpr Amounts powers[] = {{1, 0, 0}, {1, 0.5, 2}};
+
 // A grid all of whose nodes are touched, or but for a hole, with random masses.
 template <int dim>
 struct Nodes {
@@ -72,9 +76,11 @@ struct Nodes {
     walls.extend(field, v);
     return v;
   }
-  std::vector<Vec> sharpened(const std::vector<Vec>& v, double theta = 0.125) const {
+  std::vector<Vec> sharpened(const std::vector<Vec>& v, double theta = 0.125,
+                             const Amounts& amounts = {1, 0, 0}) const {
     std::vector<Vec> to(v.size(), Vec::Zero());
-    Sharpening<dim>(grid, theta).apply(field, v, to, 1);
+    VelocityField<dim> scratch = field;
+    Sharpening<dim>(grid, theta, amounts).apply(scratch, v, to, 1);
     walls.extend(field, to);
     return to;
   }
@@ -234,12 +240,15 @@ TEST(Sharpening, KeepsWhatIsUniform) {
 template <int dim>
 void expect_self_adjoint() {
   for (bool walled : {false, true}) {
-    Nodes<dim> nodes(mixed_walls(dim, walled));
-    const auto a = nodes.random_velocity(), b = nodes.random_velocity();
-    const double scale = std::sqrt(nodes.product(a, a) * nodes.product(b, b));
-    EXPECT_NEAR(nodes.product(nodes.sharpened(a), b), nodes.product(a, nodes.sharpened(b)), 1e-14 * scale) << walled;
-    EXPECT_GT(std::abs(nodes.product(nodes.sharpened(a), b) - nodes.product(a, b)), 1e-4 * scale);
-    EXPECT_GT(nodes.product(nodes.sharpened(a), a), nodes.product(a, a));  // the Laplacian is positive
+    for (const Amounts& amounts : powers) {
+      Nodes<dim> nodes(mixed_walls(dim, walled));
+      const auto a = nodes.random_velocity(), b = nodes.random_velocity();
+      const auto q = [&](const auto& v) { return nodes.sharpened(v, 0.125, amounts); };
+      const double scale = std::sqrt(nodes.product(a, a) * nodes.product(b, b));
+      EXPECT_NEAR(nodes.product(q(a), b), nodes.product(a, q(b)), 1e-14 * scale) << walled;
+      EXPECT_GT(std::abs(nodes.product(q(a), b) - nodes.product(a, b)), 1e-4 * scale);
+      EXPECT_GT(nodes.product(q(a), a), nodes.product(a, a));  // the Laplacians are positive
+    }
   }
 }
 TEST(Sharpening, IsSelfAdjointUnderTheMasses) {
@@ -251,32 +260,34 @@ TEST(Sharpening, IsSelfAdjointUnderTheMasses) {
 // Of accelerations: what it adds to momentum is what walls take (nothing without walls), and what it adds to the angular
 // momentum is what it says. [Sharpening 1]
 template <int dim>
-void expect_momenta_booked() {
-  for (bool walled : {false, true}) {
-    SCOPED_TRACE(testing::Message() << dim << "-D, walls " << walled);
-    Nodes<dim> nodes(mixed_walls(dim, walled));
-    const auto a = nodes.random_velocity();
-    std::vector<typename Nodes<dim>::Vec> q(a.size(), Nodes<dim>::Vec::Zero());
-    const auto added = Sharpening<dim>(nodes.grid, 0.125).apply_to_accelerations(nodes.field, a, q, 1);
-    nodes.walls.extend(nodes.field, q);
-    const typename Nodes<dim>::Vec gain = nodes.momentum(q) - nodes.momentum(a);
-    const Spin<dim> turn = nodes.spin(q) - nodes.spin(a);
-    EXPECT_LE((gain - added.walls.linear).norm(), 1e-13);
-    for (int k = 0; k < rotation_count<dim>; ++k) EXPECT_NEAR(turn[k], added.turn[k] + added.walls.angular[k], 1e-12);
-    if (walled) {
-      EXPECT_GT(gain.norm(), 1e-3);
-    } else {
-      EXPECT_LE(added.walls.linear.norm(), 0);
-    }
-    if (dim > 1) {
-      EXPECT_GT(added.turn.matrix().norm(), 1e-3);
-    }
+void expect_momenta_booked(bool walled, const Amounts& amounts) {
+  SCOPED_TRACE(testing::Message() << dim << "-D, walls " << walled << ", third power " << amounts[2]);
+  Nodes<dim> nodes(mixed_walls(dim, walled));
+  const auto a = nodes.random_velocity();
+  std::vector<typename Nodes<dim>::Vec> q(a.size(), Nodes<dim>::Vec::Zero());
+  const auto added = Sharpening<dim>(nodes.grid, 0.125, amounts).apply_to_accelerations(nodes.field, a, q, 1);
+  nodes.walls.extend(nodes.field, q);
+  const typename Nodes<dim>::Vec gain = nodes.momentum(q) - nodes.momentum(a);
+  const Spin<dim> turn = nodes.spin(q) - nodes.spin(a);
+  EXPECT_LE((gain - added.walls.linear).norm(), 1e-13);
+  for (int k = 0; k < rotation_count<dim>; ++k) EXPECT_NEAR(turn[k], added.turn[k] + added.walls.angular[k], 1e-12);
+  if (walled) {
+    EXPECT_GT(gain.norm(), 1e-3);
+  } else {
+    EXPECT_LE(added.walls.linear.norm(), 0);
+  }
+  if (dim > 1) {
+    EXPECT_GT(added.turn.matrix().norm(), 1e-3);
   }
 }
 TEST(Sharpening, BooksWhatItAddsToTheMomenta) {
-  expect_momenta_booked<1>();
-  expect_momenta_booked<2>();
-  expect_momenta_booked<3>();
+  for (bool walled : {false, true}) {
+    for (const Amounts& amounts : powers) {
+      expect_momenta_booked<1>(walled, amounts);
+      expect_momenta_booked<2>(walled, amounts);
+      expect_momenta_booked<3>(walled, amounts);
+    }
+  }
 }
 
 // Nodes that no point reaches, and nodes without mass, are no neighbours: what stands in their arrays is not read.

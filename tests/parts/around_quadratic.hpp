@@ -41,8 +41,8 @@ class AroundQuadratic : public PointLoops<Geometry> {
   void map_momentum(const Body& body, const At& at, const Chunk& chunk, Field& field) const override {
     right_->map_momentum(body, at, chunk, field);
   }
-  double map_forces(const Body& body, const At& at, const Chunk& chunk, bool exchange, Field& field) const override {
-    return right_->map_forces(body, at, chunk, exchange, field);
+  double map_forces(const Body& body, const At& at, const Chunk& chunk, Shares shares, Field& field) const override {
+    return right_->map_forces(body, at, chunk, shares, field);
   }
   void spread(const Columns& points, const At& at, const Chunk& chunk, std::span<const Spread> all) const override {
     right_->spread(points, at, chunk, all);

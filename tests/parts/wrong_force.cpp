@@ -7,9 +7,9 @@ template <class Geometry>
 struct Force final : AroundQuadratic<Geometry> {
   using Base = AroundQuadratic<Geometry>;
   using Base::Base;
-  double map_forces(const Body& body, const typename Base::At& at, const Chunk& chunk, bool exchange,
+  double map_forces(const Body& body, const typename Base::At& at, const Chunk& chunk, Shares shares,
                     typename Base::Field& field) const override {
-    const double hoop = Base::map_forces(body, at, chunk, exchange, field);
+    const double hoop = Base::map_forces(body, at, chunk, shares, field);
     for (auto& force : field.force) force *= 1 + 1e-6;
     return hoop;
   }

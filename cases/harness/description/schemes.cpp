@@ -107,7 +107,20 @@ std::vector<Key> described_keys() {
       choice("density", names(densities()), "how points get their density"),
       choice("points", {"equal-mass", "equal-volume"}, "what all points have alike"),
       number("sharpening", "how much of the maps' smoothing of forces and strain rates is undone on the nodes", 1),
+      number("sharpening.second", "s_2: and of its square along each axis"),
+      number("sharpening.third", "s_3: and of its cube"),
+      choice("motion", {"own", "sharpened"},
+             "what points move with: their own velocity, or with it what sharpening adds to the one that strains them"),
+      choice("read_off", {"mapped", "sharpened"},
+             "the nodal densities that points read off: as mapped, or with the maps' smoothing undone where that is "
+             "monotone"),
+      number("filter.sound",
+             "k_f: maps take what nodes do not carry at k_f times the speed of sound over the cell size"),
+      number("filter.compression",
+             "b_f: and at b_f times the rate of compression; both 0: all of it in each step, however short"),
       number("heat_exchange", "kappa: how fast points of a gas under compression share their heat"),
+      choice("viscosity.closing", {"divergence", "limited"},
+             "what the artificial viscosity acts on: compression, or what of it is not linear in the flow"),
       number("split", "points that have grown to more cells than this are split in two, 0.1 at least; 0: none"),
       number("viscosity.linear", "c_L of the artificial viscosity"),
       number("viscosity.quadratic", "c_Q of the artificial viscosity"),
@@ -170,8 +183,15 @@ const std::vector<Row>& schemes_table() {
       {"density",             {"grid", "quadratic"},    {},                      {},                            {"grid", "quadratic"}},
       {"points",              {"equal-mass", "equal-volume"}, {},                {},                            {"equal-mass", "equal-volume"}},
       {"sharpening",          {1.0, 0.0},               {},                      {},                            {1.0, 0.0}},
+      {"sharpening.second",   {0.0, 0.0},               {},                      {},                            {0.0, 0.0}},
+      {"sharpening.third",    {0.0, 0.0},               {},                      {},                            {0.0, 0.0}},
+      {"motion",              {"own", "own"},           {},                      {},                            {"own", "own"}},
+      {"read_off",            {"mapped", "mapped"},     {},                      {},                            {"mapped", "mapped"}},
+      {"filter.sound",        {0.0, 0.0},               {},                      {},                            {0.0, 0.0}},
+      {"filter.compression",  {0.0, 0.0},               {},                      {},                            {0.0, 0.0}},
       {"heat_exchange",       {1.0, 0.0},               {},                      {},                            {1.0, 0.0}},
       {"split",               {1.3, 0.0},               {},                      {},                            {}},
+      {"viscosity.closing",   {"divergence", "divergence"}, {},                  {},                            {"divergence", "divergence"}},
       {"viscosity.linear",    {0.0, 1.0},               {},                      {},                            {0.0, 0.0}},
       {"viscosity.quadratic", {0.5, 1.0},               {},                      {},                            {0.5, 0.0}},
       {"membrane.ppc",        {},                       {},                      {},                            {4.0, 4.0}},
@@ -243,6 +263,11 @@ void apply_choices(const Settings& settings, Scene& scene) {
   if (coupled || (gas && settings.has("density"))) {
     scene.density = density_method(settings.text("density"));
     scene.sharpening = settings.number("sharpening");
+    scene.sharpening_second = settings.number("sharpening.second");
+    scene.sharpening_third = settings.number("sharpening.third");
+    scene.sharpened_motion = settings.text("motion") == "sharpened";
+    scene.sharpened_density = settings.text("read_off") == "sharpened";
+    scene.filter = {settings.number("filter.sound"), settings.number("filter.compression")};
     scene.heat_exchange = settings.number("heat_exchange");
   }
   if (gas && settings.has("split")) scene.split = settings.number("split");

@@ -101,7 +101,7 @@ class Probe final : public ShapeProbe {
     const Weights<dim> at = weights_of(body);
     VelocityField<dim> field(space_.grid);
     space_.for_chunks_writing_nodes(
-        at, [&](const Chunk& chunk) { space_.loops->map_forces(body, at, chunk, false, field); });
+        at, [&](const Chunk& chunk) { space_.loops->map_forces(body, at, chunk, Shares::none, field); });
     Eigen::MatrixXd all(nodes(), dim);
     for (int i = 0; i < all.rows(); ++i) all.row(i) = field.force[static_cast<std::size_t>(i)].transpose();
     return all;

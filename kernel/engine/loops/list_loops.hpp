@@ -37,7 +37,7 @@ class ListLoops final : public PointLoops<Geometry> {
 
   void map_mass_and_momentum(const Body& body, const At& at, const Chunk& chunk, Field& field) const override;
   void map_momentum(const Body& body, const At& at, const Chunk& chunk, Field& field) const override;
-  double map_forces(const Body& body, const At& at, const Chunk& chunk, bool exchange, Field& field) const override;
+  double map_forces(const Body& body, const At& at, const Chunk& chunk, Shares shares, Field& field) const override;
   void spread(const Columns& points, const At& at, const Chunk& chunk, std::span<const Spread> all) const override;
 
   void gather(const Columns& points, const At& at, const Chunk& chunk, std::span<const Gather> all) const override;
@@ -89,6 +89,7 @@ class ListLoops final : public PointLoops<Geometry> {
   void map_motion(const Body& body, const At& at, const Chunk& chunk, bool with_mass, Field& field) const;
   void store_strain_rates(Body& body, const Reach& at, int p, const std::vector<Vec>& velocity) const;
   struct Taken;
+  void filter(const Body& body, const Reach& at, int p, const Field& field, const Vec& base, Taken& taken) const;
   Taken take(const Body& body, const Reach& at, int p, const Field& field) const;
   void settle_affine(Body& body, const Reach& there, int p, Taken& taken, MotionSums& sums) const;
   static void exchange_heat(Body& body, const Reach& at, int p, const Field& field);

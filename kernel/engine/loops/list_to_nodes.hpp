@@ -38,9 +38,10 @@ void ListLoops<G>::map_momentum(const Body& body, const At& at, const Chunk& chu
 }
 
 template <class G>
-double ListLoops<G>::map_forces(const Body& body, const At& at, const Chunk& chunk, bool exchange, Field& field) const {
+double ListLoops<G>::map_forces(const Body& body, const At& at, const Chunk& chunk, Shares shares, Field& field) const {
   const Columns& points = body.points;
   const StressMeasure measure = body.material->measure();
+  const bool exchange = shares != Shares::none;
   const bool on_points = measure == StressMeasure::point_force, pressure = measure == StressMeasure::pressure,
              full = measure == StressMeasure::full;
   const int components = stress_components(measure, dim, G::axisymmetric), normals = pressure ? 1 : G::normals;
@@ -76,6 +77,7 @@ double ListLoops<G>::map_forces(const Body& body, const At& at, const Chunk& chu
       if (!exchange) continue;
       field.heat[i] += n * m * points(column::energy)[p];
       field.exchange[i] += n * m * std::max(0.0, -divergence);  // [Exchange 1]
+      if (shares == Shares::heat_and_sound) field.kept[i] += n * m * points(column::sound_speed)[p];
     }
   }
   return hoop_force;

@@ -94,6 +94,13 @@ double ListLoops<G>::gather_start(Body& body, const At& at, const Chunk& chunk, 
   for (int p = chunk.first; p < chunk.last; ++p) {
     const double m = points(column::mass)[p];
     if (wanted.rates) store_strain_rates(body, reached, p, *wanted.rates);
+    if (wanted.closing) {  // [Limiter 1]
+      double divergence = 0;
+      const bool pressure = body.material->measure() == StressMeasure::pressure;
+      for (int k = 0; k < (pressure ? 1 : G::normals); ++k) divergence += points(column::strain_rate, k)[p];
+      const double limited = mean(reached.of(p), [&](std::size_t i) { return (*wanted.closing)[i]; });
+      points(column::closing)[p] = std::min(std::max(0.0, -divergence), limited);
+    }
     if (wanted.density) {
       const double density = mean(reached.of(p), [&](std::size_t i) { return (*wanted.density)[i]; });
       points(column::volume)[p] = wanted.specific ? m * density : m / density;  // [EC-APIC 2] [Coupling 4]
@@ -131,6 +138,29 @@ struct ListLoops<G>::Taken {
   double square;       // twice what the grid carries and the point does not keep, per mass, but for an affine part's
 };
 
+// With w_i = v~_i + (1 - alpha_i) (y_p(x_i) - v_i) in place of v~_i. [Filter 1]
+template <class G>
+void ListLoops<G>::filter(const Body& body, const Reach& at, int p, const Field& field, const Vec& base,
+                          Taken& taken) const {
+  Vec v = -base;
+  Matrix c;
+  for (int d = 0; d < dim; ++d) v[d] += body.points(column::velocity, d)[p];
+  for (int k = 0; k < dim * dim; ++k) c(k / dim, k % dim) = body.points(column::affine, k)[p];
+  Vec velocity = Vec::Zero();
+  taken.moment.setZero();
+  taken.square = 0;
+  for (const auto& [node, n, gradient] : at.of(p)) {
+    const auto i = static_cast<std::size_t>(node);
+    const Vec r = arm(at, p, node), end = field.end[i] - base;
+    const Vec more = field.kept[i] * (v + c * r - (field.start[i] - base));
+    velocity += n * (end + more);
+    taken.moment += n * (end + more) * r.transpose();
+    taken.square += n * (end.squaredNorm() + 2 * more.dot(end));
+  }
+  taken.square -= velocity.squaredNorm();
+  taken.velocity = velocity + base;
+}
+
 template <class G>
 auto ListLoops<G>::take(const Body& body, const Reach& at, int p, const Field& field) const -> Taken {
   const Entries entries = at.of(p);
@@ -147,6 +177,7 @@ auto ListLoops<G>::take(const Body& body, const Reach& at, int p, const Field& f
     taken.moment = w.moment;
     taken.square = carried + 2 * base.dot(u.value - w.value) - w.value.squaredNorm();
   }
+  if (transfer_.affine && !field.kept.empty()) filter(body, at, p, field, base, taken);
   if (transfer_.affine) taken.twist = taken.moment * inertia_of(at, p).inverse();  // [EC-APIC 5]
   if (keep == 0) return taken;
   const Jet a = jet(at, p, Vec::Zero(), change);
@@ -191,7 +222,13 @@ MotionSums ListLoops<G>::gather_motion(Body& body, const At& at, const Chunk& ch
     Vec carrying = taken.grid;
     if (motion.carrying)
       carrying = jet(reached, p, Vec::Zero(), [&](std::size_t i) { return (*motion.carrying)[i]; }).value;
-    const Vec step = motion.drift ? Vec(*motion.drift * taken.velocity) : Vec(motion.dt * carrying);
+    Vec shift = Vec::Zero();  // [Sharpening 2]
+    if (motion.sharpened) {
+      shift = motion.dt * jet(reached, p, Vec::Zero(), [&](std::size_t i) -> Vec {
+                            return (*motion.sharpened)[i] - field.midpoint[i];
+                          }).value;
+    }
+    const Vec step = shift + (motion.drift ? Vec(*motion.drift * taken.velocity) : Vec(motion.dt * carrying));
     if (sums.too_far < 0 && !(step.cwiseAbs().maxCoeff() <= grid_.h())) sums.too_far = p;
     for (int d = 0; d < dim; ++d) {
       points(column::velocity, d)[p] = taken.velocity[d];
@@ -200,6 +237,7 @@ MotionSums ListLoops<G>::gather_motion(Body& body, const At& at, const Chunk& ch
     const double m = points(column::mass)[p];
     add_turn(m, taken.moment, sums.torque);
     if (!motion.drift) add_turn(m * motion.dt, taken.velocity * carrying.transpose(), sums.moved);
+    add_turn(m, taken.velocity * shift.transpose(), sums.moved);
     all.push_back(taken);
   }
   const Reach there = transfer_.affine ? reach(points, range) : Reach{};

@@ -4,6 +4,7 @@
 #include "kernel/engine/loops/survey.hpp"
 #include "kernel/engine/loops/to_nodes.hpp"
 #include "kernel/engine/loops/to_points.hpp"
+#include "kernel/engine/loops/values.hpp"
 #include "kernel/register_part.hpp"
 #include "kernel/shapes/shape.hpp"
 

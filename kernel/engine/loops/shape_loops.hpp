@@ -48,6 +48,7 @@ class ShapeLoops final : public PointLoops<Geometry> {
   bool find_movers(const Columns& points, const Bins& bins, const Chunk& chunk,
                    std::vector<Mover>& movers) const override;
   double inertia(const Columns& points, int d, int p) const override;
+  Pack pack_inertia(const Columns& points, int d, int p, int count) const override;
 
   void map_mass_and_momentum(const Body& body, const At& at, const Chunk& chunk, Field& field) const override {
     transfer_.affine ? map_motion<true, true>(body, at, chunk, field) : map_motion<false, true>(body, at, chunk, field);
@@ -56,7 +57,7 @@ class ShapeLoops final : public PointLoops<Geometry> {
     transfer_.affine ? map_motion<true, false>(body, at, chunk, field)
                      : map_motion<false, false>(body, at, chunk, field);
   }
-  double map_forces(const Body& body, const At& at, const Chunk& chunk, bool exchange, Field& field) const override;
+  double map_forces(const Body& body, const At& at, const Chunk& chunk, Shares shares, Field& field) const override;
   void spread(const Columns& points, const At& at, const Chunk& chunk, std::span<const Spread> all) const override;
 
   void gather(const Columns& points, const At& at, const Chunk& chunk, std::span<const Gather> all) const override;
@@ -92,10 +93,14 @@ class ShapeLoops final : public PointLoops<Geometry> {
     Vec base;
   };
 
+  struct BinFilter;
+
   template <bool affine, bool with_mass>
   void map_motion(const Body& body, const At& at, const Chunk& chunk, Field& field) const;
-  template <StressMeasure measure, bool exchange>
+  template <StressMeasure measure, Shares shares>
   double map_forces(const Body& body, const At& at, const Chunk& chunk, Field& field) const;
+  template <StressMeasure measure>
+  double map_forces_of_gas(const Body& body, const At& at, const Chunk& chunk, Shares shares, Field& field) const;
   template <bool affine>
   double gather_start(Body& body, const At& at, const Chunk& chunk, const Wanted& wanted) const;
   template <bool affine>
@@ -119,6 +124,9 @@ class ShapeLoops final : public PointLoops<Geometry> {
   template <int components, class Add>
   void add_to_nodes(const Print& print, const Pack (&sums)[nodes * components], Add&& add) const;
   BinVelocity bin_velocity(const Print& print, const std::vector<Vec>& velocity) const;
+  BinFilter bin_filter(const Print& print, const Field& field, const BinVelocity& end) const;
+  Pack take_filtered(const BinFilter& bin, const PackStencil& weights, const Pack (&inertia)[dim], Pack (&v)[dim],
+                     Pack (&c)[dim][dim]) const;
   static RateColumns rate_columns(Body& body);
   template <class Component>
   void store_strain_rates(const RateColumns& rates, const PackStencil& weights, const Pack& radius, int p, int count,
@@ -190,6 +198,12 @@ double ShapeLoops<G, S>::inertia(const Columns& points, int d, int p) const {
   double half = 0;
   if constexpr (S::boxes) half = std::clamp(points(column::half_size, d)[p] / grid_.h(), S::narrowest, S::widest);
   return inertia_at(cells, half) * grid_.h() * grid_.h();
+}
+
+template <class G, class S>
+Pack ShapeLoops<G, S>::pack_inertia(const Columns& points, int d, int p, int) const {
+  const Pack cells = (load(points(column::position, d) + p) - grid_.origin(d)) * (1 / grid_.h());
+  return inertia_at(cells, box(S::boxes ? points(column::half_size, d) : nullptr, p)) * (grid_.h() * grid_.h());
 }
 
 // The lowest node of a pack of points. inside: whether all so far stand on the grid.

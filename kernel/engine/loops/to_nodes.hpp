@@ -42,14 +42,15 @@ void ShapeLoops<G, S>::map_motion(const Body& body, const At& at, const Chunk& c
 }
 
 template <class G, class S>
-template <StressMeasure measure, bool exchange>
+template <StressMeasure measure, Shares shares>
 double ShapeLoops<G, S>::map_forces(const Body& body, const At& at, const Chunk& chunk, Field& field) const {
   constexpr bool isotropic = measure == StressMeasure::pressure, full = measure == StressMeasure::full;
   constexpr int strains = stress_components(measure, dim, G::axisymmetric), normals = isotropic ? 1 : G::normals;
-  constexpr int parts = dim + (exchange ? 2 : 0);
+  constexpr int parts = dim + (shares == Shares::none ? 0 : shares == Shares::heat ? 2 : 3);
   const Places<dim> places = at.places(body.points, S::boxes);
   const double *volume = body.points(column::volume), *mass = body.points(column::mass);
-  const double* energy = exchange ? body.points(column::energy) : nullptr;
+  const double* energy = parts > dim ? body.points(column::energy) : nullptr;
+  const double* sound = parts > dim + 2 ? body.points(column::sound_speed) : nullptr;
   const double *stress[strains], *rate[strains];
   for (int k = 0; k < strains; ++k) {
     stress[k] = body.points(column::stress, k);
@@ -84,62 +85,54 @@ double ShapeLoops<G, S>::map_forces(const Body& body, const At& at, const Chunk&
         }
         for (int d = 0; d < dim; ++d) weights.spread_gradient(Pack(0.0), flux[d], sums + d, parts);
       }
-      if constexpr (exchange) {
+      if constexpr (parts > dim) {
         const Pack m = kept(load(mass + p), count);
         Pack divergence = load(rate[0] + p);
         for (int k = 1; k < normals; ++k) divergence += load(rate[k] + p);
         weights.spread(m * load(energy + p), sums + dim, parts);
         weights.spread(m * max(-divergence, Pack(0.0)), sums + dim + 1, parts);
+        if constexpr (parts > dim + 2) weights.spread(m * load(sound + p), sums + dim + 2, parts);
       }
     });
     add_to_nodes<parts>(print, sums, [&](std::size_t i, const double* total) {
       for (int d = 0; d < dim; ++d) field.force[i][d] += total[d];
-      if constexpr (exchange) {
+      if constexpr (parts > dim) {
         field.heat[i] += total[dim];
         field.exchange[i] += total[dim + 1];
       }
+      if constexpr (parts > dim + 2) field.kept[i] += total[dim + 2];
     });
   });
   return sum(hoop_force);
 }
 
 template <class G, class S>
-double ShapeLoops<G, S>::map_forces(const Body& body, const At& at, const Chunk& chunk, bool exchange,
-                                    Field& field) const {
-  switch (body.material->measure()) {
-    case StressMeasure::pressure:
-      return exchange ? map_forces<StressMeasure::pressure, true>(body, at, chunk, field)
-                      : map_forces<StressMeasure::pressure, false>(body, at, chunk, field);
-    case StressMeasure::full:
-      return map_forces<StressMeasure::full, false>(body, at, chunk, field);
-    case StressMeasure::point_force:
-      return map_forces<StressMeasure::point_force, false>(body, at, chunk, field);
+template <StressMeasure measure>
+double ShapeLoops<G, S>::map_forces_of_gas(const Body& body, const At& at, const Chunk& chunk, Shares shares,
+                                           Field& field) const {
+  switch (shares) {
+    case Shares::heat:
+      return map_forces<measure, Shares::heat>(body, at, chunk, field);
+    case Shares::heat_and_sound:
+      return map_forces<measure, Shares::heat_and_sound>(body, at, chunk, field);
     default:
-      return exchange ? map_forces<StressMeasure::symmetric, true>(body, at, chunk, field)
-                      : map_forces<StressMeasure::symmetric, false>(body, at, chunk, field);
+      return map_forces<measure, Shares::none>(body, at, chunk, field);
   }
 }
 
 template <class G, class S>
-void ShapeLoops<G, S>::spread(const Columns& points, const At& at, const Chunk& chunk,
-                              std::span<const Spread> all) const {
-  constexpr int most = Base::most_spread;
-  const Places<dim> places = at.places(points, S::boxes);
-  for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
-    Pack sums[nodes * most];
-    for (Pack& s : sums) s = 0.0;
-    for_packs(first, last, [&](int p, int count) {
-      const PackStencil weights = stencil(places, anchor, p);
-      for (std::size_t k = 0; k < all.size(); ++k) {
-        const Pack q = load(all[k].values + p);
-        weights.spread(all[k].mass ? kept(load(all[k].mass + p), count) * q : kept(q, count), sums + k, most);
-      }
-    });
-    add_to_nodes<most>(print, sums, [&](std::size_t i, const double* total) {
-      for (std::size_t k = 0; k < all.size(); ++k)
-        all[k].nodes[i * static_cast<std::size_t>(all[k].stride)] += total[k];
-    });
-  });
+double ShapeLoops<G, S>::map_forces(const Body& body, const At& at, const Chunk& chunk, Shares shares,
+                                    Field& field) const {
+  switch (body.material->measure()) {
+    case StressMeasure::pressure:
+      return map_forces_of_gas<StressMeasure::pressure>(body, at, chunk, shares, field);
+    case StressMeasure::full:
+      return map_forces<StressMeasure::full, Shares::none>(body, at, chunk, field);
+    case StressMeasure::point_force:
+      return map_forces<StressMeasure::point_force, Shares::none>(body, at, chunk, field);
+    default:
+      return map_forces_of_gas<StressMeasure::symmetric>(body, at, chunk, shares, field);
+  }
 }
 
 }  // namespace plumbline

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "kernel/engine/loops/shape_loops.hpp"
+#include "kernel/engine/loops/filter.hpp"
 #include "kernel/rotations.hpp"
 
 namespace plumbline {
@@ -75,21 +75,30 @@ double ShapeLoops<G, S>::gather_start(Body& body, const At& at, const Chunk& chu
   double* loss = body.points.has(column::transfer_loss) ? body.points(column::transfer_loss) : nullptr;
   double* volume = body.points(column::volume);
   const RateColumns rates = rate_columns(body);
+  double* closing = wanted.closing ? body.points(column::closing) : nullptr;
+  const int normals = rates.measure == StressMeasure::pressure ? 1 : G::normals;
   const double counted = affine ? 0.5 : 0.5 * (1 - transfer_.keep);  // [Blend 1]
   Pack total = 0.0;
   for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
     BinVelocity start;
-    double strained[nodes][dim], rho[nodes];
+    double strained[nodes][dim], rho[nodes], closes[nodes];
     if (wanted.loss) start = bin_velocity(print, *wanted.loss);
     for_stencil_nodes(print, [&](int k, std::size_t i) {
       for (int d = 0; wanted.rates && d < dim; ++d) strained[k][d] = (*wanted.rates)[i][d];
       if (wanted.density) rho[k] = (*wanted.density)[i];
+      if (wanted.closing) closes[k] = (*wanted.closing)[i];
     });
     for_packs(first, last, [&](int p, int count) {
       const PackStencil weights = stencil(places, anchor, p);
       if (wanted.rates) {
         store_strain_rates(rates, weights, load(places.x[0] + p), p, count,
                            [&](int k, int d) { return strained[k][d]; });
+      }
+      if (wanted.closing) {  // [Limiter 1]
+        Pack divergence = load(rates.at[0] + p);
+        for (int k = 1; k < normals; ++k) divergence += load(rates.at[k] + p);
+        const Pack limited = weights.gather_array([&](int k) { return closes[k]; }).value;
+        store(closing + p, min(max(-divergence, Pack(0.0)), limited), count);
       }
       if (wanted.density) {
         const Pack density = weights.gather_array([&](int k) { return rho[k]; }).value;
@@ -124,7 +133,7 @@ template <class G, class S>
 template <bool affine>
 auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chunk, const Field& field,
                                      const Motion& motion) const -> MotionSums {
-  const auto [dt, drift, straining, carrying, exchange] = motion;
+  const auto [dt, drift, straining, carrying, sharpened, exchange] = motion;
   Columns& points = body.points;
   const RateColumns rates = rate_columns(body);
   double* energy = exchange ? points(column::energy) : nullptr;
@@ -141,11 +150,14 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
   Pack lost = 0.0, torque[3] = {0.0, 0.0, 0.0}, moved[3] = {0.0, 0.0, 0.0};
   const double keep = affine ? 0 : transfer_.keep;
   const bool increments = keep > 0, mixes = increments && keep < 1, filters = !affine && transfer_.order > 0;
-  const bool loss_first = loss && keep == 1;
+  const bool loss_first = loss && keep == 1, at_rate = affine && !field.kept.empty();
   for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
     const BinVelocity end = bin_velocity(print, field.end);
-    double strained[nodes][dim], alpha[nodes], heat[nodes], most_exchange = 0;
+    BinFilter filter;
+    if (at_rate) filter = bin_filter(print, field, end);
+    double strained[nodes][dim], beyond[nodes][dim], alpha[nodes], heat[nodes], most_exchange = 0;
     for_stencil_nodes(print, [&](int k, std::size_t i) {
+      for (int d = 0; sharpened && d < dim; ++d) beyond[k][d] = (*sharpened)[i][d] - field.midpoint[i][d];
       for (int d = 0; straining && d < dim; ++d) strained[k][d] = (*straining)[i][d];
       if (!exchange) return;
       alpha[k] = field.exchange[i];
@@ -182,7 +194,14 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
         here[d] = load(position[d] + p);
       }
       Pack square = 0.0, mixed = 0.0;  // of what the grid carries, less what the point keeps of it
-      if (increments) {
+      const bool filtered = affine && filter.most > 0;
+      if (filtered) {
+        for (int d = 0; d < dim; ++d) {
+          v_new[d] = load(velocity[d] + p) - end.base[d];
+          for (int e = 0; affine && e < dim; ++e) c[d][e] = load(twist[d][e] + p);
+        }
+        square = take_filtered(filter, weights, inertia, v_new, c);
+      } else if (increments) {
         square = keep * weights.gather_array([&](int k) { return change_square[k]; }).value;
         if (mixes) mixed = weights.gather_array([&](int k) { return end.square[k]; }).value;
       } else {
@@ -191,7 +210,9 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
       for (int d = 0; d < dim; ++d) {
         const auto u = weights.gather_array([&](int k) { return end.u[k][d]; });
         v[d] = u.value + end.base[d];
-        if (increments) {
+        if (filtered) {
+          v_new[d] += end.base[d];
+        } else if (increments) {
           const auto a = weights.gather_array([&](int k) { return change[k][d]; });
           v_new[d] = load(velocity[d] + p) + a.value;  // [York 3.22]
           square -= keep * a.value * a.value;
@@ -215,8 +236,12 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
         if (carrying) v[d] = weights.gather_array([&](int k) { return carried[k][d]; }).value;
       }
       PackMask too_far = first_lanes(0);
+      Pack shift[dim];
       for (int d = 0; d < dim; ++d) {
-        const Pack step = drift ? *drift * v_new[d] : dt * v[d];
+        shift[d] = 0.0;
+        if (sharpened)
+          shift[d] = dt * weights.gather_array([&](int k) { return beyond[k][d]; }).value;  // [Sharpening 2]
+        const Pack step = shift[d] + (drift ? *drift * v_new[d] : dt * v[d]);
         too_far = too_far || !(abs(step) <= grid_.h());
         store(velocity[d] + p, v_new[d], count);
         here[d] += step;
@@ -228,6 +253,7 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
         // N r x u, but for what an affine part keeps of it.
         if constexpr (!affine || !S::fixed_inertia) torque[k] += m * (inertia[a] * c[b][a] - inertia[b] * c[a][b]);
         if (!drift) moved[k] += m * dt * (v[a] * v_new[b] - v[b] * v_new[a]);
+        if (sharpened) moved[k] += m * (shift[a] * v_new[b] - shift[b] * v_new[a]);
       }
       if constexpr (affine) {
         // With the inertia of the new place: where that is another, so are the energy and the spin of the affine part.
@@ -248,8 +274,9 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
       }
       if (mixes) square += (1 - keep) * mixed;
       // Never negative but by rounding, and a cold gas has nothing to pay that with. Only a changing inertia can give.
-      if (!filters && (!affine || S::fixed_inertia)) square = max(square, Pack(0.0));
-      const Pack given = 0.5 * m * square;  // [EC-APIC 5]
+      if (!filtered && !filters && (!affine || S::fixed_inertia)) square = max(square, Pack(0.0));
+      Pack given = 0.5 * m * square;  // [EC-APIC 5]
+      if (filtered && loss && S::fixed_inertia) given = repaid(given, load(loss + p));
       if (loss) store(loss + p, loss_first ? given : load(loss + p) + given, count);
       lost += given;
     });
@@ -260,21 +287,6 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
     sums.moved[about + static_cast<std::size_t>(k)] = sum(moved[k]);
   }
   return sums;
-}
-
-template <class G, class S>
-void ShapeLoops<G, S>::gather(const Columns& points, const At& at, const Chunk& chunk,
-                              std::span<const Gather> all) const {
-  const Places<dim> places = at.places(points, S::boxes);
-  for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
-    for_packs(first, last, [&](int p, int count) {
-      const PackStencil weights = stencil(places, anchor, p);
-      for (const Gather& one : all) {
-        const auto at_node = [&](std::size_t i) { return Pack(one.nodes[i * static_cast<std::size_t>(one.stride)]); };
-        store(one.values + p, weights.gather(print, at_node).value, count);
-      }
-    });
-  });
 }
 
 }  // namespace plumbline

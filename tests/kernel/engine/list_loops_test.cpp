@@ -124,7 +124,7 @@ class Pair {
     });
     for (const bool exchange : {false, gas}) {
       to_nodes("forces", [&](const Loops& loops, const Chunk& c, auto& field) {
-        return loops.map_forces(body_, at_, c, exchange, field);
+        return loops.map_forces(body_, at_, c, exchange ? Shares::heat : Shares::none, field);
       });
     }
     to_nodes("spread", [&](const Loops& loops, const Chunk& c, auto& field) {

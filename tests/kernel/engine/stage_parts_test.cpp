@@ -148,7 +148,7 @@ TEST(Forces, BalanceAndHaveTheMomentOfTheStress) {
     asked = time;
     points(column::body_force, 1)[0] = -9;
   };
-  const Forces<Plane> forces(on.space, false);
+  const Forces<Plane> forces(on.space, Shares::none);
   Record step;
   step.stress_ahead = 0.25;
   forces.map_all(on.at, step, {3});
@@ -170,7 +170,7 @@ TEST(Stress, IsOfTheDensityThatTheGridHasAndMapsItsForces) {
     NodalMomentum<Plane> momentum(on.space, on.scene, on.at.field_of_body);
     Record step;
     ToGrid<Plane>(on.space).map_mass_and_momentum(on.at, momentum, step);
-    Stress<Plane> stress(on.space, DensityMethod::grid, false);
+    Stress<Plane> stress(on.space, on.scene, Shares::none);
     stress.evaluate(on.at, step, {}, 0, NodalVelocity::start, in_one);
     const double alone = 0.75 * 0.75 + 2 * 0.125 * 0.125;  // sum_i N_ip^2 of one direction
     const double rho = 2 / 0.25 * alone * alone;
