@@ -122,8 +122,7 @@ class PointLoops {
   // How gather_motion moves points.
   struct Motion {
     double dt;
-    std::optional<double> drift =
-        {};  // how long they then move with the velocity they got; none: over dt with the grid's
+    std::optional<double> drift;  // how long they then move with the velocity they got; none: over dt with the grid's
     const std::vector<Vec>* straining = nullptr;  // also the strain rates of this nodal velocity
     const std::vector<Vec>* carrying = nullptr;   // nodal velocity that carries them; null: the end's
     // Nodal velocity that strains over the step beyond the midpoint's: it carries them too, over dt. [Sharpening 2]
