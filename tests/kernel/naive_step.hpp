@@ -10,7 +10,6 @@
 #include <numbers>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "kernel/materials/linear_elastic.hpp"
@@ -372,24 +371,17 @@ class NaiveStep {
     for (int pass = 0; pass < 2 && share > 0; ++pass) {
       const std::vector<double> before = rho;
       const auto at = [&](std::optional<std::size_t> i) { return i ? before[*i] : 0.0; };
-      std::vector<double> leaves(rho.size(), 0.0);
-      std::vector<std::tuple<std::size_t, std::size_t, double>> fluxes;
       for (std::size_t i = 0; i < rho.size(); ++i) {
         for (int d = 0; d < dim_ && mapped[i] > 0; ++d) {
           const auto j = beside(i, d, 1);
           if (!j || mapped[*j] == 0) continue;
-          const double change = before[*j] - before[i], sign = change < 0 ? -1 : 1;
-          const double behind = before[i] - at(beside(i, d, -1)), ahead = at(beside(*j, d, 1)) - before[*j];
-          const double flux = sign * std::max(0.0, std::min({share * std::abs(change), sign * behind, sign * ahead}));
-          leaves[flux > 0 ? i : *j] += std::abs(flux);
-          fluxes.emplace_back(i, *j, flux);
+          const double behind = at(beside(i, d, -1)), own = before[i], other = before[*j], ahead = at(beside(*j, d, 1));
+          const double change = other - own, sign = change < 0 ? -1 : 1;
+          const double most = share * std::min({std::abs(change), behind, own, other, ahead});
+          const double flux = sign * std::max(0.0, std::min({most, sign * (own - behind), sign * (ahead - other)}));
+          rho[i] -= flux;
+          rho[*j] += flux;
         }
-      }
-      for (const auto& [i, j, flux] : fluxes) {
-        const std::size_t from = flux > 0 ? i : j;
-        const double given = flux * (leaves[from] > before[from] ? std::max(0.0, before[from] / leaves[from]) : 1.0);
-        rho[i] -= given;
-        rho[j] += given;
       }
     }
   }
