@@ -72,6 +72,7 @@ struct VelocityField {
   std::vector<Vec> remapped;               // v_i from the updated point velocities [York 3.24]
   std::vector<Vec> odd_power, even_power;  // of B_d on it [Sharpening 1]
   std::vector<Vec> straining;              // the nodal velocity whose gradients strain the points, sharpened
+  std::vector<Vec> beyond;                 // what sharpening adds to the one that carries them
   std::vector<Vec> filtered;               // w_i of the transfers xpic and fmpm
   std::vector<double> density;             // M_i / |cell_i|
   std::vector<double> heat;                // sum_p m_p e_p N_ip, then E_i, its mean per mass

@@ -140,7 +140,17 @@ struct Discretisation {
     return straining;
   }
 
-  // How fast that velocity closes; null: the body's material does not ask. [Limiter 1]
+  // Q u - u of a nodal velocity u. [Sharpening 2]
+  const std::vector<Vec>& added_by_sharpening(Field& field, const std::vector<Vec>& velocity) const {
+    std::vector<Vec>& added = field.held(&Field::beyond);
+    sharpening.apply(field, velocity, added, threads);
+    field.for_touched(
+        grid, [&](std::size_t i) { added[i] -= velocity[i]; }, threads);
+    walls.extend(field, added);
+    return added;
+  }
+
+  // How fast the straining velocity closes; null: the body's material does not ask. [Limiter 1]
   const std::vector<double>* closing(const Body& body, Field& field, const std::vector<Vec>& straining) const {
     if (!body.points.has(column::closing)) return nullptr;
     std::vector<double>& closing = field.held(&Field::closing);

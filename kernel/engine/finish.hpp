@@ -19,10 +19,8 @@ auto Motion<G>::finish_body(Bodies& at, std::size_t b, const Record& step, doubl
   Field& field = at.field(b);
   Weights<dim>& places = at.weights[b];
   typename Space::Loops::Motion motion{
-      .dt = dt, .drift = drift, .sharpened = sharpened_midpoint(field), .exchange = exchanges_heat(body, field)};
-  if (step.rates_of != NodalVelocity::midpoint) {
-    motion.straining = motion.sharpened ? motion.sharpened : &space_.straining_velocity(field, field.midpoint);
-  }
+      .dt = dt, .drift = drift, .beyond = beyond(field, field.end), .exchange = exchanges_heat(body, field)};
+  if (step.rates_of != NodalVelocity::midpoint) motion.straining = &space_.straining_velocity(field, field.midpoint);
   if (body.material->takes_heat()) loss_to_gas_.take(body, places, field);
   // Whether its points look where others stand: then all move before any does.
   const bool together = body.chain || body.material->measure() == StressMeasure::point_force;

@@ -54,12 +54,13 @@ class Motion {
       Body& body = at.bodies[b];
       Field& field = at.field(b);
       at.weights[b].keep(body.points);
+      const auto& carries = carrying == NodalVelocity::end ? field.end : at.velocity(field, step.resolved(carrying));
       const typename Space::Loops::Motion motion{
           .dt = dt,
           .drift = drift,
           .straining = strained ? nullptr : &space_.straining_velocity(field, field.midpoint),
-          .carrying = carrying == NodalVelocity::end ? nullptr : &at.velocity(field, step.resolved(carrying)),
-          .sharpened = sharpened_midpoint(field),
+          .carrying = carrying == NodalVelocity::end ? nullptr : &carries,
+          .beyond = beyond(field, carries),
           .exchange = exchanges_heat(body, field)};
       const Sums own = space_.template sum_over_chunks<Sums>(at.weights[b], [&](const Chunk& chunk) {
         Sums sums;
@@ -158,9 +159,10 @@ class Motion {
           });
     }
   }
-  // The velocity that strains over the step where it is another than the midpoint's; null: it is not.
-  const std::vector<typename Space::Vec>* sharpened_midpoint(Field& field) const {
-    return space_.sharpening.none() || !sharpened_motion_ ? nullptr : &space_.straining_velocity(field, field.midpoint);
+  // What sharpening adds to the nodal velocity that points move with until forces are mapped again; null: nothing.
+  // [Sharpening 2]
+  const std::vector<typename Space::Vec>* beyond(Field& field, const std::vector<typename Space::Vec>& carries) const {
+    return space_.sharpening.none() || !sharpened_motion_ ? nullptr : &space_.added_by_sharpening(field, carries);
   }
   // Heat is exchanged as points move or are kicked, once forces were mapped, by integrators that give heat back. [Exchange 1]
   bool exchanges_heat(const Body& body, const Field& field) const {

@@ -125,8 +125,7 @@ class PointLoops {
     std::optional<double> drift;  // how long they then move with the velocity they got; none: over dt with the grid's
     const std::vector<Vec>* straining = nullptr;  // also the strain rates of this nodal velocity
     const std::vector<Vec>* carrying = nullptr;   // nodal velocity that carries them; null: the end's
-    // Nodal velocity that strains over the step beyond the midpoint's: it carries them too, over dt. [Sharpening 2]
-    const std::vector<Vec>* sharpened = nullptr;
+    const std::vector<Vec>* beyond = nullptr;     // nodal velocity that carries them too, over dt [Sharpening 2]
     // Also e_p += sum_i N_ip alpha_i (E_i - e_p), which conserves sum_p m_p e_p node by node, and leaves no energy
     // negative: each becomes a mean of what points have. [Exchange 1]
     bool exchange = false;

@@ -453,7 +453,7 @@ class NaiveStep {
     keep_shares(dt);
     for (std::size_t p = 0; p < points.size(); ++p) {
       NaivePoint& point = points[p];
-      Vec v = Vec::Zero(), change = v, carried = v, of_filter = v, middle = v;
+      Vec v = Vec::Zero(), change = v, carried = v, of_filter = v;
       Mat moment = Mat::Zero(), b = Mat::Zero(), l = Mat::Zero();
       double square = 0, change_square = 0;
       const Vec own = point.v;
@@ -462,7 +462,6 @@ class NaiveStep {
         const Vec apart = own + point.c * r - i.start, taken = i.end + i.kept * apart;  // [Filter 1]
         v += n * taken;
         carried += n * (with_middle ? i.middle : i.end);
-        middle += n * i.middle;
         if (filters) of_filter += n * w[static_cast<std::size_t>(&i - nodes_.data())];
         change += n * dv;
         square += n * (taken.squaredNorm() - i.kept * i.kept * apart.squaredNorm());
@@ -474,7 +473,7 @@ class NaiveStep {
       if (filters) v = of_filter;
       if (along) point.x += dt * carried;  // [York 3.21] [Midpoint 4]
       if (scene_.sharpening > 0 && scene_.sharpened_motion)
-        point.x += dt * (velocity_at(p, Of::middle) - middle);  // [Sharpening 2]
+        point.x += dt * (velocity_at(p, with_middle ? Of::middle : Of::end) - carried);  // [Sharpening 2]
       const bool flip = scene_.transfer == "flip", affine = scene_.transfer == "apic";
       point.v = flip ? Vec(point.v + change) : v;  // [York 3.22] [EC-APIC 5]
       double kept = flip ? change.squaredNorm() : v.squaredNorm();

@@ -223,11 +223,8 @@ MotionSums ListLoops<G>::gather_motion(Body& body, const At& at, const Chunk& ch
     if (motion.carrying)
       carrying = jet(reached, p, Vec::Zero(), [&](std::size_t i) { return (*motion.carrying)[i]; }).value;
     Vec shift = Vec::Zero();  // [Sharpening 2]
-    if (motion.sharpened) {
-      shift = motion.dt * jet(reached, p, Vec::Zero(), [&](std::size_t i) -> Vec {
-                            return (*motion.sharpened)[i] - field.midpoint[i];
-                          }).value;
-    }
+    if (motion.beyond)
+      shift = motion.dt * jet(reached, p, Vec::Zero(), [&](std::size_t i) { return (*motion.beyond)[i]; }).value;
     const Vec step = shift + (motion.drift ? Vec(*motion.drift * taken.velocity) : Vec(motion.dt * carrying));
     if (sums.too_far < 0 && !(step.cwiseAbs().maxCoeff() <= grid_.h())) sums.too_far = p;
     for (int d = 0; d < dim; ++d) {

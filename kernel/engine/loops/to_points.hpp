@@ -133,7 +133,7 @@ template <class G, class S>
 template <bool affine>
 auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chunk, const Field& field,
                                      const Motion& motion) const -> MotionSums {
-  const auto [dt, drift, straining, carrying, sharpened, exchange] = motion;
+  const auto [dt, drift, straining, carrying, beyond, exchange] = motion;
   Columns& points = body.points;
   const RateColumns rates = rate_columns(body);
   double* energy = exchange ? points(column::energy) : nullptr;
@@ -155,9 +155,9 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
     const BinVelocity end = bin_velocity(print, field.end);
     BinFilter filter;
     if (at_rate) filter = bin_filter(print, field, end);
-    double strained[nodes][dim], beyond[nodes][dim], alpha[nodes], heat[nodes], most_exchange = 0;
+    double strained[nodes][dim], shifted[nodes][dim], alpha[nodes], heat[nodes], most_exchange = 0;
     for_stencil_nodes(print, [&](int k, std::size_t i) {
-      for (int d = 0; sharpened && d < dim; ++d) beyond[k][d] = (*sharpened)[i][d] - field.midpoint[i][d];
+      for (int d = 0; beyond && d < dim; ++d) shifted[k][d] = (*beyond)[i][d];
       for (int d = 0; straining && d < dim; ++d) strained[k][d] = (*straining)[i][d];
       if (!exchange) return;
       alpha[k] = field.exchange[i];
@@ -239,8 +239,7 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
       Pack shift[dim];
       for (int d = 0; d < dim; ++d) {
         shift[d] = 0.0;
-        if (sharpened)
-          shift[d] = dt * weights.gather_array([&](int k) { return beyond[k][d]; }).value;  // [Sharpening 2]
+        if (beyond) shift[d] = dt * weights.gather_array([&](int k) { return shifted[k][d]; }).value;  // [Sharpening 2]
         const Pack step = shift[d] + (drift ? *drift * v_new[d] : dt * v[d]);
         too_far = too_far || !(abs(step) <= grid_.h());
         store(velocity[d] + p, v_new[d], count);
@@ -253,7 +252,7 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
         // N r x u, but for what an affine part keeps of it.
         if constexpr (!affine || !S::fixed_inertia) torque[k] += m * (inertia[a] * c[b][a] - inertia[b] * c[a][b]);
         if (!drift) moved[k] += m * dt * (v[a] * v_new[b] - v[b] * v_new[a]);
-        if (sharpened) moved[k] += m * (shift[a] * v_new[b] - shift[b] * v_new[a]);
+        if (beyond) moved[k] += m * (shift[a] * v_new[b] - shift[b] * v_new[a]);
       }
       if constexpr (affine) {
         // With the inertia of the new place: where that is another, so are the energy and the spin of the affine part.
