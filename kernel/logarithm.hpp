@@ -16,7 +16,7 @@ namespace plumbline {
 // with the polynomial R of e_log.c of fdlibm (Sun Microsystems 1993), which is off by 2^-58.45.
 [[gnu::always_inline]] inline Pack logarithm(const Pack& x) {
   using Limits = std::numeric_limits<double>;
-  using Bits = std::experimental::rebind_simd_t<std::uint64_t, Pack>;
+  using Bits = PackBits;
   static_assert(sizeof(Bits) == sizeof(Pack) && Limits::is_iec559);
   if (!all_of(x >= Limits::min() && x <= Limits::max())) {
     return Pack([&](auto lane) { return std::log(static_cast<double>(x[lane])); });

@@ -35,8 +35,10 @@ class Stencil {
   static constexpr int nodes = dim == 1 ? support : dim == 2 ? support * support : support * support * support;
 
   // local: coordinate from the anchor node per direction, half: half size of the point's box where the shape has boxes,
-  // both in cells; h in m.
-  [[gnu::always_inline]] inline Stencil(const Number (&local)[dim], const Number (&half)[dim], double h) : h_(h) {
+  // both in cells; h in m, per_h = 1 / h.
+  [[gnu::always_inline]] inline Stencil(const Number (&local)[dim], const Number (&half)[dim], double h, double per_h)
+      : h_(h),
+        per_h_(per_h) {
     for (int d = 0; d < dim; ++d) {
       local_[d] = local[d];
       half_[d] = half[d];
@@ -49,21 +51,21 @@ class Stencil {
         Shape::gradients(local[d], g_[d]);
         Shape::affine_weights(local[d], a_[d]);
       }
-      for (int k = 0; k < support; ++k) {
-        g_[d][k] *= 1 / h;
-        a_[d][k] *= 1 / h;
-        moment_[d][k] = n_[d][k] * ((static_cast<double>(k + Shape::first) - local[d]) * h);
-      }
     }
   }
 
   [[gnu::always_inline]] inline Stencil(const Number (&local)[dim], double h) requires(!Shape::boxes)
-      : Stencil(local, local, h) {}
+      : Stencil(local, local, h, 1 / h) {}
 
   // The jet of the field at(offset), offset from the lowest node. Parts that are not used are not computed.
   template <class At>
   [[gnu::always_inline]] inline Jet<dim, Number> gather(const Footprint<dim>& footprint, At&& at) const {
-    return gather_along<dim - 1>(footprint, at, 0);
+    Jet<dim, Number> jet = gather_along<dim - 1>(footprint, at, 0);
+    for (int d = 0; d < dim; ++d) {
+      jet.gradient[d] *= per_h_;
+      jet.affine[d] *= per_h_;
+    }
+    return jet;
   }
 
   // The same of an array with one value for each node of the stencil in turn.
@@ -79,13 +81,15 @@ class Stencil {
   // The moments of an array with one scalar for each node of the stencil in turn.
   template <class At>
   [[gnu::always_inline]] inline Moments<dim, Number> moments_of_array(At&& at) const {
-    Number square[dim][support];  // D^-1 N r^2
+    Number a[dim][support], moment[dim][support], square[dim][support];  // D^-1 N r, N r and D^-1 N r^2
     for (int d = 0; d < dim; ++d) {
       for (int k = 0; k < support; ++k) {
-        square[d][k] = a_[d][k] * ((static_cast<double>(k + Shape::first) - local_[d]) * h_);
+        a[d][k] = a_[d][k] * per_h_;
+        moment[d][k] = n_[d][k] * distance(d, k);
+        square[d][k] = a[d][k] * distance(d, k);
       }
     }
-    return moments_along<dim - 1>(at, square, 0);
+    return moments_along<dim - 1>(at, {a, moment, square}, 0);
   }
 
   // D_p along d: sum N (x_i - x_p)_d^2, m^2. [EC-APIC 5]
@@ -96,19 +100,27 @@ class Stencil {
       return Shape::inertia(local_[d]) * (h_ * h_);
   }
 
-  // Adds to sums[node * step], for each node of the stencil in turn, N base + sum_d slope_d dN/dx_d.
-  [[gnu::always_inline]] inline void spread_gradient(const Number& base, const Number (&slope)[dim], Number* sums,
-                                                     int step) const {
-    spread_along<dim - 1>(g_, base, slope, sums, step);
+  // scale N of each node of the stencil in turn.
+  [[gnu::always_inline]] inline void find_weights(const Number& scale, Number (&weights)[nodes]) const {
+    weights_along<dim - 1>(scale, weights);
+  }
+  // Adds to sums[node * step], for each node of the stencil in turn, w (base + slope . (x_i - x_p)) of weights w.
+  [[gnu::always_inline]] inline void spread_moment(const Number (&weights)[nodes], const Number& base,
+                                                   const Number (&slope)[dim], Number* sums, int step) const {
+    Number along[support];  // the first direction's part
+    for (int k = 0; k < support; ++k) along[k] = slope[0] * distance(0, k);
+    spread_moment_along<dim - 1>(weights, base, slope, along, sums, step);
+  }
+  // Adds slope . grad N.
+  [[gnu::always_inline]] inline void spread_gradient(const Number (&slope)[dim], Number* sums, int step) const {
+    Number per_cell[dim];
+    for (int d = 0; d < dim; ++d) per_cell[d] = slope[d] * per_h_;
+    spread_gradient_along<dim - 1>(per_cell, sums, step);
   }
   // Adds s grad N: component d to sums[node * step + d].
   [[gnu::always_inline]] inline void spread_divergence(const Number& s, Number* sums, int step) const {
-    for (int d = 0; d < dim; ++d) spread_product<dim - 1>(d, s, sums + d, step);
-  }
-  // The same with N (x_i - x_p)_d in place of dN/dx_d.
-  [[gnu::always_inline]] inline void spread_moment(const Number& base, const Number (&slope)[dim], Number* sums,
-                                                   int step) const {
-    spread_along<dim - 1>(moment_, base, slope, sums, step);
+    const Number per_cell = s * per_h_;
+    for (int d = 0; d < dim; ++d) spread_product<dim - 1>(d, per_cell, sums + d, step);
   }
   // Adds N base.
   [[gnu::always_inline]] inline void spread(const Number& base, Number* sums, int step) const {
@@ -121,36 +133,53 @@ class Stencil {
     return d == 0 ? 1 : d == 1 ? support : support * support;
   }
 
+  // (x_i - x_p)_d of the k-th node along d, m.
+  [[gnu::always_inline]] inline Number distance(int d, int k) const {
+    return (static_cast<double>(k + Shape::first) - local_[d]) * h_;
+  }
+
+  // Sums begin with their first term, but where the compiler keeps the loop: there it would be compiled twice.
+  template <int d>
+  [[gnu::always_inline]] static inline void add(int term, Number& sum, const Number& value) {
+    if ((dim < 3 || d == 0) && term == 0)
+      sum = value;
+    else
+      sum += value;
+  }
+
+  // Gradients and affine parts per cell.
   template <int d, class At>
   [[gnu::always_inline]] inline Jet<dim, Number> gather_along(const Footprint<dim>& footprint, At& at,
                                                               int offset) const {
     Jet<dim, Number> sums;
-    sums.value = 0.0;
-    for (int k = 0; k <= d; ++k) sums.gradient[k] = sums.affine[k] = 0.0;
+    if constexpr (dim == 3 && d > 0) {
+      sums.value = 0.0;
+      for (int k = 0; k <= d; ++k) sums.gradient[k] = sums.affine[k] = 0.0;
+    }
     for (int j = 0; j < support; ++j) {
       const int here = offset + j * footprint.stride[d];
-      if constexpr (d == 0) {
-        const Number f = at(static_cast<std::size_t>(footprint.lowest + here));
-        sums.value += n_[0][j] * f;
-        sums.gradient[0] += g_[0][j] * f;
-        sums.affine[0] += a_[0][j] * f;
-      } else {
-        const Jet<dim, Number> below = gather_along<d - 1>(footprint, at, here);
-        sums.value += n_[d][j] * below.value;
-        sums.gradient[d] += g_[d][j] * below.value;
-        sums.affine[d] += a_[d][j] * below.value;
-        for (int k = 0; k < d; ++k) {
-          sums.gradient[k] += n_[d][j] * below.gradient[k];
-          sums.affine[k] += n_[d][j] * below.affine[k];
-        }
+      Jet<dim, Number> below;
+      if constexpr (d == 0)
+        below.value = at(static_cast<std::size_t>(footprint.lowest + here));
+      else
+        below = gather_along<d - 1>(footprint, at, here);
+      add<d>(j, sums.value, n_[d][j] * below.value);
+      add<d>(j, sums.gradient[d], g_[d][j] * below.value);
+      add<d>(j, sums.affine[d], a_[d][j] * below.value);
+      for (int k = 0; k < d; ++k) {
+        add<d>(j, sums.gradient[k], n_[d][j] * below.gradient[k]);
+        add<d>(j, sums.affine[k], n_[d][j] * below.affine[k]);
       }
     }
     return sums;
   }
 
+  struct Factors {
+    const Number (&a)[dim][support], (&moment)[dim][support], (&square)[dim][support];
+  };
+
   template <int d, class At>
-  [[gnu::always_inline]] inline Moments<dim, Number> moments_along(At& at, const Number (&square)[dim][support],
-                                                                   int offset) const {
+  [[gnu::always_inline]] inline Moments<dim, Number> moments_along(At& at, const Factors& by, int offset) const {
     Moments<dim, Number> sums;
     sums.value = 0.0;
     for (int k = 0; k <= d; ++k) {
@@ -163,16 +192,16 @@ class Stencil {
       if constexpr (d == 0)
         below.value = at(here);
       else
-        below = moments_along<d - 1>(at, square, here);
+        below = moments_along<d - 1>(at, by, here);
       sums.value += n_[d][j] * below.value;
-      sums.affine[d] += a_[d][j] * below.value;
-      sums.moment[d] += moment_[d][j] * below.value;
-      sums.turn[d][d] += square[d][j] * below.value;
+      sums.affine[d] += by.a[d][j] * below.value;
+      sums.moment[d] += by.moment[d][j] * below.value;
+      sums.turn[d][d] += by.square[d][j] * below.value;
       for (int k = 0; k < d; ++k) {
         sums.affine[k] += n_[d][j] * below.affine[k];
         sums.moment[k] += n_[d][j] * below.moment[k];
-        sums.turn[d][k] += moment_[d][j] * below.affine[k];
-        sums.turn[k][d] += a_[d][j] * below.moment[k];
+        sums.turn[d][k] += by.moment[d][j] * below.affine[k];
+        sums.turn[k][d] += by.a[d][j] * below.moment[k];
         for (int l = 0; l < d; ++l) sums.turn[k][l] += n_[d][j] * below.turn[k][l];
       }
     }
@@ -180,16 +209,55 @@ class Stencil {
   }
 
   template <int d>
-  [[gnu::always_inline]] inline void spread_along(const Number (&other)[dim][support], const Number& base,
-                                                  const Number (&slope)[dim], Number* sums, int step) const {
+  [[gnu::always_inline]] inline void weights_along(const Number& scale, Number* weights) const {
     for (int j = 0; j < support; ++j) {
-      const Number here = n_[d][j] * base + other[d][j] * slope[d];
+      const Number here = n_[d][j] * scale;
+      if constexpr (d == 0) {
+        weights[j] = here;
+      } else {
+        weights_along<d - 1>(here, weights + j * block<d>());
+      }
+    }
+  }
+
+  template <int d>
+  [[gnu::always_inline]] inline void spread_moment_along(const Number* weights, const Number& base,
+                                                         const Number (&slope)[dim], const Number (&along)[support],
+                                                         Number* sums, int step) const {
+    for (int j = 0; j < support; ++j) {
+      if constexpr (d == 0) {
+        sums[j * step] += weights[j] * (base + along[j]);
+      } else {
+        spread_moment_along<d - 1>(weights + j * block<d>(), base + slope[d] * distance(d, j), slope, along,
+                                   sums + j * block<d>() * step, step);
+      }
+    }
+  }
+
+  template <int d>
+  [[gnu::always_inline]] inline void spread_gradient_along(const Number (&slope)[dim], Number* sums, int step) const {
+    for (int j = 0; j < support; ++j) {
+      if constexpr (d == 0) {
+        sums[j * step] += g_[0][j] * slope[0];
+      } else {
+        Number below[dim];
+        for (int k = 0; k < d; ++k) below[k] = n_[d][j] * slope[k];
+        spread_along<d - 1>(g_[d][j] * slope[d], below, sums + j * block<d>() * step, step);
+      }
+    }
+  }
+  // Adds N base + slope . grad N in the directions up to d.
+  template <int d>
+  [[gnu::always_inline]] inline void spread_along(const Number& base, const Number (&slope)[dim], Number* sums,
+                                                  int step) const {
+    for (int j = 0; j < support; ++j) {
+      const Number here = n_[d][j] * base + g_[d][j] * slope[d];
       if constexpr (d == 0) {
         sums[j * step] += here;
       } else {
         Number below[dim];
         for (int k = 0; k < d; ++k) below[k] = n_[d][j] * slope[k];
-        spread_along<d - 1>(other, here, below, sums + j * block<d>() * step, step);
+        spread_along<d - 1>(here, below, sums + j * block<d>() * step, step);
       }
     }
   }
@@ -219,8 +287,9 @@ class Stencil {
     }
   }
 
-  double h_;
-  Number local_[dim], half_[dim], n_[dim][support], g_[dim][support], a_[dim][support], moment_[dim][support];
+  double h_, per_h_;
+  Number local_[dim], half_[dim];
+  Number n_[dim][support], g_[dim][support], a_[dim][support];  // g_ and a_ per cell
 };
 
 }  // namespace plumbline

@@ -62,17 +62,20 @@ void Columns::reorder(std::span<const PointRun> runs, std::span<const ColumnId> 
     Column& column = columns_[c];
     const auto is_it = [&](const ColumnId& id) { return static_cast<std::size_t>(id.index()) == c; };
     if (column.components == 0 || std::any_of(stale.begin(), stale.end(), is_it)) continue;
-    spare_.resize(column.values.size());
+    const auto components = static_cast<std::size_t>(column.components);
+    if (spare_.size() <= components) spare_.resize(components + 1);
+    std::vector<double>& spare = spare_[components];
+    spare.resize(column.values.size());
     for_each_piece(pieces, threads, [&](int k) {
       const int first = k * piece, last = std::min(first + piece, count);
       const auto own = runs.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first + 1));
       for (int d = 0; d < column.components; ++d) {
         const std::size_t start = static_cast<std::size_t>(d) * stride();
-        copy_runs(own, column.values.data() + start, spare_.data() + start, points_ + padding);
+        copy_runs(own, column.values.data() + start, spare.data() + start, points_ + padding);
       }
     });
-    std::copy(column.values.end() - padding, column.values.end(), spare_.end() - padding);
-    std::swap(spare_, column.values);
+    std::copy(column.values.end() - padding, column.values.end(), spare.end() - padding);
+    std::swap(spare, column.values);
   }
 }
 

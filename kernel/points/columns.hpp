@@ -63,7 +63,8 @@ class Columns {
 
   int points_;
   std::vector<Column> columns_;  // by ColumnId::index()
-  std::vector<double> spare_;    // takes the next column that is reordered
+  // Takes the next column of so many components that is reordered: of one size for all, none is ever cleared.
+  std::vector<std::vector<double>> spare_;
 };
 
 }  // namespace plumbline

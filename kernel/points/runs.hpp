@@ -24,16 +24,16 @@ inline void find_runs(std::span<const int> order, std::vector<PointRun>& runs) {
 }
 
 // The points' values in the order of consecutive runs, the last of which only says where they end. readable: values from
-// `from` on that may be read. Short runs are copied in one piece: what one writes beyond its end, the next writes over.
+// `from` on that may be read. Runs are copied in whole pieces: what one writes beyond its end, the next writes over.
 template <class Value>
 void copy_runs(std::span<const PointRun> runs, const Value* from, Value* to, int readable) {
   constexpr int piece = 8;
   const int end = runs.back().to;
   for (std::size_t r = 0; r + 1 < runs.size(); ++r) {
     const PointRun run = runs[r];
-    const int length = runs[r + 1].to - run.to;
-    if (length <= piece && run.to + piece <= end && run.from + piece <= readable) {
-      std::copy_n(from + run.from, piece, to + run.to);
+    const int length = runs[r + 1].to - run.to, pieces = (length + piece - 1) / piece;
+    if (run.to + pieces * piece <= end && run.from + pieces * piece <= readable) {
+      for (int k = 0; k < pieces; ++k) std::copy_n(from + run.from + k * piece, piece, to + run.to + k * piece);
     } else {
       std::copy_n(from + run.from, length, to + run.to);
     }

@@ -43,8 +43,10 @@ TEST(Pack, StoresItsLanesAndNoOther) {
 // What stands in lanes that are no points, not even a number perhaps, reaches no sum.
 TEST(Pack, KeptLanesForgetTheOthers) {
   for (int count = 0; count <= lanes; ++count) {
-    Pack pack = counting(1);
-    for (int lane = count; lane < lanes; ++lane) pack[static_cast<std::size_t>(lane)] = lane % 2 == 0 ? nan : HUGE_VAL;
+    const Pack pack([&](std::size_t lane) {
+      const int k = static_cast<int>(lane);
+      return k < count ? 1.0 + k : k % 2 == 0 ? nan : HUGE_VAL;
+    });
     EXPECT_EQ(sum(kept(pack, count)), count * (count + 1) / 2.0);
   }
 }
@@ -77,14 +79,25 @@ TEST(Pack, LoopsMeetEveryPointOnce) {
   }
 }
 
+// Whatever number of them there is, and nothing behind the last.
+template <int count>
+void expect_lane_sums() {
+  Pack packs[count + 1];
+  for (int k = 0; k < count; ++k) packs[k] = counting(10 * k);
+  packs[count] = nan;
+  double values[count + 1];
+  for (double& value : values) value = 7;
+  add_lane_sums<count>(packs, values);
+  for (int k = 0; k < count; ++k) EXPECT_EQ(values[k], 7 + 10 * k * lanes + lanes * (lanes - 1) / 2.0);
+  EXPECT_EQ(values[count], 7);
+}
 TEST(Pack, SumsOfSeveral) {
-  const Pack packs[3] = {counting(0), counting(10), counting(-5)};
-  double totals[3] = {7, 7, 7};
-  sum_lanes(packs, totals);
-  const double steps = lanes * (lanes - 1) / 2.0;
-  EXPECT_EQ(totals[0], steps);
-  EXPECT_EQ(totals[1], 10 * lanes + steps);
-  EXPECT_EQ(totals[2], -5 * lanes + steps);
+  expect_lane_sums<1>();
+  expect_lane_sums<2>();
+  expect_lane_sums<3>();
+  expect_lane_sums<4>();
+  expect_lane_sums<6>();
+  expect_lane_sums<12>();
 }
 
 }  // namespace

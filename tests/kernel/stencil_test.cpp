@@ -140,21 +140,23 @@ TEST(Stencil, IsAProductOfDirections) {
 }
 
 // What points spread and what they gather are one map and its transpose: node by node
-//   spread: N base,  spread_gradient: N base + slope . grad N,  spread_moment: N (base + slope . (x_i - x_p)),
+//   spread: N base,  spread_gradient: slope . grad N,  spread_moment: w (base + slope . (x_i - x_p)) with w = scale N,
 // added to what is there, in steps.
 template <int dim, class Shape>
 void expect_spread_is_the_transpose() {
   const Neighbourhood<dim, Shape> at({0.13, -0.2, 0.31});
   const auto stencil = at.stencil();
   constexpr int nodes = Stencil<dim, Shape, double>::nodes, step = 3;
-  const double base = 0.7, slope[3] = {1.1, -0.6, 0.4};
+  const double base = 0.7, scale = 1.3, slope[3] = {1.1, -0.6, 0.4};
   double along[dim];
   for (int d = 0; d < dim; ++d) along[d] = slope[d];
   double value[nodes * step], gradient[nodes * step], moment[nodes * step];
   for (int k = 0; k < nodes * step; ++k) value[k] = gradient[k] = moment[k] = k;
+  double weights[nodes];
+  stencil.find_weights(scale, weights);
   stencil.spread(base, value + 1, step);
-  stencil.spread_gradient(base, along, gradient + 1, step);
-  stencil.spread_moment(base, along, moment + 1, step);
+  stencil.spread_gradient(along, gradient + 1, step);
+  stencil.spread_moment(weights, base, along, moment + 1, step);
   std::vector<std::size_t> node;
   stencil.gather(at.print, [&](std::size_t i) {
     node.push_back(i);
@@ -162,14 +164,15 @@ void expect_spread_is_the_transpose() {
   });
   for (int k = 0; k < nodes; ++k) {
     const auto jet = stencil.gather_array([&](int j) { return j == k ? 1.0 : 0.0; });
-    double flux = jet.value * base, carried = base;
+    double flux = 0, carried = base;
     for (int d = 0; d < dim; ++d) {
       flux += jet.gradient[d] * slope[d];
       carried += slope[d] * at.distance(node[static_cast<std::size_t>(k)], d);
     }
+    EXPECT_NEAR(weights[k], scale * jet.value, 200 * rounding);
     EXPECT_NEAR(value[step * k + 1] - (step * k + 1), jet.value * base, 200 * rounding);
     EXPECT_NEAR(gradient[step * k + 1] - (step * k + 1), flux, 200 * rounding);
-    EXPECT_NEAR(moment[step * k + 1] - (step * k + 1), jet.value * carried, 200 * rounding);
+    EXPECT_NEAR(moment[step * k + 1] - (step * k + 1), scale * jet.value * carried, 200 * rounding);
     for (const double* sums : {value, gradient, moment}) {
       EXPECT_EQ(sums[step * k], step * k);  // other components stay
       EXPECT_EQ(sums[step * k + 2], step * k + 2);

@@ -93,16 +93,23 @@ class Passes {
     weights.spread(value, sums.at, 1);
     keep(sums);
   }
-  void scatter_momentum(const Kernel& weights, const Traced& m) {
+  void scatter_momentum(const Kernel& weights, const Traced& m, bool with_mass) {
+    Traced shares[nodes];
+    weights.find_weights(m, shares);
+    if (with_mass) {
+      Sums sums;
+      for (int k = 0; k < nodes; ++k) sums.at[k] += shares[k];
+      keep(sums);
+    }
     for (int d = 0; d < dim; ++d) {
       Sums sums;
-      const Traced momentum = m * given();
+      const Traced v = given();
       if (affine_) {
         Traced slope[dim];
-        for (Traced& s : slope) s = m * given();
-        weights.spread_moment(momentum, slope, sums.at, 1);
+        for (Traced& s : slope) s = given();
+        weights.spread_moment(shares, v, slope, sums.at, 1);
       } else {
-        weights.spread(momentum, sums.at, 1);
+        for (int k = 0; k < nodes; ++k) sums.at[k] += shares[k] * v;
       }
       keep(sums);
     }
@@ -220,9 +227,7 @@ class Passes {
   Pass map(bool with_mass) {
     begin();
     const Kernel weights = stencil();
-    const Traced m = given();
-    if (with_mass) scatter(weights, m);
-    scatter_momentum(weights, m);
+    scatter_momentum(weights, given(), with_mass);
     return {2 * vector + tensor() + 1, 0, counted()};
   }
   // Strain rates, density, stress, and what the map lost: x, v, C, m, e; V, rate, loss, p, sigma.

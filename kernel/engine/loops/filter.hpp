@@ -16,9 +16,11 @@ namespace plumbline {
 // The nodal values of a bin: 1 - alpha_i, and with it velocities relative to the bin's base.
 template <class G, class S>
 struct ShapeLoops<G, S>::BinFilter {
-  double kept[nodes], most = 0;
-  double pushed[nodes][dim];               // v~_i - (1 - alpha_i) v_i
-  double pulled[nodes][dim], work[nodes];  // (1 - alpha_i) v~_i; |v~_i|^2 - 2 (1 - alpha_i) v_i . v~_i
+  double most = 0;
+  BinNumbers kept;
+  BinVectors pushed;  // v~_i - (1 - alpha_i) v_i
+  BinVectors pulled;  // (1 - alpha_i) v~_i
+  BinNumbers work;    // |v~_i|^2 - 2 (1 - alpha_i) v_i . v~_i
 };
 
 template <class G, class S>
@@ -26,11 +28,12 @@ template <class G, class S>
                                                                 const BinVelocity& end) const -> BinFilter {
   BinFilter bin;
   for_stencil_nodes(print, [&](int k, std::size_t i) {
-    const double kept = bin.kept[k] = field.kept[i];
+    const double kept = field.kept[i];
+    bin.kept[k] = kept;
     bin.most = std::max(bin.most, kept);
     bin.work[k] = end.square[k];
     for (int d = 0; d < dim; ++d) {
-      const double start = field.start[i][d] - end.base[d];
+      const Pack start = field.start[i][d] - end.base[d];
       bin.pushed[k][d] = end.u[k][d] - kept * start;
       bin.pulled[k][d] = kept * end.u[k][d];
       bin.work[k] -= 2 * kept * start * end.u[k][d];

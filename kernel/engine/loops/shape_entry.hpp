@@ -1,6 +1,7 @@
 // The loops of a shape for every geometry. Included only by the source file of a shape, which instantiates them.
 #pragma once
 
+#include "kernel/engine/loops/places.hpp"
 #include "kernel/engine/loops/survey.hpp"
 #include "kernel/engine/loops/to_nodes.hpp"
 #include "kernel/engine/loops/to_points.hpp"

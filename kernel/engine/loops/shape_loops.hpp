@@ -33,7 +33,10 @@ class ShapeLoops final : public PointLoops<Geometry> {
   using typename Base::Gather, typename Base::Motion, typename Base::Spread, typename Base::Wanted;
   using At = Weights<dim>;
 
-  ShapeLoops(const GridSpec& grid, const Transfer& transfer) : grid_(grid), transfer_(transfer) {}
+  ShapeLoops(const GridSpec& grid, const Transfer& transfer)
+      : grid_(grid),
+        per_h_(1 / grid_.h()),
+        transfer_(transfer) {}
 
   ShapeTraits shape() const override { return {Shape::support, Shape::blur, Shape::fixed_inertia, Shape::boxes}; }
   std::vector<double> inverse_volumes() const override { return inverse_cell_volumes<Shape>(grid_); }
@@ -87,10 +90,20 @@ class ShapeLoops final : public PointLoops<Geometry> {
     double* at[most_components];
     StressMeasure measure;
   };
+  // What the lowest nodes of points are found from: copies, since a loop that writes whole numbers could change the grid's.
+  struct Extent {
+    const double* position[dim];
+    double origin[dim], per_h, ends[dim], stride[dim];
+    int cells[dim];
+  };
+  // Nodal values of a bin are packs of equal numbers: they are read once for each pack of points, and stand ready for it.
+  using BinVectors = Pack[nodes][dim];
+  using BinNumbers = Pack[nodes];
   // The nodal velocities of a bin relative to one node's, and that node's.
   struct BinVelocity {
-    double u[nodes][dim], square[nodes];
-    Vec base;
+    BinVectors u;
+    BinNumbers square;
+    Pack base[dim];
   };
 
   struct BinFilter;
@@ -113,17 +126,25 @@ class ShapeLoops final : public PointLoops<Geometry> {
   // not counted.
   template <class Visit>
   void for_bins(const Bins& bins, const Chunk& chunk, Visit&& visit) const;
+  // visit(k, i) for each row of a stencil's nodes: its first node is the k-th of the stencil, and i in the nodal arrays.
+  template <class Visit>
+  static void for_rows(const Print& print, Visit&& visit);
   template <class Visit>
   static void for_stencil_nodes(const Print& print, Visit&& visit);
   PackStencil stencil(const Places<dim>& places, const double (&anchor)[dim], int p) const;
   Pack box(const double* half_size, int p) const;
-  Pack lowest_node(const double* const (&position)[dim], int p, int count, PackMask& inside) const;
+  Extent extent(const Columns& points) const;
+  static Pack lowest_node(const Extent& grid, int p, int count, PackMask& inside);
   template <class Number>
   static Number inertia_at(const Number& x, const Number& half);
-  // Sums the lanes of a bin's node sums into `to[node]` (component k of each node's value).
-  template <int components, class Add>
-  void add_to_nodes(const Print& print, const Pack (&sums)[nodes * components], Add&& add) const;
-  BinVelocity bin_velocity(const Print& print, const std::vector<Vec>& velocity) const;
+  template <int count>
+  static void clear(Pack (&sums)[count]);
+  // Adds the lanes of a bin's sums to the nodes' values of so many components.
+  template <int components>
+  static void add_to_nodes(const Print& print, const Pack (&sums)[nodes * components], double* values);
+  static void collect(const Print& print, const std::vector<Vec>& values, BinVectors& bin);
+  static void collect(const Print& print, const std::vector<double>& values, BinNumbers& bin);
+  static BinVelocity bin_velocity(const Print& print, const std::vector<Vec>& velocity);
   BinFilter bin_filter(const Print& print, const Field& field, const BinVelocity& end) const;
   Pack take_filtered(const BinFilter& bin, const PackStencil& weights, const Pack (&inertia)[dim], Pack (&v)[dim],
                      Pack (&c)[dim][dim]) const;
@@ -133,6 +154,7 @@ class ShapeLoops final : public PointLoops<Geometry> {
                           Component&& u) const;
 
   Grid<dim> grid_;
+  double per_h_;  // 1 / h: a division takes as long as the weights of a point
   Transfer transfer_;
 };
 
@@ -158,23 +180,33 @@ template <class Visit>
 
 template <class G, class S>
 template <class Visit>
-[[gnu::always_inline]] inline void ShapeLoops<G, S>::for_stencil_nodes(const Print& print, Visit&& visit) {
+[[gnu::always_inline]] inline void ShapeLoops<G, S>::for_rows(const Print& print, Visit&& visit) {
   int k = 0;
   for (int z = 0; z < (dim > 2 ? support : 1); ++z) {
     for (int y = 0; y < (dim > 1 ? support : 1); ++y) {
       int node = print.lowest;
       if constexpr (dim > 1) node += y * print.stride[1];
       if constexpr (dim > 2) node += z * print.stride[2];
-      for (int x = 0; x < support; ++x) visit(k++, static_cast<std::size_t>(node + x));
+      visit(k, static_cast<std::size_t>(node));
+      k += support;
     }
   }
+}
+
+template <class G, class S>
+template <class Visit>
+[[gnu::always_inline]] inline void ShapeLoops<G, S>::for_stencil_nodes(const Print& print, Visit&& visit) {
+  for_rows(
+      print, [&](int k, std::size_t i) __attribute__((always_inline)) {
+        for (int x = 0; x < support; ++x) visit(k + x, i + static_cast<std::size_t>(x));
+      });
 }
 
 // Half size of the points' boxes in cells.
 template <class G, class S>
 [[gnu::always_inline]] inline Pack ShapeLoops<G, S>::box(const double* half_size, int p) const {
   if constexpr (S::boxes) {
-    const Pack half = load(half_size + p) * (1 / grid_.h());
+    const Pack half = load(half_size + p) * per_h_;
     return min(max(half, Pack(S::narrowest)), Pack(S::widest));
   } else {
     return 0.0;
@@ -193,102 +225,60 @@ template <class Number>
 }
 
 template <class G, class S>
-double ShapeLoops<G, S>::inertia(const Columns& points, int d, int p) const {
-  const double cells = grid_.logical(points(column::position, d)[p], d);
-  double half = 0;
-  if constexpr (S::boxes) half = std::clamp(points(column::half_size, d)[p] / grid_.h(), S::narrowest, S::widest);
-  return inertia_at(cells, half) * grid_.h() * grid_.h();
-}
-
-template <class G, class S>
-Pack ShapeLoops<G, S>::pack_inertia(const Columns& points, int d, int p, int) const {
-  const Pack cells = (load(points(column::position, d) + p) - grid_.origin(d)) * (1 / grid_.h());
-  return inertia_at(cells, box(S::boxes ? points(column::half_size, d) : nullptr, p)) * (grid_.h() * grid_.h());
-}
-
-// The lowest node of a pack of points. inside: whether all so far stand on the grid.
-template <class G, class S>
-[[gnu::always_inline]] inline Pack ShapeLoops<G, S>::lowest_node(const double* const (&position)[dim], int p, int count,
-                                                                 PackMask& inside) const {
-  Pack node = 0.0;
-  for (int d = 0; d < dim; ++d) {
-    const Pack x = (load(position[d] + p) - grid_.origin(d)) * (1 / grid_.h());
-    inside = inside && ((x >= -on_side && x <= grid_.cells(d) + on_side) || !first_lanes(count));
-    const Pack on_grid = min(max(x, Pack(0.0)), Pack(1.0 * grid_.cells(d)));
-    node += (S::anchor_node(on_grid, grid_.cells(d)) + (S::first + Grid<dim>::ghosts)) * (1.0 * grid_.stride(d));
-  }
-  return node;
-}
-
-template <class G, class S>
-bool ShapeLoops<G, S>::find_lowest(const Columns& points, PointRange range, int* lowest) const {
-  const double* position[dim];
-  for (int d = 0; d < dim; ++d) position[d] = points(column::position, d);
-  PackMask inside = first_lanes(lanes);
-  for_packs(
-      range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
-        store_as_integers(lowest + p, lowest_node(position, p, count, inside), count);
-      });
-  return all_of(inside);
-}
-
-template <class G, class S>
-bool ShapeLoops<G, S>::find_movers(const Columns& points, const Bins& bins, const Chunk& chunk,
-                                   std::vector<Mover>& movers) const {
-  const double* position[dim];
-  for (int d = 0; d < dim; ++d) position[d] = points(column::position, d);
-  PackMask inside = first_lanes(lanes);
-  for (int bin = chunk.first_bin; bin < chunk.last_bin; ++bin) {
-    const double own = bins.node(bin);
-    for_packs(
-        bins.start(bin), bins.end(bin), [&](int p, int count) __attribute__((always_inline)) {
-          const Pack node = lowest_node(position, p, count, inside);
-          if (none_of(node != own && first_lanes(count))) return;
-          for (int k = 0; k < count; ++k) {
-            const double there = node[static_cast<std::size_t>(k)];
-            if (there != own) movers.push_back({p + k, static_cast<int>(there)});
-          }
-        });
-  }
-  return all_of(inside);
-}
-
-template <class G, class S>
 [[gnu::always_inline]] inline auto ShapeLoops<G, S>::stencil(const Places<dim>& places, const double (&anchor)[dim],
                                                              int p) const -> PackStencil {
   Pack local[dim], half[dim];
   for (int d = 0; d < dim; ++d) {
-    local[d] = (load(places.x[d] + p) - grid_.origin(d)) * (1 / grid_.h()) - anchor[d];
+    local[d] = (load(places.x[d] + p) - grid_.origin(d)) * per_h_ - anchor[d];
     half[d] = box(places.half_size[d], p);
   }
-  return PackStencil(local, half, grid_.h());
+  return PackStencil(local, half, grid_.h(), per_h_);
 }
 
 template <class G, class S>
-template <int components, class Add>
+template <int count>
+[[gnu::always_inline]] inline void ShapeLoops<G, S>::clear(Pack (&sums)[count]) {
+#pragma GCC unroll 32
+  for (int k = 0; k < count; ++k) sums[k] = 0.0;
+}
+
+template <class G, class S>
+template <int components>
 [[gnu::always_inline]] inline void ShapeLoops<G, S>::add_to_nodes(const Print& print,
                                                                   const Pack (&sums)[nodes * components],
-                                                                  Add&& add) const {
-  double total[nodes * components];
-  sum_lanes<nodes * components>(sums, total);
-  for_stencil_nodes(print, [&](int k, std::size_t i) { add(i, total + k * components); });
+                                                                  double* values) {
+  for_rows(
+      print, [&](int k, std::size_t i) __attribute__((always_inline)) {
+        add_lane_sums<support * components>(sums + k * components, values + i * components);
+      });
+}
+
+template <class G, class S>
+[[gnu::always_inline]] inline void ShapeLoops<G, S>::collect(const Print& print, const std::vector<Vec>& values,
+                                                             BinVectors& bin) {
+  for_stencil_nodes(print, [&](int k, std::size_t i) {
+    for (int d = 0; d < dim; ++d) bin[k][d] = values[i][d];
+  });
+}
+template <class G, class S>
+[[gnu::always_inline]] inline void ShapeLoops<G, S>::collect(const Print& print, const std::vector<double>& values,
+                                                             BinNumbers& bin) {
+  for_stencil_nodes(print, [&](int k, std::size_t i) { bin[k] = values[i]; });
 }
 
 // Relative to the middle node's, because what the maps lose is a difference of squares; a node at the stencil's edge could
 // be all but massless and fast.
 template <class G, class S>
-[[gnu::always_inline]] inline auto ShapeLoops<G, S>::bin_velocity(const Print& print,
-                                                                  const std::vector<Vec>& velocity) const
+[[gnu::always_inline]] inline auto ShapeLoops<G, S>::bin_velocity(const Print& print, const std::vector<Vec>& velocity)
     -> BinVelocity {
   BinVelocity bin;
   int middle = print.lowest;
   for (int d = 0; d < dim; ++d) middle += support / 2 * print.stride[d];
-  bin.base = velocity[static_cast<std::size_t>(middle)];
+  for (int d = 0; d < dim; ++d) bin.base[d] = velocity[static_cast<std::size_t>(middle)][d];
   for_stencil_nodes(print, [&](int k, std::size_t i) {
-    bin.square[k] = 0;
     for (int d = 0; d < dim; ++d) {
       bin.u[k][d] = velocity[i][d] - bin.base[d];
-      bin.square[k] += bin.u[k][d] * bin.u[k][d];
+      bin.square[k] = d == 0 ? bin.u[k][d] * bin.u[k][d] : bin.square[k] + bin.u[k][d] * bin.u[k][d];
     }
   });
   return bin;

@@ -53,7 +53,7 @@ Survey ShapeLoops<G, S>::survey(const Body& body, PointRange range) const {
     angular_scale += m * speed * sqrt(distance);
     if constexpr (affine) {
       for (int e = 0; e < dim; ++e) {
-        const Pack cells = (x[e] - grid_.origin(e)) * (1 / grid_.h());
+        const Pack cells = (x[e] - grid_.origin(e)) * per_h_;
         inertia[e] = inertia_at(cells, box(half_size[e], p)) * (grid_.h() * grid_.h());
         for (int d = 0; d < dim; ++d) {
           c[d][e] = load(twist[d][e] + p);

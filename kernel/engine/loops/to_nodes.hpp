@@ -15,29 +15,29 @@ void ShapeLoops<G, S>::map_motion(const Body& body, const At& at, const Chunk& c
     velocity[d] = body.points(column::velocity, d);
     for (int e = 0; affine && e < dim; ++e) twist[d][e] = body.points(column::affine, d * dim + e);
   }
-  constexpr int parts = 1 + dim;
   for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
-    Pack sums[nodes * parts];
-    for (Pack& s : sums) s = 0.0;
-    for_packs(first, last, [&](int p, int count) {
+    Pack masses[nodes], momenta[nodes * dim];
+    clear(masses);
+    clear(momenta);
+    const auto with_pack = [&](int p, int count) __attribute__((always_inline)) {
       const PackStencil weights = stencil(places, anchor, p);
-      const Pack m = kept(load(mass + p), count);
-      if (with_mass) weights.spread(m, sums, parts);
+      Pack shares[nodes];  // m N
+      weights.find_weights(kept(load(mass + p), count), shares);
+      for (int k = 0; with_mass && k < nodes; ++k) masses[k] += shares[k];
       for (int d = 0; d < dim; ++d) {
-        const Pack momentum = m * load(velocity[d] + p);
+        const Pack v = load(velocity[d] + p);
         if constexpr (affine) {
           Pack slope[dim];
-          for (int e = 0; e < dim; ++e) slope[e] = m * load(twist[d][e] + p);
-          weights.spread_moment(momentum, slope, sums + 1 + d, parts);  // [EC-APIC 1]
+          for (int e = 0; e < dim; ++e) slope[e] = load(twist[d][e] + p);
+          weights.spread_moment(shares, v, slope, momenta + d, dim);  // [EC-APIC 1]
         } else {
-          weights.spread(momentum, sums + 1 + d, parts);  // [York 3.16]
+          for (int k = 0; k < nodes; ++k) momenta[k * dim + d] += shares[k] * v;  // [York 3.16]
         }
       }
-    });
-    add_to_nodes<parts>(print, sums, [&](std::size_t i, const double* total) {
-      if (with_mass) field.mass[i] += total[0];
-      for (int d = 0; d < dim; ++d) field.momentum[i][d] += total[1 + d];
-    });
+    };
+    for_packs(first, last, with_pack);
+    if (with_mass) add_to_nodes<1>(print, masses, field.mass.data());
+    add_to_nodes<dim>(print, momenta, component(field.momentum, 0));
   });
 }
 
@@ -46,11 +46,11 @@ template <StressMeasure measure, Shares shares>
 double ShapeLoops<G, S>::map_forces(const Body& body, const At& at, const Chunk& chunk, Field& field) const {
   constexpr bool isotropic = measure == StressMeasure::pressure, full = measure == StressMeasure::full;
   constexpr int strains = stress_components(measure, dim, G::axisymmetric), normals = isotropic ? 1 : G::normals;
-  constexpr int parts = dim + (shares == Shares::none ? 0 : shares == Shares::heat ? 2 : 3);
+  constexpr bool gas = shares != Shares::none, noise = shares == Shares::heat_and_sound;
   const Places<dim> places = at.places(body.points, S::boxes);
   const double *volume = body.points(column::volume), *mass = body.points(column::mass);
-  const double* energy = parts > dim ? body.points(column::energy) : nullptr;
-  const double* sound = parts > dim + 2 ? body.points(column::sound_speed) : nullptr;
+  const double* energy = gas ? body.points(column::energy) : nullptr;
+  const double* sound = noise ? body.points(column::sound_speed) : nullptr;
   const double *stress[strains], *rate[strains];
   for (int k = 0; k < strains; ++k) {
     stress[k] = body.points(column::stress, k);
@@ -58,9 +58,14 @@ double ShapeLoops<G, S>::map_forces(const Body& body, const At& at, const Chunk&
   }
   Pack hoop_force = 0.0;
   for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
-    Pack sums[nodes * parts];
-    for (Pack& s : sums) s = 0.0;
-    for_packs(first, last, [&](int p, int count) {
+    Pack forces[nodes * dim], heats[nodes], closings[nodes], sounds[nodes];
+    clear(forces);
+    if constexpr (gas) {
+      clear(heats);
+      clear(closings);
+    }
+    if constexpr (noise) clear(sounds);
+    const auto with_pack = [&](int p, int count) __attribute__((always_inline)) {
       const PackStencil weights = stencil(places, anchor, p);
       const Pack v = kept(-load(volume + p), count);
       Pack s[strains];
@@ -68,12 +73,12 @@ double ShapeLoops<G, S>::map_forces(const Body& body, const At& at, const Chunk&
       if constexpr (G::axisymmetric && measure != StressMeasure::point_force) {
         const Pack hoop = kept(s[isotropic ? 0 : full ? dim * dim : 2] / load(places.x[0] + p), count);
         hoop_force += hoop;
-        weights.spread(hoop, sums, parts);
+        weights.spread(hoop, forces, dim);
       }
       if constexpr (isotropic) {
-        weights.spread_divergence(s[0], sums, parts);
+        weights.spread_divergence(s[0], forces, dim);
       } else if constexpr (measure == StressMeasure::point_force) {
-        for (int d = 0; d < dim; ++d) weights.spread(s[d], sums + d, parts);
+        for (int d = 0; d < dim; ++d) weights.spread(s[d], forces + d, dim);
         if constexpr (G::axisymmetric)
           hoop_force += s[0];  // forces along the surface cancel; what is left is the hoops'
       } else {
@@ -83,25 +88,24 @@ double ShapeLoops<G, S>::map_forces(const Body& body, const At& at, const Chunk&
         } else {
           G::flux(s, flux);
         }
-        for (int d = 0; d < dim; ++d) weights.spread_gradient(Pack(0.0), flux[d], sums + d, parts);
+        for (int d = 0; d < dim; ++d) weights.spread_gradient(flux[d], forces + d, dim);
       }
-      if constexpr (parts > dim) {
+      if constexpr (gas) {
         const Pack m = kept(load(mass + p), count);
         Pack divergence = load(rate[0] + p);
         for (int k = 1; k < normals; ++k) divergence += load(rate[k] + p);
-        weights.spread(m * load(energy + p), sums + dim, parts);
-        weights.spread(m * max(-divergence, Pack(0.0)), sums + dim + 1, parts);
-        if constexpr (parts > dim + 2) weights.spread(m * load(sound + p), sums + dim + 2, parts);
+        weights.spread(m * load(energy + p), heats, 1);
+        weights.spread(m * max(-divergence, Pack(0.0)), closings, 1);
+        if constexpr (noise) weights.spread(m * load(sound + p), sounds, 1);
       }
-    });
-    add_to_nodes<parts>(print, sums, [&](std::size_t i, const double* total) {
-      for (int d = 0; d < dim; ++d) field.force[i][d] += total[d];
-      if constexpr (parts > dim) {
-        field.heat[i] += total[dim];
-        field.exchange[i] += total[dim + 1];
-      }
-      if constexpr (parts > dim + 2) field.kept[i] += total[dim + 2];
-    });
+    };
+    for_packs(first, last, with_pack);
+    add_to_nodes<dim>(print, forces, component(field.force, 0));
+    if constexpr (gas) {
+      add_to_nodes<1>(print, heats, field.heat.data());
+      add_to_nodes<1>(print, closings, field.exchange.data());
+    }
+    if constexpr (noise) add_to_nodes<1>(print, sounds, field.kept.data());
   });
   return sum(hoop_force);
 }

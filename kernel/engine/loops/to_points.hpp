@@ -81,14 +81,13 @@ double ShapeLoops<G, S>::gather_start(Body& body, const At& at, const Chunk& chu
   Pack total = 0.0;
   for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
     BinVelocity start;
-    double strained[nodes][dim], rho[nodes], closes[nodes];
+    BinVectors strained;
+    BinNumbers rho, closes;
     if (wanted.loss) start = bin_velocity(print, *wanted.loss);
-    for_stencil_nodes(print, [&](int k, std::size_t i) {
-      for (int d = 0; wanted.rates && d < dim; ++d) strained[k][d] = (*wanted.rates)[i][d];
-      if (wanted.density) rho[k] = (*wanted.density)[i];
-      if (wanted.closing) closes[k] = (*wanted.closing)[i];
-    });
-    for_packs(first, last, [&](int p, int count) {
+    if (wanted.rates) collect(print, *wanted.rates, strained);
+    if (wanted.density) collect(print, *wanted.density, rho);
+    if (wanted.closing) collect(print, *wanted.closing, closes);
+    const auto with_pack = [&](int p, int count) __attribute__((always_inline)) {
       const PackStencil weights = stencil(places, anchor, p);
       if (wanted.rates) {
         store_strain_rates(rates, weights, load(places.x[0] + p), p, count,
@@ -124,7 +123,8 @@ double ShapeLoops<G, S>::gather_start(Body& body, const At& at, const Chunk& chu
       const Pack lost = counted * load(mass + p) * (apart + max(spread, Pack(0.0)));
       if (loss) store(loss + p, lost, count);
       total += kept(lost, count);
-    });
+    };
+    for_packs(first, last, with_pack);
   });
   return sum(total);
 }
@@ -133,10 +133,12 @@ template <class G, class S>
 template <bool affine>
 auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chunk, const Field& field,
                                      const Motion& motion) const -> MotionSums {
-  const auto [dt, drift, straining, carrying, beyond, exchange] = motion;
+  const double dt = motion.dt;
+  const auto drift = motion.drift;
+  const auto *straining = motion.straining, *carrying = motion.carrying, *beyond = motion.beyond;
   Columns& points = body.points;
   const RateColumns rates = rate_columns(body);
-  double* energy = exchange ? points(column::energy) : nullptr;
+  double* energy = motion.exchange ? points(column::energy) : nullptr;
   const Places<dim> places = at.places(points, S::boxes);
   const double* mass = points(column::mass);
   double* loss = points.has(column::transfer_loss) ? points(column::transfer_loss) : nullptr;
@@ -155,29 +157,32 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
     const BinVelocity end = bin_velocity(print, field.end);
     BinFilter filter;
     if (at_rate) filter = bin_filter(print, field, end);
-    double strained[nodes][dim], shifted[nodes][dim], alpha[nodes], heat[nodes], most_exchange = 0;
-    for_stencil_nodes(print, [&](int k, std::size_t i) {
-      for (int d = 0; beyond && d < dim; ++d) shifted[k][d] = (*beyond)[i][d];
-      for (int d = 0; straining && d < dim; ++d) strained[k][d] = (*straining)[i][d];
-      if (!exchange) return;
-      alpha[k] = field.exchange[i];
-      heat[k] = alpha[k] * field.heat[i];
-      most_exchange = std::max(most_exchange, alpha[k]);
-    });
-    double change[nodes][dim], change_square[nodes], carried[nodes][dim];
-    if (increments || filters || carrying) {
+    BinVectors strained, shifted, change, carried;
+    BinNumbers alpha, heat, change_square;
+    double most_exchange = 0;
+    if (straining) collect(print, *straining, strained);
+    if (carrying) collect(print, *carrying, carried);
+    if (beyond) collect(print, *beyond, shifted);
+    if (energy) {
       for_stencil_nodes(print, [&](int k, std::size_t i) {
-        change_square[k] = 0;
+        alpha[k] = field.exchange[i];
+        heat[k] = field.exchange[i] * field.heat[i];
+        most_exchange = std::max(most_exchange, field.exchange[i]);
+      });
+    }
+    if (increments || filters) {
+      for_stencil_nodes(print, [&](int k, std::size_t i) {
+        change_square[k] = 0.0;
         for (int d = 0; d < dim; ++d) {
-          change[k][d] = increments ? field.end[i][d] - field.start[i][d]
-                         : filters  ? field.filtered[i][d] - end.base[d]
-                                    : 0;
+          if (increments)
+            change[k][d] = field.end[i][d] - field.start[i][d];
+          else
+            change[k][d] = field.filtered[i][d] - end.base[d];
           change_square[k] += change[k][d] * change[k][d];
-          if (carrying) carried[k][d] = (*carrying)[i][d];
         }
       });
     }
-    for_packs(first, last, [&](int p, int count) {
+    const auto with_pack = [&](int p, int count) __attribute__((always_inline)) {
       const PackStencil weights = stencil(places, anchor, p);
       if (straining) {
         store_strain_rates(rates, weights, load(places.x[0] + p), p, count,
@@ -188,7 +193,7 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
         store(energy + p, e + (weights.gather_array([&](int k) { return heat[k]; }).value - share * e), count);
       }
       const Pack m = kept(load(mass + p), count);
-      Pack v[dim], v_new[dim], c[dim][dim], inertia[dim], here[dim];
+      Pack v[dim], v_new[dim] = {}, c[dim][dim] = {}, inertia[dim], here[dim];
       for (int d = 0; d < dim; ++d) {
         inertia[d] = weights.inertia(d);
         here[d] = load(position[d] + p);
@@ -257,7 +262,7 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
       if constexpr (affine) {
         // With the inertia of the new place: where that is another, so are the energy and the spin of the affine part.
         for (int d = 0; !S::fixed_inertia && d < dim; ++d) {
-          const Pack cells = (here[d] - grid_.origin(d)) * (1 / grid_.h());
+          const Pack cells = (here[d] - grid_.origin(d)) * per_h_;
           inertia[d] = inertia_at(cells, box(places.half_size[d], p)) * (grid_.h() * grid_.h());
         }
         for (int d = 0; d < dim; ++d) {
@@ -278,7 +283,8 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
       if (filtered && loss && S::fixed_inertia) given = repaid(given, load(loss + p));
       if (loss) store(loss + p, loss_first ? given : load(loss + p) + given, count);
       lost += given;
-    });
+    };
+    for_packs(first, last, with_pack);
   });
   sums.lost = sum(lost);
   for (int k = 0; k < rotations; ++k) {

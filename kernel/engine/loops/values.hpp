@@ -12,17 +12,20 @@ void ShapeLoops<G, S>::spread(const Columns& points, const At& at, const Chunk& 
   const Places<dim> places = at.places(points, S::boxes);
   for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
     Pack sums[nodes * most];
-    for (Pack& s : sums) s = 0.0;
-    for_packs(first, last, [&](int p, int count) {
+    clear(sums);
+    const auto with_pack = [&](int p, int count) __attribute__((always_inline)) {
       const PackStencil weights = stencil(places, anchor, p);
       for (std::size_t k = 0; k < all.size(); ++k) {
         const Pack q = load(all[k].values + p);
         weights.spread(all[k].mass ? kept(load(all[k].mass + p), count) * q : kept(q, count), sums + k, most);
       }
-    });
-    add_to_nodes<most>(print, sums, [&](std::size_t i, const double* total) {
+    };
+    for_packs(first, last, with_pack);
+    for_stencil_nodes(print, [&](int node, std::size_t i) {
+      double totals[most] = {};
+      add_lane_sums<most>(sums + node * most, totals);
       for (std::size_t k = 0; k < all.size(); ++k)
-        all[k].nodes[i * static_cast<std::size_t>(all[k].stride)] += total[k];
+        all[k].nodes[i * static_cast<std::size_t>(all[k].stride)] += totals[k];
     });
   });
 }

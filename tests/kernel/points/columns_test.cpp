@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "kernel/pack.hpp"
@@ -51,6 +52,41 @@ TEST(Columns, ReordersEveryComponentOfEveryColumn) {
   EXPECT_EQ(std::vector<double>(points(column::mass), points(column::mass) + 3), (std::vector<double>{2, 0, 1}));
   EXPECT_EQ(points(column::position, 1)[0], 20);
   EXPECT_EQ(points(column::position, 1)[2], 10);
+}
+
+// Neighbours that stay neighbours are copied together: whatever their number, wherever they stand, and again and again.
+TEST(Columns, ReordersRunsOfAnyLength) {
+  for (int n : {7, 8, 9, 500, 60000}) {
+    for (int threads : {1, 3}) {
+      Columns points(n);
+      points.add(column::mass);
+      points.add(column::position, 2);
+      points.add(column::energy);
+      std::vector<double> expected(static_cast<std::size_t>(n));
+      for (int p = 0; p < n; ++p) {
+        expected[static_cast<std::size_t>(p)] = points(column::mass)[p] = points(column::energy)[p] = p;
+        for (int k = 0; k < 2; ++k) points(column::position, k)[p] = p;
+      }
+      for (int turn = 0; turn < 3; ++turn) {
+        std::vector<int> order;  // pieces of 1, 2, ... 40 points, the last first
+        for (int end = n, length = 1 + turn; end > 0; length = length % 40 + 1) {
+          const int first = std::max(0, end - length);
+          for (int p = first; p < end; ++p) order.push_back(p);
+          end = first;
+        }
+        points.reorder(order, {}, threads);
+        std::vector<double> now;
+        for (const int from : order) now.push_back(expected[static_cast<std::size_t>(from)]);
+        expected = now;
+        for (int p = 0; p < n; ++p) {
+          const double here = expected[static_cast<std::size_t>(p)];
+          ASSERT_EQ(points(column::mass)[p], here);
+          ASSERT_EQ(points(column::energy)[p], here);
+          for (int k = 0; k < 2; ++k) ASSERT_EQ(points(column::position, k)[p], here);
+        }
+      }
+    }
+  }
 }
 
 // Columns that hold nothing of use stay as they are; all others follow the points, by however many threads.

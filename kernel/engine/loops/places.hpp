@@ -1,0 +1,84 @@
+// Where points stand: their lowest nodes, which of them came to another bin, and their inertia there.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "kernel/engine/loops/shape_loops.hpp"
+
+namespace plumbline {
+
+template <class G, class S>
+double ShapeLoops<G, S>::inertia(const Columns& points, int d, int p) const {
+  const double cells = grid_.logical(points(column::position, d)[p], d);
+  double half = 0;
+  if constexpr (S::boxes) half = std::clamp(points(column::half_size, d)[p] / grid_.h(), S::narrowest, S::widest);
+  return inertia_at(cells, half) * grid_.h() * grid_.h();
+}
+
+template <class G, class S>
+Pack ShapeLoops<G, S>::pack_inertia(const Columns& points, int d, int p, int) const {
+  const Pack cells = (load(points(column::position, d) + p) - grid_.origin(d)) * per_h_;
+  return inertia_at(cells, box(S::boxes ? points(column::half_size, d) : nullptr, p)) * (grid_.h() * grid_.h());
+}
+
+template <class G, class S>
+auto ShapeLoops<G, S>::extent(const Columns& points) const -> Extent {
+  Extent grid;
+  grid.per_h = per_h_;
+  for (int d = 0; d < dim; ++d) {
+    grid.position[d] = points(column::position, d);
+    grid.origin[d] = grid_.origin(d);
+    grid.cells[d] = grid_.cells(d);
+    grid.ends[d] = grid_.cells(d);
+    grid.stride[d] = grid_.stride(d);
+  }
+  return grid;
+}
+
+// The lowest node of a pack of points. inside: whether all so far stand on the grid.
+template <class G, class S>
+[[gnu::always_inline]] inline Pack ShapeLoops<G, S>::lowest_node(const Extent& grid, int p, int count,
+                                                                 PackMask& inside) {
+  Pack node = 0.0;
+  for (int d = 0; d < dim; ++d) {
+    const Pack x = (load(grid.position[d] + p) - grid.origin[d]) * grid.per_h;
+    inside = inside && ((x >= -on_side && x <= grid.ends[d] + on_side) || !first_lanes(count));
+    const Pack on_grid = min(max(x, Pack(0.0)), Pack(grid.ends[d]));
+    node += (S::anchor_node(on_grid, grid.cells[d]) + (S::first + Grid<dim>::ghosts)) * grid.stride[d];
+  }
+  return node;
+}
+
+template <class G, class S>
+bool ShapeLoops<G, S>::find_lowest(const Columns& points, PointRange range, int* lowest) const {
+  const Extent grid = extent(points);
+  PackMask inside = first_lanes(lanes);
+  for_packs(
+      range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
+        store_as_integers(lowest + p, lowest_node(grid, p, count, inside), count);
+      });
+  return all_of(inside);
+}
+
+template <class G, class S>
+bool ShapeLoops<G, S>::find_movers(const Columns& points, const Bins& bins, const Chunk& chunk,
+                                   std::vector<Mover>& movers) const {
+  const Extent grid = extent(points);
+  PackMask inside = first_lanes(lanes);
+  for (int bin = chunk.first_bin; bin < chunk.last_bin; ++bin) {
+    const double own = bins.node(bin);
+    for_packs(
+        bins.start(bin), bins.end(bin), [&](int p, int count) __attribute__((always_inline)) {
+          const Pack node = lowest_node(grid, p, count, inside);
+          if (none_of(node != own && first_lanes(count))) return;
+          for (int k = 0; k < count; ++k) {
+            const double there = node[static_cast<std::size_t>(k)];
+            if (there != own) movers.push_back({p + k, static_cast<int>(there)});
+          }
+        });
+  }
+  return all_of(inside);
+}
+
+}  // namespace plumbline
