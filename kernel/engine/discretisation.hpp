@@ -140,12 +140,18 @@ struct Discretisation {
     return straining;
   }
 
-  // Q u - u of a nodal velocity u. [Sharpening 2]
+  // Q u - u of a nodal velocity u; nothing where a gas shares the node with a membrane, through which it must not move.
+  // [Sharpening 2]
   const std::vector<Vec>& added_by_sharpening(Field& field, const std::vector<Vec>& velocity) const {
     std::vector<Vec>& added = field.held(&Field::beyond);
     sharpening.apply(field, velocity, added, threads);
     field.for_touched(
-        grid, [&](std::size_t i) { added[i] -= velocity[i]; }, threads);
+        grid,
+        [&](std::size_t i) {
+          const bool shared = field.mixed() && field.gas_mass[i] < field.mass[i];
+          added[i] = shared ? Vec(Vec::Zero()) : Vec(added[i] - velocity[i]);
+        },
+        threads);
     walls.extend(field, added);
     return added;
   }

@@ -2,6 +2,8 @@
 // that instantiate it for a geometry; shape and transfer are the loops' (point_loops.hpp).
 #pragma once
 
+#include <stdexcept>
+
 #include "kernel/engine/finish.hpp"
 #include "kernel/engine/locating.hpp"
 #include "kernel/engine/method_of_lines.hpp"
@@ -44,7 +46,13 @@ class Mechanics final : public Engine {
       Body& body = scene.bodies[b];
       if (space_.transfer.affine) body.points.add(column::affine, dim * dim);
       if (space_.shape.boxes) add_boxes<Geometry>(body, shape_named(scene.shape).boxes_deform);
-      if (space_.filters_at_rate(scene) && body.material->takes_heat()) body.points.add(column::sound_speed);
+      if (space_.filters_at_rate(scene) && body.material->takes_heat()) {
+        if (momentum_.contact_changes_start()) {  // what the points keep would not be what the map put on the nodes
+          throw std::invalid_argument("a filter at a rate cannot work with the contact law " + scene.contact +
+                                      ", which changes velocities of the start");
+        }
+        body.points.add(column::sound_speed);
+      }
       motion_.add_columns(body, layout_.field(b));
     }
   }

@@ -148,15 +148,22 @@ class Motion {
   };
 
   void drift(Columns& points, const Chunk& chunk, double dt, MotionSums& sums) const {
+    const double h = space_.grid.h();
+    const auto too_far = [&](const Pack& step, int count) { return !(abs(step) <= h) && first_lanes(count); };
     for (int d = 0; d < dim; ++d) {
       double* x = points(column::position, d);
       const double* v = points(column::velocity, d);
+      PackMask any_too_far = first_lanes(0);
       for_packs(
           chunk.first, chunk.last, [&](int p, int count) __attribute__((always_inline)) {
             const Pack step = dt * load(v + p);
-            if (sums.too_far < 0 && any_of(!(abs(step) <= space_.grid.h()) && first_lanes(count))) sums.too_far = p;
+            any_too_far = any_too_far || too_far(step, count);
             store(x + p, load(x + p) + step, count);  // [Leapfrog 1]
           });
+      if (none_of(any_too_far)) continue;
+      for_packs(chunk.first, chunk.last, [&](int p, int count) {
+        if (sums.too_far < 0 && any_of(too_far(dt * load(v + p), count))) sums.too_far = p;
+      });
     }
   }
   // What sharpening adds to the nodal velocity that points move with until forces are mapped again; null: nothing.

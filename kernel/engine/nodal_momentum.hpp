@@ -8,6 +8,7 @@
 #include "kernel/contact/contact.hpp"
 #include "kernel/engine/discretisation.hpp"
 #include "kernel/engine/step_record.hpp"
+#include "kernel/heat_exchange.hpp"
 #include "kernel/pistons.hpp"
 
 namespace plumbline {
@@ -176,7 +177,7 @@ class NodalMomentum {
   }
 
   // With means over the mass of gas: E_i = sum_p m_p e_p N_ip / M_i, D_i = sum_p m_p N_ip max(0, -div v) / M_i and
-  // c_i = sum_p m_p c_p N_ip / M_i; alpha_i = min(1, kappa dt D_i) of heat [Exchange 1], and of velocities
+  // c_i = sum_p m_p c_p N_ip / M_i; alpha_i = min(1, kappa_i dt D_i) of heat [Exchange 1], and of velocities
   // alpha_i = min(1, dt (k_f c_i / h + b_f D_i)) [Filter 1]; 1 where pistons set a velocity, and where membranes share the
   // node: what their points keep of their own motion strains them, and nothing stops it.
   void solve_shares(Field& field, double dt) const {
@@ -190,11 +191,16 @@ class NodalMomentum {
       const double share = mass[i] > least_mass ? 1 / mass[i] : 0.0;
       field.heat[i] *= share;
       const double closing = field.exchange[i] * share;
-      field.exchange[i] = std::min(1.0, scene_.heat_exchange * dt * closing);
+      field.exchange[i] = scene_.heat_exchange * dt * closing;
       if (!filters) return;
       const double taken = dt * (rate.sound * field.kept[i] * share / space_.grid.h() + rate.compression * closing);
       const bool gas_alone = share > 0 && mass[i] >= field.mass[i];
       field.kept[i] = gas_alone ? 1 - std::min(1.0, taken) : 0.0;
+    });
+    for_touched(field, [&](std::size_t i) {
+      if (field.exchange[i] == 0) return;
+      field.exchange[i] = std::min(
+          1.0, field.exchange[i] * exchange_share(space_.grid, field, field.heat, static_cast<int>(i)));
     });
     if (filters) {
       pistons_.for_driven(space_.grid, field, [&](std::size_t i, const Piston&) { field.kept[i] = 0; });

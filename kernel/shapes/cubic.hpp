@@ -48,7 +48,7 @@ struct Cubic {
   template <class Number>
   static void affine_weights(const Number& f, Number (&a)[support]) {
     weights(f, a);
-    for (int k = 0; k < support; ++k) a[k] *= 3.0 * (static_cast<double>(k + first) - f);
+    for (int k = 0; k < support; ++k) a[k] *= 3.0 * (k + first) - 3.0 * f;
   }
 };
 

@@ -43,7 +43,7 @@ struct Quadratic {
   template <class Number>
   static void affine_weights(const Number& f, Number (&a)[support]) {
     weights(f, a);
-    for (int k = 0; k < support; ++k) a[k] *= 4.0 * (static_cast<double>(k + first) - f);
+    for (int k = 0; k < support; ++k) a[k] *= 4.0 * (k + first) - 4.0 * f;
   }
 };
 

@@ -79,8 +79,9 @@ def test_lost_order(tmp_path):
 
 @pytest.fixture(scope="module")
 def slower(tmp_path_factory):
-    """The points are located and mapped a second time, with the same outcome: no number changes but the cost, by a fifth."""
-    return changed_build(tmp_path_factory.mktemp("slower") / "build", MAP, f"{MAP} mpm.locate_points(); {MAP}")
+    """Points are located and mapped three times, with the same outcome: no number changes but the cost, by a sixth."""
+    again = f" mpm.locate_points(); {MAP}"
+    return changed_build(tmp_path_factory.mktemp("slower") / "build", MAP, MAP + 2 * again)
 
 
 @pytest.mark.skipif(not COUNTS, reason="valgrind is not installed (ci/setup --with compare)")
@@ -89,7 +90,7 @@ def test_slowdown_by_instructions(slower, tmp_path):
     assert result.returncode == 1 and document["moved"] == 0
     assert [found["kind"] for found in worse] == ["cost"] and result.stdout.splitlines()[-1] == "1 worse"
     if worse[0]["quantity"] == "instructions":
-        assert 1.15 < worse[0]["size"] < 1.25
+        assert 1.12 < worse[0]["size"] < 1.22
     else:  # the times were sure enough by themselves
         assert worse[0]["interval"][0] > 1.1 and "instructions x 1." in worse[0]["note"]
 

@@ -386,6 +386,20 @@ class NaiveStep {
     }
   }
 
+  // All of kappa at an extremum of the nodal energies, a quarter where these are monotone. [Exchange 1]
+  double exchange_share(std::size_t i) const {
+    double most = 0;
+    for (int d = 0; d < dim_; ++d) {
+      const auto below = beside(i, d, -1), above = beside(i, d, 1);
+      const bool known = below && above && nodes_[*below].m > 0 && nodes_[*above].m > 0;
+      if (!known) continue;
+      const double a = nodes_[i].heat - nodes_[*below].heat, b = nodes_[i].heat - nodes_[*above].heat;
+      const bool extreme = (a > 0 && b > 0) || (a < 0 && b < 0);
+      const auto [less, more] = std::minmax({std::abs(a), std::abs(b)});
+      if (extreme) most = std::max(most, std::min(less / more, 50 * less / nodes_[i].heat));
+    }
+    return (1 + 3 * most) / 4;
+  }
   // What a point will get through the nodes. [Exchange 1]
   void exchange(Of which, double dt) {
     for (NaivePoint& point : points) point.exchanged = 0;
@@ -398,8 +412,11 @@ class NaiveStep {
       i.heat += p.m * p.energy * n / i.m;
       i.alpha += scene_.heat_exchange * dt * p.m * n * closing[number(p)] / i.m;
     });
+    std::vector<double> shares(nodes_.size());
+    for (std::size_t i = 0; i < nodes_.size(); ++i) shares[i] = nodes_[i].m > 0 ? exchange_share(i) : 0;
     for_pairs([&](NaivePoint& p, NaiveNode& i, double n, const Vec&) {
-      p.exchanged += n * std::min(1.0, i.alpha) * (i.heat - p.energy);
+      const double share = shares[static_cast<std::size_t>(&i - nodes_.data())];
+      p.exchanged += n * std::min(1.0, share * i.alpha) * (i.heat - p.energy);
     });
   }
 

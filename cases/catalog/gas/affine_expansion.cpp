@@ -99,7 +99,7 @@ Case affine_expansion() {
   return {.name = "affine-expansion",
           .kind = Kind::gas,
           .keys = Expansion().keys(),
-          .sets = {{"ppc", 4.0}, {"cells", 40.0}},
+          .sets = {{"ppc", 9.0}, {"cells", 40.0}},
           .york1997 = {{"ppc", 3.0}, {"cells", 100.0}},
           .york_step = york_step,
           .problem = gas_run(affine_flow),

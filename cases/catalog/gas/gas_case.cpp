@@ -50,17 +50,17 @@ CaseGate same_numbers_gate(const std::string& study, const std::string& as, doub
       .beside({as});
 }
 
-double density_error(const StudyResult& s, double level) {
+double error_in(const StudyResult& s, const std::string& measure, double level) {
   const StudyLevel* at = s.level(level);
-  const Measure* m = at ? at->run.find("density.L1") : nullptr;
-  if (!m) throw std::runtime_error("study " + s.plan.id + " has no density.L1 at " + to_text(level));
+  const Measure* m = at ? at->run.find(measure) : nullptr;
+  if (!m) throw std::runtime_error("study " + s.plan.id + " has no " + measure + " at " + to_text(level));
   return m->error;
 }
 
-Number density_error_over(const std::string& other, const std::string& named, double level) {
-  return number_of("density.L1 over that of " + named + ", at " + to_text(level),
+Number error_over(const std::string& measure, const std::string& other, const std::string& named, double level) {
+  return number_of(measure + " over that of " + named + ", at " + to_text(level),
                    [=](const StudyResult& s) {
-                     return Measured::of(density_error(s, level) / density_error(*s.sibling(other), level));
+                     return Measured::of(error_in(s, measure, level) / error_in(*s.sibling(other), measure, level));
                    },
                    {level});
 }

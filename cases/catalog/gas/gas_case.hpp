@@ -31,9 +31,9 @@ CaseGate coverage_gate(const std::string& study, double level);
 // errors in density, velocity, pressure and energy.
 CaseGate same_numbers_gate(const std::string& study, const std::string& as, double level);
 
-// The error of density.L1 at a level. Throws std::runtime_error where there is none.
-double density_error(const StudyResult& study, double level);
-// The error of density.L1 over that of another study of the case at the same level. `named`: that study in words.
-Number density_error_over(const std::string& other, const std::string& named, double level);
+// The error of a measure at a level. Throws std::runtime_error where there is none.
+double error_in(const StudyResult& study, const std::string& measure, double level);
+// The same over that of another study of the case at the same level. `named`: that study in words.
+Number error_over(const std::string& measure, const std::string& other, const std::string& named, double level);
 
 }  // namespace plumbline

@@ -80,6 +80,14 @@ Case noh_case(std::string name, int dimension, StudyPlan plan, std::vector<CaseG
           .needs = {Trait::returned_loss}};  // a cold gas has no energy to lose
 }
 
+// The first gas that is stopped is heated before the shock has its profile.
+CaseGate wall_heating_gate(double cells, double most) {
+  return gate(
+      "default/wall-heating-" + to_text(cells), value_at("wall_heating", cells), at_most(most),
+      requirement("internal energy near the wall at most so much above what is behind the shock: there the density "
+                  "lacks as much"));
+}
+
 Case against_wall() {
   Case made = noh_case("noh", 1,
                        study("default", "default, against a wall",
@@ -88,7 +96,7 @@ Case against_wall() {
                        joined({required_order("default", "density.L1", 0.8,
                                               "a shock and the layer at the wall allow 1; 0.8 as of the shock tubes"),
                                shock_gates("default", 400, 1.0 / 400, 4),
-                               {energy_gate("default"), coverage_gate("default", 100)}}));
+                               {energy_gate("default"), coverage_gate("default", 100), wall_heating_gate(100, 0.15)}}));
   made.levels = {100, 200, 400, 800, 1600};
   return made;
 }
@@ -100,29 +108,32 @@ StudyPlan by_rings(std::vector<double> levels) {
 
 Case against_axis() {
   constexpr double plateau = 16;
-  Case made = noh_case(
-      "noh-cylindrical", 2, by_rings({50, 70, 100, 140, 200}).in_full({100, 140, 200, 280, 400}),
-      joined({{energy_gate("default")},
-              required_order("default", "density.L1", 0.8,
-                             "a shock and the layer at the axis allow 1; 0.8 as of the shock tubes"),
-              {shock_position_gate("default", 200, 1.0 / 200),
-               shock_position_gate("default", 400, 1.0 / 400).in(Tier::full),
-               plateau_gate("default", 400, plateau).in(Tier::full), radial_coverage_gate("default", 200)}}));
+  Case made = noh_case("noh-cylindrical", 2, by_rings({50, 70, 100, 140, 200}).in_full({100, 140, 200, 280, 400}),
+                       joined({{energy_gate("default")},
+                               required_order("default", "density.L1", 0.8,
+                                              "a shock and the layer at the axis allow 1; 0.8 as of the shock tubes"),
+                               {shock_position_gate("default", 200, 1.0 / 200),
+                                shock_position_gate("default", 400, 1.0 / 400).in(Tier::full),
+                                plateau_gate("default", 400, plateau).in(Tier::full),
+                                radial_coverage_gate("default", 200), wall_heating_gate(100, 0.2)}}));
   made.sets = {{"ppc", 2.0}};
   return made;
 }
 
-// On meshes that can be paid for it reaches neither the shock's place nor the plateau.
+// On meshes that can be paid for it does not reach the plateau.
 Case against_centre() {
   constexpr double plateau = 64, cell = 1.0 / 52;
-  const std::string measured_on = "2026-11-21 12b1694";
   const std::string cause =
-      "gas is compressed 64 times within a layer at the centre that is heated once and for all and some ten cells "
-      "thick: the plateau lacks 48, 25 and 12 % at 52, 100 and 200 cells, with order 1";
+      "between the shock, three cells wide, and the layer that was heated at the centre a shock at ten cells leaves "
+      "hardly "
+      "room for a plateau: it lacks 12, 9 and 6 % at 52, 72 and 100 cells, with order 1";
   Case made = noh_case(
       "noh-spherical", 3, by_rings({20, 28, 36, 44, 52}).in_full({28, 40, 52, 72, 100}),
-      {energy_gate("default"), shock_position_gate("default", 52, cell).fails(cause, {cell, 1.2 * cell}, measured_on),
-       plateau_gate("default", 52, plateau).fails(cause, {0.45 * plateau, 0.5 * plateau}, measured_on)});
+      {energy_gate("default"), shock_position_gate("default", 52, cell),
+       plateau_gate("default", 52, plateau).fails(cause, {0.105 * plateau, 0.135 * plateau}, "2026-11-25 dbede7c"),
+       gate("default/plateau-52-coarse", value_at("plateau_density", 52), at_least(54),
+            requirement("above five sixths of 64: what a shock at ten cells leaves room for")),
+       wall_heating_gate(52, 0.2)});
   made.sets = {{"ppc", 2.0}};
   made.may_be_undefined = {
       {"shock_position",

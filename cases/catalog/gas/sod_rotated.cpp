@@ -80,7 +80,7 @@ std::vector<CaseGate> gates() {
   for (const std::string turned : {"angle-30", "angle-45"}) {
     for (const double level : {50.0, 100.0, 200.0}) {
       all.push_back(gate(turned + "/as-aligned-" + to_text(level),
-                         density_error_over("angle-0", "waves along the grid", level), between(0.9, 1.1),
+                         error_over("density.L1", "angle-0", "waves along the grid", level), between(0.9, 1.1),
                          requirement("within 10 % of the aligned tube's error at the same h: at first order so much "
                                      "comes of cells a tenth larger"))
                         .beside({"angle-0"})

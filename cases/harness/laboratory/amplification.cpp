@@ -46,11 +46,19 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
   return largest;
 }
 
+StepMap step_of_rest(const Patch& patch, const IntegratorChoice& integrator, Positions positions, double dt) {
+  try {
+    return StepMap(patch.scene, patch.units, integrator, positions, dt);
+  } catch (const InadmissibleState& state) {  // at its ends a patch need not be at rest
+    throw NotStepped(std::string("the patch itself takes no such step: ") + state.what());
+  }
+}
+
 }  // namespace
 
 Amplification::Amplification(const Patch& patch, const IntegratorChoice& integrator, Positions positions, double dt)
     : directions_(patch.directions) {
-  StepMap map(patch.scene, patch.units, integrator, positions, dt);
+  StepMap map = step_of_rest(patch, integrator, positions, dt);
   // Large changes round least, small ones see least of what is not linear, and least often cross a switch.
   constexpr double good_enough = 1e-9;
   std::string stopped;

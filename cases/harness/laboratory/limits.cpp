@@ -138,13 +138,20 @@ Prediction predict(const GrowthOfStep& growth, const Scan& scan, double width) {
 Prediction predict(const Experiment& experiment, const Scan& scan, double width) {
   Predictor predictor(experiment);
   std::optional<Amplification> first;
+  std::optional<NotStepped> stopped;
   const auto growth = [&](double dt, const std::vector<WaveNumber>& hints) -> Growth {
-    const Amplification a = predictor.at(dt);
-    if (!first) first = a;
-    const WorstWave worst = worst_wave(a, predictor.directions(), hints);
-    return {dt, worst.radius, worst.theta};
+    try {
+      const Amplification a = predictor.at(dt);
+      if (!first) first = a;
+      const WorstWave worst = worst_wave(a, predictor.directions(), hints);
+      return {dt, worst.radius, worst.theta};
+    } catch (const NotStepped& reason) {  // however small a wave, it does not outlast the step
+      stopped = reason;
+      return {dt, infinite, {}};
+    }
   };
   Prediction prediction = predict(growth, scan, width);
+  if (!first) throw *stopped;
   prediction.differences = first->differences();
   prediction.tail = first->tail();
   prediction.unknowns = first->unknowns();

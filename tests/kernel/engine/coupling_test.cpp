@@ -382,6 +382,23 @@ TEST(CouplingAlone, StepsThatReturnNoLossRefuse) {
   }
 }
 
+// [Filter 1]
+TEST(CouplingAlone, AFilterAtARateRefusesContactThatChangesTheStart) {
+  Scene scene = scenes::gas_and_skin(Skin::segments, Space::plane, "quadratic", "apic", true);
+  scene.bodies[1].field = "its own";
+  for (const char* contact : {"touching", "york-9.7"}) {
+    for (const double rate : {0.0, 2.0}) {
+      scene.contact = contact;
+      scene.filter.sound = rate;
+      const auto make = [&] { const Simulation run(scene, "leapfrog", {0.3, {}, 1}); };
+      if (rate == 0 || scene.contact == "touching")
+        EXPECT_NO_THROW(make()) << contact;
+      else
+        EXPECT_THROW(make(), std::invalid_argument);
+    }
+  }
+}
+
 // A field of 4,400 gas points and a membrane of 600: enough for threads to share in every loop.
 Scene wide(Skin skin) {
   const GridSpec grid = scenes::plane(24, 24, 0.1, scenes::walls_everywhere(Wall::symmetry));

@@ -119,7 +119,8 @@ TEST(ShockTube, AnOffsetShiftsTheGrid) {
 }
 
 TEST(ShockTube, TheSceneTakesItsChoicesFromTheSettings) {
-  const Tube tube({"shape=cubic", "density=cell", "viscosity.linear=0.7", "viscosity.quadratic=1.3"});
+  const Tube tube({"shape=cubic", "density=cell", "viscosity.closing=divergence", "viscosity.linear=0.7",
+                   "viscosity.quadratic=1.3"});
   EXPECT_EQ(tube.scene.shape, "cubic");
   EXPECT_EQ(tube.scene.density, DensityMethod::cell);
   // The law is known by what it does: q = rho c_Q (h div v)^2 in a gas without sound, c_L of the sound speed else.

@@ -64,7 +64,8 @@ TEST(Schemes, ACaseThatChangesANumberOfDefaultIsSeen) {
   EXPECT_NE(numerics(toy_case(), "default"), definition(Kind::membrane)) << "a fixed step is numerical, too";
 }
 
-// The energy-conserving leapfrog on cubic B-splines with sharpened APIC for gas; a symplectic step for membranes.
+// The energy-conserving leapfrog on cubic B-splines with sharpened APIC, filtered at a rate, for gas; a symplectic step for
+// membranes.
 TEST(Schemes, DefaultOfGas) {
   const Settings settings(kind_keys(Kind::gas));
   EXPECT_EQ(settings.text("integrator"), "leapfrog");
@@ -76,16 +77,22 @@ TEST(Schemes, DefaultOfGas) {
   EXPECT_EQ(settings.number("cfl"), 0.5);
   EXPECT_FALSE(settings.is_set("dt"));
   EXPECT_EQ(settings.number("sharpening"), 1);
-  EXPECT_EQ(settings.number("heat_exchange"), 1);
+  EXPECT_EQ(settings.text("motion"), "sharpened");
+  EXPECT_EQ(settings.text("read_off"), "sharpened");
+  EXPECT_EQ(settings.number("filter.sound"), 2);
+  EXPECT_EQ(settings.number("filter.compression"), 4);
+  EXPECT_EQ(settings.number("heat_exchange"), 4);
+  EXPECT_EQ(settings.text("viscosity.closing"), "limited");
   EXPECT_EQ(settings.number("viscosity.linear"), 0);
-  EXPECT_EQ(settings.number("viscosity.quadratic"), 0.5);
+  EXPECT_EQ(settings.number("viscosity.quadratic"), 0.25);
 }
 
 // The gas's step, with what membranes lose given to the gas.
 TEST(Schemes, DefaultOfGasAndMembranes) {
   const Settings settings(kind_keys(Kind::coupled)), gas(kind_keys(Kind::gas));
-  for (const char* key : {"integrator", "shape", "transfer", "density", "sharpening", "heat_exchange",
-                          "viscosity.linear", "viscosity.quadratic"}) {
+  for (const char* key :
+       {"integrator", "shape", "transfer", "density", "sharpening", "motion", "read_off", "filter.sound",
+        "filter.compression", "heat_exchange", "viscosity.closing", "viscosity.linear", "viscosity.quadratic"}) {
     EXPECT_EQ(to_text(settings[key]), to_text(gas[key])) << key;
   }
   EXPECT_EQ(settings.number("cfl"), 0.9);
