@@ -118,7 +118,9 @@ std::vector<Key> described_keys() {
              "k_f: maps take what nodes do not carry at k_f times the speed of sound over the cell size"),
       number("filter.compression",
              "b_f: and at b_f times the rate of compression; both 0: all of it in each step, however short"),
-      number("heat_exchange", "kappa: how fast points of a gas under compression share heat that stands out; a quarter as fast elsewhere"),
+      number(
+          "heat_exchange",
+          "kappa: how fast points of a gas under compression share heat that stands out; a quarter as fast elsewhere"),
       choice("viscosity.closing", {"divergence", "limited"},
              "what the artificial viscosity acts on: compression, or what of it is not linear in the flow"),
       number("split", "points that have grown to more cells than this are split in two, 0.1 at least; 0: none"),
