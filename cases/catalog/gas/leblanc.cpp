@@ -16,8 +16,7 @@ Case leblanc() {
     if (gate.gate.id != "default/coverage-100") continue;
     gate = std::move(gate).fails(
         "the thin gas has a point a cell, and what the filter leaves of their own velocities spaces them unevenly: "
-        "0.993 "
-        "where all of it is taken in each step",
+        "0.993 where all of it is taken in each step",
         {0.987, 0.99}, "2026-11-25 dbede7c");
   }
   return made;
