@@ -5,6 +5,7 @@
 #include "reference/argument.hpp"
 #include "reference/circle.hpp"
 #include "reference/root.hpp"
+#include "reference/widened.hpp"
 
 namespace plumbline::reference {
 namespace {
@@ -30,8 +31,6 @@ Bounded mean_around(int places, const Function& f) {
   mean.bound += negligible;
   return mean;
 }
-
-Bounded widened(Bounded x, double by) { return {x.value, (x.bound + by) * rounding::inflate}; }
 
 void check_argument(Bounded x) {
   if (!(std::abs(x.value) + x.bound <= largest)) throw ParameterError("x", x.value, "[-1e4, 1e4]");

@@ -13,13 +13,9 @@
 #include "reference/shear_decay.hpp"
 
 #include "reference/exponential.hpp"
+#include "reference/widened.hpp"
 
 namespace plumbline::reference {
-namespace {
-
-Bounded widened(Bounded x, double by) { return {x.value, (x.bound + std::abs(by)) * rounding::inflate}; }
-
-}  // namespace
 
 ShearDecay::ShearDecay(const ShearDecayProblem& problem) : problem_(problem) {
   check_finite("amplitude", problem.amplitude);

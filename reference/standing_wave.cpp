@@ -10,12 +10,9 @@
 // for c within a hundredth of c0 their slopes are within a tenth of those at c0.
 #include "reference/standing_wave.hpp"
 
+#include "reference/widened.hpp"
+
 namespace plumbline::reference {
-namespace {
-
-Bounded widened(Bounded x, double by) { return {x.value, (x.bound + std::abs(by)) * rounding::inflate}; }
-
-}  // namespace
 
 StandingWave::StandingWave(const StandingWaveProblem& problem) : problem_(problem) {
   check_finite("amplitude", problem.amplitude);
