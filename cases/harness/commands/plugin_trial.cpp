@@ -1,19 +1,14 @@
 #include "cases/harness/commands/plugin_trial.hpp"
 
 #include <dlfcn.h>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/mman.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <cstring>
 #include <new>
 #include <set>
@@ -21,6 +16,7 @@
 #include <thread>
 
 #include "cases/harness/files/errors.hpp"
+#include "cases/harness/files/forked_child.hpp"
 #include "cases/harness/files/json_text.hpp"
 #include "cases/harness/files/signals.hpp"
 #include "cases/harness/run/guarded_integrator.hpp"
@@ -66,39 +62,6 @@ class SharedReport {
   void* at_;
 };
 
-// Ended with this object, if not before.
-class Child {
- public:
-  explicit Child(pid_t process) : process_(process) {
-    if (process < 0) throw std::system_error(errno, std::generic_category(), "fork");
-  }
-  ~Child() {
-    if (process_ > 0) end();
-  }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-
-  bool has_ended() {
-    const bool ended = ::waitpid(process_, &status_, WNOHANG) == process_;
-    if (ended) process_ = 0;
-    return ended;
-  }
-  void end() {
-    ::kill(process_, SIGKILL);
-    while (::waitpid(process_, &status_, 0) < 0 && errno == EINTR) {}
-    process_ = 0;
-  }
-  std::string how() const {
-    return WIFSIGNALED(status_)
-               ? fmt::format("died of signal {} ({})", WTERMSIG(status_), ::strsignal(WTERMSIG(status_)))
-               : fmt::format("ended the program with exit status {}", WEXITSTATUS(status_));
-  }
-
- private:
-  pid_t process_;
-  int status_ = 0;
-};
-
 Report* own_report = nullptr;  // in the child
 
 [[noreturn]] void end_at_terminate() {
@@ -141,11 +104,6 @@ std::string after_prefix(const std::string& prefix, const std::string& why) {
 
 // What the child does; never returns.
 [[noreturn]] void try_here(const std::string& path, const std::string& file, const Refusals& known, Report& report) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) ::signal(signal, SIG_DFL);
-  const rlimit none{0, 0};
-  ::setrlimit(RLIMIT_CORE, &none);
-  if (const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) ::dup2(nowhere, STDOUT_FILENO);
   own_report = &report;
   std::set_terminate(end_at_terminate);
   const auto refuse = [&](const std::string& why) {
@@ -181,7 +139,7 @@ std::string after_prefix(const std::string& prefix, const std::string& why) {
 
 // Waits until the child has ended, `limit` seconds at most for each thing that it begins. What it did, empty where it came to
 // its end.
-std::string watch(Child& child, const Report& report, double limit) {
+std::string watch(ForkedChild& child, const Report& report, double limit) {
   unsigned seen = 0;
   auto since = Clock::now();
   while (!child.has_ended()) {
@@ -248,9 +206,7 @@ Refusals try_plugin(const std::string& path, const std::string& file, double lim
   Refusals refusals;
   while (true) {
     const SharedReport report;
-    const pid_t process = ::fork();
-    if (process == 0) try_here(path, file, refusals, *report);
-    Child child(process);
+    ForkedChild child([&] { try_here(path, file, refusals, *report); });
     const HasChildren here;
     const std::string did = watch(child, *report, limit);
     if (report->phase == Phase::refused) refuse_file(file, report->text);

@@ -1,7 +1,5 @@
 #include "cases/harness/exchange/scoreboard.hpp"
 #include "cases/harness/commands/adapters.hpp"
-#include "cases/harness/commands/child_process.hpp"
-#include "cases/harness/commands/plugins.hpp"
 #include "cases/harness/files/json_text.hpp"
 #include "cases/harness/files/text_file.hpp"
 
@@ -12,7 +10,6 @@ struct ScoreboardOptions {
   std::string folder;
   std::vector<std::string> adapters;
   double timeout = 600;
-  std::string only;  // PROGRAM/START: the result that this process judges alone
 };
 
 std::string number_text(const std::optional<double>& value) { return value ? fmt::format("{:.3g}", *value) : "-"; }
@@ -77,28 +74,9 @@ void print(const Output& out, const Scoreboard& board) {
   for (const std::string& stray : board.strays) out.line("{}: there is no start of this name", stray);
 }
 
-int judge_alone(const ScoreFolder& folder, const std::string& only) {
-  const std::size_t slash = only.find('/');
-  judge_result(folder, only.substr(0, slash), read_start(folder.start(only.substr(slash + 1))));
-  return 0;
-}
-
-TrialRun trial_of(const CommonOptions& common, const ScoreboardOptions& options) {
-  std::vector<std::string> words{"/proc/self/exe", "scoreboard", options.folder};
-  for (const std::string& word : plugin_words(common)) words.push_back(word);
-  return [words, timeout = options.timeout](const std::string& program, const Start& start) {
-    std::vector<std::string> all = words;
-    all.push_back("--only=" + program + "/" + start.name);
-    const ProgramEnd end = run_program(all, "/dev/null", timeout);
-    if (end.late) return fmt::format("was not done after {:g} s", timeout);
-    return end.status > 128 ? end_text(end.status, "") : std::string();
-  };
-}
-
 int execute(const Invocation& invocation, const ScoreboardOptions& options) {
   const CommonOptions& common = invocation.options;
   const ScoreFolder folder(options.folder);
-  if (!options.only.empty()) return judge_alone(folder, options.only);
   std::vector<Adapter> adapters;
   for (const std::string& typed : options.adapters) adapters.push_back(adapter_from(typed));
   if (adapters.empty() && folder.programs().empty()) {
@@ -111,8 +89,7 @@ int execute(const Invocation& invocation, const ScoreboardOptions& options) {
   for (const Adapter& adapter : adapters) run_adapter(adapter, folder, options.timeout, out);
   const ResultsFolder results(common.results);
   RunStore store(results, invocation.provenance(), true);
-  const Scoreboard board = make_scoreboard(folder, trial_of(common, options), common.threads,
-                                           terminal_progress("default"), store);
+  const Scoreboard board = make_scoreboard(folder, options.timeout, common.threads, terminal_progress("default"), store);
   end_progress();
   print(out, board);
   const Json document = scoreboard_document(board, invocation.provenance());
@@ -141,7 +118,6 @@ Command add_scoreboard(const Arguments& program, Invocation& invocation) {
   sub.option("--timeout", options->timeout, "s that an adapter has for one start, and reading its result")
       .number_within(1e-3, 1e6);
   sub.option("--threads", invocation.options.threads, "runs of the default scheme side by side").whole_number(1, 1024);
-  sub.option("--only", options->only, "judge this result alone, PROGRAM/START, and print nothing").hidden();
   sub.option("--results", invocation.options.results, "results folder of the default scheme's runs");
   sub.flag("--allow-inconclusive", invocation.options.allow_inconclusive,
            "INCONCLUSIVE does not make the exit status red");

@@ -1,135 +1,286 @@
 #include "cases/harness/exchange/foreign_file.hpp"
 
 #include <fmt/format.h>
-#include <hdf5.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdint>
+#include <new>
+#include <system_error>
+#include <type_traits>
 
+#include "cases/harness/exchange/foreign_reader.hpp"
 #include "cases/harness/files/errors.hpp"
-#include "cases/harness/files/hdf5_handle.hpp"
-#include "cases/harness/files/input_file.hpp"
+#include "cases/harness/files/forked_child.hpp"
+#include "cases/harness/files/signals.hpp"
 
 namespace plumbline {
 namespace {
 
-constexpr hsize_t most_values = hsize_t{1} << 27;
-constexpr std::size_t longest_text = 4096;
-constexpr double most_compressed = 1032;
+using Clock = std::chrono::steady_clock;
 
-bool is_number(hid_t type) {
-  const H5T_class_t kind = H5Tget_class(type);
-  return kind == H5T_INTEGER || kind == H5T_FLOAT;
+enum class Question : char { open, has, members, text, number, numbers };
+enum class Kind : char { answer, refused, no_memory };
+
+// One end of a stream between two processes; what is sent are values, counts before what they count.
+class End {
+ public:
+  explicit End(int descriptor) : descriptor_(descriptor) {}
+  ~End() { close(); }
+  End(const End&) = delete;
+  End& operator=(const End&) = delete;
+
+  void close() {
+    if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
+  }
+  int descriptor() const { return descriptor_; }
+
+  // False where the other end is gone.
+  bool send(const void* data, std::size_t bytes) const {
+    const char* from = static_cast<const char*>(data);
+    while (bytes > 0) {
+      const ssize_t sent = ::send(descriptor_, from, bytes, MSG_NOSIGNAL);
+      if (sent < 0 && errno == EINTR) continue;
+      if (sent <= 0) return false;
+      from += sent;
+      bytes -= static_cast<std::size_t>(sent);
+    }
+    return true;
+  }
+
+  // What there is by now, at most so many bytes; 0: the other end is gone.
+  std::size_t receive_some(void* data, std::size_t bytes) const {
+    ssize_t count = 0;
+    do {
+      count = ::recv(descriptor_, data, bytes, 0);
+    } while (count < 0 && errno == EINTR);
+    return count > 0 ? static_cast<std::size_t>(count) : 0;
+  }
+
+ private:
+  int descriptor_;
+};
+
+// Writes and reads values, as `send` and `receive` move bytes.
+template <class Send>
+struct Writer {
+  Send send;
+  template <class Value>
+  void put(const Value& value) const {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    send(&value, sizeof value);
+  }
+  template <class Value>
+  void put_all(const Value* values, std::size_t count) const {
+    put(count);
+    send(values, count * sizeof(Value));
+  }
+  void put_text(const std::string& text) const { put_all(text.data(), text.size()); }
+};
+
+template <class Receive>
+struct Reader {
+  Receive receive;
+  template <class Value>
+  Value get() const {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    Value value{};
+    receive(&value, sizeof value);
+    return value;
+  }
+  template <class All>
+  All get_all() const {
+    All all(get<std::size_t>(), typename All::value_type{});
+    receive(all.data(), all.size() * sizeof(typename All::value_type));
+    return all;
+  }
+};
+
+struct OtherEndGone {};
+
+// What the child does: answers questions until none can come any more.
+void answer_questions(const std::string& path, const End& end) try {
+  const auto require = [](bool done) {
+    if (!done) throw OtherEndGone();
+  };
+  const Writer writer{[&](const void* data, std::size_t bytes) { require(end.send(data, bytes)); }};
+  const Reader reader{[&](void* data, std::size_t bytes) {
+    for (char* to = static_cast<char*>(data); bytes > 0;) {
+      const std::size_t count = end.receive_some(to, bytes);
+      require(count > 0);
+      to += count;
+      bytes -= count;
+    }
+  }};
+  const auto begin = [&] { writer.put(Kind::answer); };
+  const auto put_optional = [&](const auto& value, const auto& put) {
+    begin();
+    writer.put(value.has_value());
+    if (value) put(*value);
+  };
+  std::optional<ForeignReader> file;
+  while (true) {
+    const auto question = reader.template get<Question>();
+    const auto name = reader.template get_all<std::string>();
+    try {
+      if (question == Question::open) {
+        file.emplace(path);
+        begin();
+      } else if (question == Question::has) {
+        const bool found = file->has(name);
+        begin();
+        writer.put(found);
+      } else if (question == Question::members) {
+        const std::vector<std::string> names = file->members(name);
+        begin();
+        writer.put(names.size());
+        for (const std::string& each : names) writer.put_text(each);
+      } else if (question == Question::text) {
+        put_optional(file->text_attribute(name), [&](const std::string& text) { writer.put_text(text); });
+      } else if (question == Question::number) {
+        put_optional(file->number_attribute(name), [&](double number) { writer.put(number); });
+      } else {
+        const NumberTable table = file->numbers(name);
+        begin();
+        writer.put_all(table.shape.data(), table.shape.size());
+        writer.put_all(table.values.data(), table.values.size());
+      }
+    } catch (const FileError& error) {
+      writer.put(Kind::refused);
+      writer.put_text(error.what());
+    } catch (const std::bad_alloc&) {
+      writer.put(Kind::no_memory);
+    }
+  }
+} catch (const OtherEndGone&) {
 }
+
+struct Pair {
+  int ends[2];
+  Pair() {
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+      throw std::system_error(errno, std::generic_category(), "socketpair");
+  }
+};
 
 }  // namespace
 
-struct ForeignFile::Impl {
-  std::string path;
-  hid_t file = -1;
+class ForeignFile::Reading {
+ public:
+  Reading(std::string path, double patience) : Reading(std::move(path), patience, Pair()) {}
 
-  [[noreturn]] void refuse(const std::string& why) const { throw FileError(path, path + ": " + why); }
+  const std::string& path() const { return path_; }
+
+  // Asks, and leaves the answer to be got.
+  void ask(Question question, const std::string& name) {
+    until_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(patience_));
+    const Writer writer{[&](const void* data, std::size_t bytes) {
+      if (!here_.send(data, bytes)) refuse_as_dead();
+    }};
+    writer.put(question);
+    writer.put_text(name);
+    const auto kind = get<Kind>();
+    if (kind == Kind::no_memory) throw std::bad_alloc();
+    if (kind == Kind::refused) throw FileError(path_, get_all<std::string>());
+  }
+
+  template <class Value>
+  Value get() {
+    return reader().template get<Value>();
+  }
+  template <class All>
+  All get_all() {
+    return reader().template get_all<All>();
+  }
+
+ private:
+  Reading(std::string path, double patience, const Pair& pair)
+      : path_(std::move(path)), patience_(patience), here_(pair.ends[0]), there_(pair.ends[1]), child_([this] {
+          here_.close();
+          answer_questions(path_, there_);
+        }) {
+    there_.close();
+  }
+
+  auto reader() {
+    return Reader{[this](void* data, std::size_t bytes) { receive(static_cast<char*>(data), bytes); }};
+  }
+
+  void receive(char* to, std::size_t bytes) {
+    while (bytes > 0) {
+      wait_for_bytes();
+      const std::size_t count = here_.receive_some(to, bytes);
+      if (count == 0) refuse_as_dead();
+      to += count;
+      bytes -= count;
+    }
+  }
+
+  void wait_for_bytes() {
+    constexpr int pause = 50;  // ms between two looks for signals
+    pollfd wanted{here_.descriptor(), POLLIN, 0};
+    while (::poll(&wanted, 1, pause) <= 0) {
+      throw_if_interrupted();
+      if (Clock::now() < until_) continue;
+      child_.end();
+      throw FileError(path_, fmt::format("{}: reading it was not done after {:g} s", path_, patience_));
+    }
+  }
+
+  [[noreturn]] void refuse_as_dead() {
+    child_.wait();
+    throw FileError(path_, fmt::format("{}: the process that read it {}", path_, child_.how()));
+  }
+
+  std::string path_;
+  double patience_;
+  Clock::time_point until_;
+  End here_, there_;
+  ForkedChild child_;
 };
 
-ForeignFile::ForeignFile(std::string path) : impl_(std::make_unique<Impl>()) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  impl_->path = std::move(path);
-  require_regular_file(impl_->path);
-  require_regular_file(impl_->path);
-  impl_->file = H5Fopen(impl_->path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  if (impl_->file < 0) impl_->refuse("cannot be opened as HDF5");
+ForeignFile::ForeignFile(std::string path, double patience)
+    : reading_(std::make_unique<Reading>(std::move(path), patience)) {
+  reading_->ask(Question::open, "");
 }
 
-ForeignFile::~ForeignFile() {
-  if (impl_ && impl_->file >= 0) H5Fclose(impl_->file);
-}
+ForeignFile::~ForeignFile() = default;
 
-const std::string& ForeignFile::path() const { return impl_->path; }
+const std::string& ForeignFile::path() const { return reading_->path(); }
 
 bool ForeignFile::has(const std::string& object) const {
-  // Each step of the way is asked for: H5Lexists fails where a group on the way is missing.
-  for (std::size_t end = object.find('/', 1);; end = object.find('/', end + 1)) {
-    if (H5Lexists(impl_->file, object.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
-    if (end == std::string::npos) return H5Oexists_by_name(impl_->file, object.c_str(), H5P_DEFAULT) > 0;
-  }
+  reading_->ask(Question::has, object);
+  return reading_->get<bool>();
 }
 
 std::vector<std::string> ForeignFile::members(const std::string& group) const {
-  std::vector<std::string> names;
-  if (!has(group)) return names;
-  const Hdf5Handle opened(H5Gopen2(impl_->file, group.c_str(), H5P_DEFAULT), H5Gclose);
-  H5G_info_t info;
-  if (opened < 0 || H5Gget_info(opened, &info) < 0) return names;
-  for (hsize_t k = 0; k < info.nlinks; ++k) {
-    char name[256];
-    if (H5Lget_name_by_idx(opened, ".", H5_INDEX_NAME, H5_ITER_INC, k, name, sizeof name, H5P_DEFAULT) >= 0) {
-      names.emplace_back(name);
-    }
-  }
+  reading_->ask(Question::members, group);
+  std::vector<std::string> names(reading_->get<std::size_t>());
+  for (std::string& name : names) name = reading_->get_all<std::string>();
   return names;
 }
 
 std::optional<std::string> ForeignFile::text_attribute(const std::string& name) const {
-  if (H5Aexists(impl_->file, name.c_str()) <= 0) return std::nullopt;
-  const Hdf5Handle attribute(H5Aopen(impl_->file, name.c_str(), H5P_DEFAULT), H5Aclose);
-  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose), space(H5Aget_space(attribute), H5Sclose);
-  if (H5Tget_class(type) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1) {
-    impl_->refuse("the attribute " + name + " is not one text");
-  }
-  if (H5Tis_variable_str(type) > 0) {
-    char* text = nullptr;
-    const Hdf5Handle memory(H5Tcopy(H5T_C_S1), H5Tclose);
-    H5Tset_size(memory, H5T_VARIABLE);
-    H5Tset_cset(memory, H5Tget_cset(type));
-    if (H5Aread(attribute, memory, &text) < 0 || !text) impl_->refuse("the attribute " + name + " cannot be read");
-    std::string result(text);
-    H5Dvlen_reclaim(memory, space, H5P_DEFAULT, &text);
-    return result;
-  }
-  const std::size_t size = H5Tget_size(type);
-  if (size > longest_text) impl_->refuse("the attribute " + name + " is too long");
-  std::string result(size, '\0');
-  if (H5Aread(attribute, type, result.data()) < 0) impl_->refuse("the attribute " + name + " cannot be read");
-  return result.substr(0, std::min(result.find('\0'), result.size()));
+  reading_->ask(Question::text, name);
+  if (!reading_->get<bool>()) return std::nullopt;
+  return reading_->get_all<std::string>();
 }
 
 std::optional<double> ForeignFile::number_attribute(const std::string& name) const {
-  if (H5Aexists(impl_->file, name.c_str()) <= 0) return std::nullopt;
-  const Hdf5Handle attribute(H5Aopen(impl_->file, name.c_str(), H5P_DEFAULT), H5Aclose);
-  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose), space(H5Aget_space(attribute), H5Sclose);
-  double value = 0;
-  if (!is_number(type) || H5Sget_simple_extent_npoints(space) != 1 ||
-      H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) < 0) {
-    impl_->refuse("the attribute " + name + " is not one number");
-  }
-  return value;
+  reading_->ask(Question::number, name);
+  if (!reading_->get<bool>()) return std::nullopt;
+  return reading_->get<double>();
 }
 
-ForeignFile::Table ForeignFile::numbers(const std::string& dataset) const {
-  const Hdf5Handle data(H5Dopen2(impl_->file, dataset.c_str(), H5P_DEFAULT), H5Dclose);
-  if (data < 0) impl_->refuse(dataset + " is not a dataset");
-  const Hdf5Handle type(H5Dget_type(data), H5Tclose), space(H5Dget_space(data), H5Sclose);
-  const int rank = H5Sget_simple_extent_ndims(space);
-  if (!is_number(type)) impl_->refuse(dataset + " does not hold numbers");
-  if (rank < 1 || rank > 2) impl_->refuse(fmt::format("{} has {} dimensions; one or two are wanted", dataset, rank));
-  hsize_t extent[2] = {0, 1};
-  H5Sget_simple_extent_dims(space, extent, nullptr);
-  if (extent[0] > most_values || extent[1] > most_values || extent[0] * extent[1] > most_values) {
-    impl_->refuse(
-        fmt::format("{} has {} x {} values; at most {} are read", dataset, extent[0], extent[1], most_values));
-  }
-  // What deflate makes of zeros; more is a size without content.
-  const double bytes = static_cast<double>(extent[0] * extent[1]) * static_cast<double>(H5Tget_size(type));
-  if (bytes > most_compressed * static_cast<double>(H5Dget_storage_size(data))) {
-    impl_->refuse(fmt::format("{} says that it has {} x {} values, more than what is stored of it can hold", dataset,
-                              extent[0], extent[1]));
-  }
-  Table table;
-  for (int d = 0; d < rank; ++d) table.shape.push_back(static_cast<std::size_t>(extent[d]));
-  table.values.resize(static_cast<std::size_t>(extent[0] * extent[1]));
-  if (!table.values.empty() &&
-      H5Dread(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, table.values.data()) < 0) {
-    impl_->refuse(dataset + " cannot be read");
-  }
+NumberTable ForeignFile::numbers(const std::string& dataset) const {
+  reading_->ask(Question::numbers, dataset);
+  NumberTable table;
+  table.shape = reading_->get_all<std::vector<std::size_t>>();
+  table.values = reading_->get_all<std::vector<double>>();
   return table;
 }
 

@@ -1,7 +1,9 @@
-// Reads files that other programs wrote: nothing of them is taken on trust. Throws FileError.
+// Reads files that other programs wrote: nothing of them is taken on trust. HDF5 does not come back from some damaged files, so
+// a process of its own reads them and answers through a pipe. Throws FileError, also where that process dies or is not done in
+// time.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,9 +11,18 @@
 
 namespace plumbline {
 
+inline constexpr double default_patience = 600;  // s
+
+// A dataset of numbers, row after row.
+struct NumberTable {
+  std::vector<std::size_t> shape;
+  std::vector<double> values;
+};
+
 class ForeignFile {
  public:
-  explicit ForeignFile(std::string path);
+  // patience: s that an answer may take, > 0.
+  explicit ForeignFile(std::string path, double patience = default_patience);
   ~ForeignFile();
   ForeignFile(const ForeignFile&) = delete;
   ForeignFile& operator=(const ForeignFile&) = delete;
@@ -26,16 +37,12 @@ class ForeignFile {
   std::optional<std::string> text_attribute(const std::string& name) const;
   std::optional<double> number_attribute(const std::string& name) const;
 
-  // A dataset of numbers of any type as doubles, row after row: one or two dimensions, at most 2^27 values.
-  struct Table {
-    std::vector<std::size_t> shape;
-    std::vector<double> values;
-  };
-  Table numbers(const std::string& dataset) const;
+  // A dataset of numbers of any type as doubles: one or two dimensions, at most 2^27 values.
+  NumberTable numbers(const std::string& dataset) const;
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  class Reading;
+  std::unique_ptr<Reading> reading_;
 };
 
 }  // namespace plumbline

@@ -108,7 +108,7 @@ class BodyReader {
   }
 
   void take(const WantedDataset& wanted, const std::string& path, std::size_t rows, Columns& points) const {
-    const ForeignFile::Table table = file_.numbers(path);
+    const NumberTable table = file_.numbers(path);
     const auto columns = static_cast<std::size_t>(wanted.components);
     const std::vector<std::size_t> full{rows, columns};
     const bool flat = columns == 1 && table.shape == std::vector<std::size_t>{rows};
@@ -188,7 +188,7 @@ void complete_elastic(const LinearElastic& material, const GridSpec& grid, Colum
 
 }  // namespace
 
-ResultFile::ResultFile(const std::string& path) : reader_(path) {
+ResultFile::ResultFile(const std::string& path, double patience) : reader_(path, patience) {
   const double format = wanted_number(reader_, "exchange_format");
   if (format != exchange_format) {
     refuse(reader_, fmt::format("exchange_format is {}; this program reads {}", format, exchange_format));

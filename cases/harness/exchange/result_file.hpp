@@ -11,8 +11,9 @@ namespace plumbline {
 
 class ResultFile {
  public:
-  // Reads the attributes. Throws FileError for a file that is none of these, naming what is missing or wrong.
-  explicit ResultFile(const std::string& path);
+  // Reads the attributes; patience as of ForeignFile. Throws FileError for a file that is none of these, naming what is missing
+  // or wrong.
+  explicit ResultFile(const std::string& path, double patience = default_patience);
 
   const std::string& path() const { return reader_.path(); }
   std::string case_name, program, version;

@@ -267,14 +267,15 @@ void require_one_series(const std::vector<std::unique_ptr<ResultFile>>& files) {
 
 }  // namespace
 
-Score score(const Case& entry, const std::vector<std::string>& names, const std::vector<std::string>& typed) {
+Score score(const Case& entry, const std::vector<std::string>& names, const std::vector<std::string>& typed,
+            double patience) {
   const std::string refused = why_not_scored(entry, entry.settings("default", {}, typed));
   if (!refused.empty()) {
     throw UsageError("case", entry.name, "a case that `plumbline list` shows as scored", {},
                      entry.name + " cannot be scored: " + refused);
   }
   std::vector<std::unique_ptr<ResultFile>> files;
-  for (const std::string& name : names) files.push_back(std::make_unique<ResultFile>(name));
+  for (const std::string& name : names) files.push_back(std::make_unique<ResultFile>(name, patience));
   std::stable_sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a->cells < b->cells; });
   require_one_series(files);
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/harness/exchange/foreign_file.hpp"
 #include "cases/harness/judge/gates.hpp"
 
 namespace plumbline {
@@ -25,8 +26,9 @@ struct Score {
 
 // One file, or a refinement series of one program. `typed`: --set of the export, as far as it is not the mesh. Throws
 // UsageError if the call does not fit the files (another case, problem, end time, program; a mesh twice; a case that is
-// judged on the way), FileError for what a file holds.
-Score score(const Case& entry, const std::vector<std::string>& files, const std::vector<std::string>& typed);
+// judged on the way), FileError for what a file holds or where reading it takes longer than `patience`, s.
+Score score(const Case& entry, const std::vector<std::string>& files, const std::vector<std::string>& typed,
+            double patience = default_patience);
 
 // The gates that read one level alone; of a single file, all.
 std::vector<JudgedGate> gates_of_level(const Score& score, const StudyLevel& at);

@@ -7,6 +7,7 @@
 
 #include "cases/harness/exchange/final_state.hpp"
 #include "cases/harness/exchange/result_file.hpp"
+#include "cases/harness/files/errors.hpp"
 #include "cases/harness/files/input_file.hpp"
 
 namespace plumbline {
@@ -80,20 +81,48 @@ Entry without_result(const std::optional<AdapterEnd>& end) {
   return {end->how == AdapterEnd::How::late ? Outcome::late : Outcome::failed, end->reason, {}, false};
 }
 
-ProgramScore score_program(const ScoreFolder& folder, const TrialRun& trial, const std::string& program,
+// A program's result of one start, judged alone. Whatever is wrong with it is said in the entry; throws Interrupted.
+Entry judge_result(const ScoreFolder& folder, const std::string& program, const Start& start,
+                   double patience) {
+  const std::string path = folder.result(program, start.name);
+  try {
+    const auto end = folder.read_end(program, start.name);
+    if (!is_there(path)) return without_result(end);
+    const ResultFile file(path, patience);
+    if (file.case_name != start.entry->name || file.cells != start.cells) {
+      return {Outcome::mismatched,
+              fmt::format("it is of {} at {} cells; {} at {} cells is wanted", file.case_name, file.cells,
+                          start.entry->name, start.cells),
+              {},
+              false};
+    }
+    score(*start.entry, {path}, start.typed, patience);
+    if (file.wall_s > 0) return {Outcome::scored, "", file.wall_s, false};
+    if (end && end->how == AdapterEnd::How::written) return {Outcome::scored, "", end->seconds, true};
+    return {Outcome::scored, "", {}, false};
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const UsageError& error) {
+    return {Outcome::mismatched, reason_of(error, path), {}, false};
+  } catch (const std::exception& error) {
+    return {Outcome::damaged, reason_of(error, path), {}, false};
+  }
+}
+
+ProgramScore score_program(const ScoreFolder& folder, double patience, const std::string& program,
                            const ProblemScores& problem) {
   ProgramScore scored{.program = program, .entries = {}, .score = {}, .reason = {}};
   std::vector<std::string> files;
   for (const Start& start : problem.starts) {
-    const std::string ended = trial(program, start);
-    scored.entries.push_back(ended.empty() ? judge_result(folder, program, start)
-                                           : Entry{Outcome::damaged, "reading it " + ended, {}, false});
+    scored.entries.push_back(judge_result(folder, program, start, patience));
     if (scored.entries.back().outcome == Outcome::scored) files.push_back(folder.result(program, start.name));
   }
   if (files.empty()) return scored;
   try {
-    scored.score = score(*problem.entry, files, problem.starts.front().typed);
+    scored.score = score(*problem.entry, files, problem.starts.front().typed, patience);
   } catch (const UsageError& error) {
+    scored.reason = error.what();
+  } catch (const FileError& error) {  // it was read before, but nothing about it can be relied upon
     scored.reason = error.what();
   }
   return scored;
@@ -184,33 +213,7 @@ std::string_view name(Outcome outcome) {
 
 const StudyLevel* ProgramScore::level(int cells) const { return score ? score->study.level(cells) : nullptr; }
 
-Entry judge_result(const ScoreFolder& folder, const std::string& program, const Start& start) {
-  const std::string path = folder.result(program, start.name);
-  try {
-    const auto end = folder.read_end(program, start.name);
-    if (!is_there(path)) return without_result(end);
-    const ResultFile file(path);
-    if (file.case_name != start.entry->name || file.cells != start.cells) {
-      return {Outcome::mismatched,
-              fmt::format("it is of {} at {} cells; {} at {} cells is wanted", file.case_name, file.cells,
-                          start.entry->name, start.cells),
-              {},
-              false};
-    }
-    score(*start.entry, {path}, start.typed);
-    if (file.wall_s > 0) return {Outcome::scored, "", file.wall_s, false};
-    if (end && end->how == AdapterEnd::How::written) return {Outcome::scored, "", end->seconds, true};
-    return {Outcome::scored, "", {}, false};
-  } catch (const Interrupted&) {
-    throw;
-  } catch (const UsageError& error) {
-    return {Outcome::mismatched, reason_of(error, path), {}, false};
-  } catch (const std::exception& error) {
-    return {Outcome::damaged, reason_of(error, path), {}, false};
-  }
-}
-
-Scoreboard make_scoreboard(const ScoreFolder& folder, const TrialRun& trial, int threads, const Progress& progress,
+Scoreboard make_scoreboard(const ScoreFolder& folder, double patience, int threads, const Progress& progress,
                            RunStore& store) {
   Scoreboard board;
   take_starts(folder, board);
@@ -219,7 +222,7 @@ Scoreboard make_scoreboard(const ScoreFolder& folder, const TrialRun& trial, int
     problem.own = run_default(problem, threads, progress, store);
     problem.measure = leading_measure(problem.starts.front());
     for (const std::string& program : programs)
-      problem.programs.push_back(score_program(folder, trial, program, problem));
+      problem.programs.push_back(score_program(folder, patience, program, problem));
   }
   for (const std::string& program : programs) {
     for (const std::string& file : folder.strays(program)) board.strays.push_back(program + "/" + file);

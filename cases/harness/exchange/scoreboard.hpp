@@ -1,7 +1,6 @@
 // Many programs' final states of many starts, scored beside the default scheme from the same starts.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,16 +61,9 @@ struct Scoreboard {
   std::vector<std::string> strays;  // results, "PROGRAM/FILE", that belong to no start
 };
 
-// A program's result of one start, judged alone. Whatever is wrong with it is said in the entry; throws Interrupted.
-Entry judge_result(const ScoreFolder& folder, const std::string& program, const Start& start);
-
-// Has judge_result done by a process of its own, since HDF5 does not come back from some damaged files; how that process was
-// ended, or empty if it ended by itself.
-using TrialRun = std::function<std::string(const std::string& program, const Start& start)>;
-
-// Scores what the folder holds. Runs of the default scheme come from the store or go there, `threads` at a time. Whatever is
+// Scores what the folder holds; patience: s that reading a result may take. Runs of the default scheme come from the store or go there, `threads` at a time. Whatever is
 // wrong with a start or a result is an entry; throws FileError for a folder that cannot be read or written, Interrupted.
-Scoreboard make_scoreboard(const ScoreFolder& folder, const TrialRun& trial, int threads, const Progress& progress,
+Scoreboard make_scoreboard(const ScoreFolder& folder, double patience, int threads, const Progress& progress,
                            RunStore& store);
 
 // Error of a measure at a level over another's; nothing where either has none, or the other's is 0.
