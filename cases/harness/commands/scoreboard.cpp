@@ -89,7 +89,8 @@ int execute(const Invocation& invocation, const ScoreboardOptions& options) {
   for (const Adapter& adapter : adapters) run_adapter(adapter, folder, options.timeout, out);
   const ResultsFolder results(common.results);
   RunStore store(results, invocation.provenance(), true);
-  const Scoreboard board = make_scoreboard(folder, options.timeout, common.threads, terminal_progress("default"), store);
+  const Scoreboard board = make_scoreboard(folder, options.timeout, common.threads, terminal_progress("default"),
+                                           store);
   end_progress();
   print(out, board);
   const Json document = scoreboard_document(board, invocation.provenance());

@@ -156,8 +156,7 @@ void answer_questions(const std::string& path, const End& end) try {
       writer.put(Kind::no_memory);
     }
   }
-} catch (const OtherEndGone&) {
-}
+} catch (const OtherEndGone&) {}
 
 struct Pair {
   int ends[2];
@@ -199,7 +198,11 @@ class ForeignFile::Reading {
 
  private:
   Reading(std::string path, double patience, const Pair& pair)
-      : path_(std::move(path)), patience_(patience), here_(pair.ends[0]), there_(pair.ends[1]), child_([this] {
+      : path_(std::move(path)),
+        patience_(patience),
+        here_(pair.ends[0]),
+        there_(pair.ends[1]),
+        child_([this] {
           here_.close();
           answer_questions(path_, there_);
         }) {

@@ -102,14 +102,13 @@ NumberTable ForeignReader::numbers(const std::string& dataset) const {
   hsize_t extent[2] = {0, 1};
   H5Sget_simple_extent_dims(space, extent, nullptr);
   if (extent[0] > most_values || extent[1] > most_values || extent[0] * extent[1] > most_values) {
-    refuse(
-        fmt::format("{} has {} x {} values; at most {} are read", dataset, extent[0], extent[1], most_values));
+    refuse(fmt::format("{} has {} x {} values; at most {} are read", dataset, extent[0], extent[1], most_values));
   }
   // What deflate makes of zeros; more is a size without content.
   const double bytes = static_cast<double>(extent[0] * extent[1]) * static_cast<double>(H5Tget_size(type));
   if (bytes > most_compressed * static_cast<double>(H5Dget_storage_size(data))) {
     refuse(fmt::format("{} says that it has {} x {} values, more than what is stored of it can hold", dataset,
-                              extent[0], extent[1]));
+                       extent[0], extent[1]));
   }
   NumberTable table;
   for (int d = 0; d < rank; ++d) table.shape.push_back(static_cast<std::size_t>(extent[d]));

@@ -82,8 +82,7 @@ Entry without_result(const std::optional<AdapterEnd>& end) {
 }
 
 // A program's result of one start, judged alone. Whatever is wrong with it is said in the entry; throws Interrupted.
-Entry judge_result(const ScoreFolder& folder, const std::string& program, const Start& start,
-                   double patience) {
+Entry judge_result(const ScoreFolder& folder, const std::string& program, const Start& start, double patience) {
   const std::string path = folder.result(program, start.name);
   try {
     const auto end = folder.read_end(program, start.name);

@@ -53,9 +53,8 @@ void ForkedChild::end() {
 }
 
 std::string ForkedChild::how() const {
-  return WIFSIGNALED(status_)
-             ? fmt::format("died of signal {} ({})", WTERMSIG(status_), ::strsignal(WTERMSIG(status_)))
-             : fmt::format("ended the program with exit status {}", WEXITSTATUS(status_));
+  return WIFSIGNALED(status_) ? fmt::format("died of signal {} ({})", WTERMSIG(status_), ::strsignal(WTERMSIG(status_)))
+                              : fmt::format("ended the program with exit status {}", WEXITSTATUS(status_));
 }
 
 }  // namespace plumbline
