@@ -15,17 +15,16 @@
 
 namespace plumbline {
 
-// kappa_i / kappa of a node with mass; energies: E_i of the nodes, J/kg.
+// kappa_i / kappa of a node with mass, beside others of its row; energies: E_i of the nodes, J/kg.
 template <int dim>
-double exchange_share(const Grid<dim>& grid, const VelocityField<dim>& field, const std::vector<double>& energies,
-                      int i) {
+double exchange_share(const RowNeighbours<dim>& beside, const std::vector<double>& energies, int i) {
   constexpr double everywhere = 0.25, even = 0.02;
   double stands_out = 0;
   for (int d = 0; d < dim; ++d) {
     double above[2] = {0, 0};
     const double own = energies[static_cast<std::size_t>(i)];
     for (int side = 0; side < 2; ++side) {
-      const int there = neighbour(grid, field, i, d, side).node;
+      const int there = beside(i, d, side).node;
       if (there >= 0) above[side] = own - energies[static_cast<std::size_t>(there)];
     }
     if (above[0] * above[1] <= 0) continue;

@@ -21,28 +21,27 @@ class Limiter {
   // closing = K of the velocity u, on the touched nodes with mass, ghosts of walls excepted; slopes: scratch, of the nodes.
   void apply(const VelocityField<dim>& field, const std::vector<Vec>& u, std::vector<Vec>& slopes,
              std::vector<double>& closing, int threads) const {
-    field.for_touched(
-        grid_, [&](std::size_t i) { slopes[i] = slope(field, u, static_cast<int>(i)); }, threads);
-    field.for_touched(
-        grid_,
-        [&](std::size_t i) {
-          closing[i] = 0;
-          for (int d = 0; d < dim; ++d) {
-            const double g = slopes[i][d];
-            if (g < 0) closing[i] -= (1 - linear_share(field, slopes, static_cast<int>(i), d)) * g;
-          }
-        },
-        threads);
+    for_touched_beside(grid_, field, threads,
+                       [&](int i, const Beside& beside) { slopes[static_cast<std::size_t>(i)] = slope(beside, u, i); });
+    for_touched_beside(grid_, field, threads, [&](int i, const Beside& beside) {
+      double& all = closing[static_cast<std::size_t>(i)] = 0;
+      for (int d = 0; d < dim; ++d) {
+        const double g = slopes[static_cast<std::size_t>(i)][d];
+        if (g < 0) all -= (1 - linear_share(beside, slopes, i, d)) * g;
+      }
+    });
   }
 
  private:
+  using Beside = RowNeighbours<dim>;
+
   // g of each direction; from one side where the other has no neighbour.
-  Vec slope(const VelocityField<dim>& field, const std::vector<Vec>& u, int i) const {
+  Vec slope(const Beside& beside, const std::vector<Vec>& u, int i) const {
     Vec g = Vec::Zero();
     for (int d = 0; d < dim; ++d) {
       int sides = 0;
       for (int side = 0; side < 2; ++side) {
-        const Neighbour<dim> there = neighbour(grid_, field, i, d, side);
+        const Neighbour there = beside(i, d, side);
         if (there.node < 0) continue;
         const double value = u[static_cast<std::size_t>(there.node)][d];  // odd in a wall
         const double change = (there.mirrored ? -value : value) - u[static_cast<std::size_t>(i)][d];
@@ -55,10 +54,10 @@ class Limiter {
   }
 
   // psi of direction d, whose slope is not zero.
-  double linear_share(const VelocityField<dim>& field, const std::vector<Vec>& slopes, int i, int d) const {
+  double linear_share(const Beside& beside, const std::vector<Vec>& slopes, int i, int d) const {
     double least = 1, mean = 0;
     for (int side = 0; side < 2; ++side) {
-      const Neighbour<dim> there = neighbour(grid_, field, i, d, side);
+      const Neighbour there = beside(i, d, side);
       if (there.node < 0) return 0;
       const double r = slopes[static_cast<std::size_t>(there.node)][d] / slopes[static_cast<std::size_t>(i)][d];
       least = std::min(least, 2 * r);

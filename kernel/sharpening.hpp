@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/neighbours.hpp"
 #include "kernel/rotations.hpp"
 #include "kernel/summation.hpp"
 #include "kernel/walls.hpp"
@@ -109,28 +110,24 @@ class Sharpening {
       const std::vector<Vec>* power = &from;
       for (int k = 0; k < powers_; ++k) {
         std::vector<Vec>* const next = k + 1 == powers_ ? nullptr
-                                                        : &field.held(k % 2 == 0 ? &VelocityField<dim>::odd_power
-                                                                                 : &VelocityField<dim>::even_power);
+                                                        : &field.held(k % 2 == 0 ? field.corrected.odd_power
+                                                                                 : field.corrected.even_power);
         for_each_piece(grid_.rows(), threads, [&](int row) {
           if (ghost_row(row)) return;
-          const auto [plain_from, plain_to] = plain_nodes(field, row);
+          const RowNeighbours<dim> beside(grid_, field, row);
           for_own_nodes(field, row, [&](int i) {
             const auto at = static_cast<std::size_t>(i);
-            const bool plain = i >= plain_from && i < plain_to;
+            const bool plain = beside.plain(i);
             const double amount = amounts_[static_cast<std::size_t>(k)];
             Vec sum = Vec::Zero();
-            const auto add = [&](int j, bool mirrored, double share) __attribute__((always_inline)) {
-              Vec other = (*power)[static_cast<std::size_t>(j)];
-              if (mirrored) other = image(other, i, d);
-              const Vec change = theta_ * share * ((*power)[at] - other);
-              sum += change;
-              if (!mirrored) visit(row, i, j, d, amount * change, plain);
-            };
-            if (plain) {
-              for_plain_neighbours(field, i, d, add);
-            } else {
-              for_neighbours(field, row, i, d, add);
-            }
+            for_neighbours(
+                field, beside, i, d, [&](int j, bool mirrored, double share) __attribute__((always_inline)) {
+                  Vec other = (*power)[static_cast<std::size_t>(j)];
+                  if (mirrored) other = image(other, i, d);
+                  const Vec change = theta_ * share * ((*power)[at] - other);
+                  sum += change;
+                  if (!mirrored) visit(row, i, j, d, amount * change, plain);
+                });
             if (next) (*next)[at] = sum;
             to[at] = (d == 0 && k == 0 ? from[at] : to[at]) + amount * sum;
           });
@@ -140,25 +137,6 @@ class Sharpening {
     }
   }
 
-  // The nodes of a row, [first, last), all of whose neighbours are touched and, like they, off the walls.
-  std::pair<int, int> plain_nodes(const VelocityField<dim>& field, int row) const {
-    auto [from, to] = field.touched[static_cast<std::size_t>(row)];
-    from = std::max(from + 1, walled(0, 0) ? first(0) + 2 : 1);
-    to = std::min(to - 1, walled(0, 1) ? last(0) - 1 : grid_.nodes(0) - 1);
-    if constexpr (dim > 1) {
-      for (int d = 1; d < dim; ++d) {
-        const int k = grid_.row_index(row, d), step = grid_.stride(d) / grid_.row_length();
-        if (k < (walled(d, 0) ? first(d) + 2 : 1) || k > (walled(d, 1) ? last(d) - 2 : grid_.nodes(d) - 2))
-          return {0, 0};
-        for (const int beside : {row - step, row + step}) {
-          from = std::max(from, field.touched[static_cast<std::size_t>(beside)].first);
-          to = std::min(to, field.touched[static_cast<std::size_t>(beside)].second);
-        }
-      }
-    }
-    const int base = row * grid_.row_length();
-    return {base + from, base + to};
-  }
   // The value beyond a wall of direction d that mirrors `value`, seen from the node i on it.
   Vec image(Vec value, int i, int d) const {
     const int side = grid_.index(i, d) == first(d) && walled(d, 0) ? 0 : 1;
@@ -168,41 +146,21 @@ class Sharpening {
   }
   Vec held_by(const Vec& value, int node, int d) const { return 0.5 * (value - image(value, node, d)); }
 
-  // for_neighbours() of a plain node, all of whose neighbours count in full and none is a mirror image.
+  // visit(neighbour, whether it stands for a mirror image, K_ij / M_i) along d. A node on a wall of d has an image of its own.
   template <class Visit>
-  void for_plain_neighbours(const VelocityField<dim>& field, int i, int d, Visit&& visit) const {
-    const double mass = field.mass[static_cast<std::size_t>(i)];
-    if (!(mass > least_mass)) return;
-    for (const int j : {i - grid_.stride(d), i + grid_.stride(d)}) {
-      const double other = field.mass[static_cast<std::size_t>(j)];
-      if (other > least_mass) visit(j, false, 2 * other / (mass + other));
-    }
-  }
-  // visit(neighbour, whether it stands for a mirror image, K_ij / M_i) along d.
-  template <class Visit>
-  void for_neighbours(const VelocityField<dim>& field, int row, int i, int d, Visit&& visit) const {
-    const int length = grid_.row_length(), column = i - row * length;
-    const int k = dim == 1 || d == 0 ? column : grid_.row_index(row, d);
-    const double weight = (k == first(d) && walled(d, 0)) || (k == last(d) && walled(d, 1)) ? 2 : 1;
-    const double mass = weight * field.mass[static_cast<std::size_t>(i)];
+  void for_neighbours(const VelocityField<dim>& field, const RowNeighbours<dim>& beside, int i, int d,
+                      Visit&& visit) const {
+    const bool plain = beside.plain(i);
+    const auto mass_of = [&](int node) {
+      return (!plain && on_wall(node, d) ? 2 : 1) * field.mass[static_cast<std::size_t>(node)];
+    };
+    const double mass = mass_of(i);
     if (!(mass > least_mass)) return;
     for (int side = 0; side < 2; ++side) {
-      bool mirrored = false;
-      int step = side == 0 ? -1 : 1;
-      if (walled(d, side) && k == (side == 0 ? first(d) : last(d))) {
-        mirrored = true;
-        step = -step;
-      }
-      const int there = k + step;
-      if (there < 0 || there >= grid_.nodes(d)) continue;
-      const int row_there = dim == 1 || d == 0 ? row : row + step * (grid_.stride(d) / length);
-      const int column_there = dim == 1 || d == 0 ? there : column;
-      const auto [from, to] = field.touched[static_cast<std::size_t>(row_there)];
-      if (column_there < from || column_there >= to) continue;
-      const int j = row_there * length + column_there;
-      const double share = (there == first(d) && walled(d, 0)) || (there == last(d) && walled(d, 1)) ? 2 : 1;
-      const double other = share * field.mass[static_cast<std::size_t>(j)];
-      if (other > least_mass) visit(j, mirrored, 2 * other / (mass + other));
+      const Neighbour there = beside(i, d, side);
+      if (there.node < 0) continue;
+      const double other = mass_of(there.node);
+      visit(there.node, there.mirrored, 2 * other / (mass + other));
     }
   }
 

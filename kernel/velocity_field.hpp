@@ -25,11 +25,8 @@ struct VelocityField {
       : touched(static_cast<std::size_t>(grid.rows()), {0, 0}),
         mass(size(grid)) {
     if (holding == Holding::mass) return;
-    held(&VelocityField::own_mass);
-    for (const auto array : {&VelocityField::momentum, &VelocityField::start, &VelocityField::force,
-                             &VelocityField::end, &VelocityField::midpoint}) {
-      held(array);
-    }
+    held(unfolded.mass);
+    for (std::vector<Vec>* array : {&momentum, &start, &force, &end, &midpoint}) held(*array);
   }
 
   template <class Value>
@@ -39,50 +36,55 @@ struct VelocityField {
     else
       return 0;
   }
-  // One of the arrays that not every scene needs, of zeros when it is first asked for.
+  // One of these arrays that not every scene needs, of zeros when it is first asked for.
   template <class Value>
-  std::vector<Value>& held(std::vector<Value> VelocityField::*array) {
-    std::vector<Value>& values = this->*array;
+  std::vector<Value>& held(std::vector<Value>& values) const {
     if (values.empty()) values.assign(mass.size(), zero<Value>());
     return values;
   }
 
   // Arrays that only fields need whose gas shares nodes with other bodies.
   void add_gas_arrays(const Grid<dim>& grid) {
-    gas_mass.resize(size(grid));
-    loss.resize(size(grid));
+    gas.mass.resize(size(grid));
+    gas.loss.resize(size(grid));
   }
 
   // Whether gas shares the field's nodes with other bodies, and the mass of gas.
-  bool mixed() const { return !gas_mass.empty(); }
-  const std::vector<double>& mass_of_gas() const { return mixed() ? gas_mass : mass; }
+  bool mixed() const { return !gas.mass.empty(); }
+  const std::vector<double>& mass_of_gas() const { return mixed() ? gas.mass : mass; }
 
   static std::size_t size(const Grid<dim>& grid) { return static_cast<std::size_t>(grid.node_count()); }
 
   std::vector<std::pair<int, int>> touched;  // [first, last) node of each row that a point reaches; empty: (0, 0)
   std::vector<double> mass;                  // M_i; at ghost nodes what the points put there, also after folding
-  std::vector<double> own_mass;              // what the points put on each node, before folding
   std::vector<Vec> momentum;                 // P_i
   std::vector<Vec> start;                    // v_i at the start of the step
   std::vector<Vec> force;                    // f_i, body force included
   std::vector<Vec> end;                      // v~_i = v_i + dt f_i / M_i
   std::vector<Vec> midpoint;                 // (v_i + v~_i) / 2
-  // Empty until a step needs them:
-  std::vector<Vec> body_force;             // what of the force is sum_p m_p b_p N_ip, as points put it there
-  std::vector<Vec> remapped;               // v_i from the updated point velocities [York 3.24]
-  std::vector<Vec> odd_power, even_power;  // of B_d on it [Sharpening 1]
-  std::vector<Vec> straining;              // the nodal velocity whose gradients strain the points, sharpened
-  std::vector<Vec> beyond;                 // what sharpening adds to the one that carries them
-  std::vector<Vec> filtered;               // w_i of the transfers xpic and fmpm
-  std::vector<double> density;             // M_i / |cell_i|
-  std::vector<double> heat;                // sum_p m_p e_p N_ip, then E_i, its mean per mass
-  std::vector<double> exchange;            // sum_p m_p N_ip max(0, -div v), then alpha_i
-  std::vector<double> kept;                // sum_p m_p c_p N_ip, then 1 - alpha_i of [Filter 1]
-  std::vector<Vec> mapped;                 // P_i as points put it there, before folding
-  std::vector<double> closing;             // K_i of [Limiter 1]
-  std::vector<Vec> slopes;                 // and what it is found from
-  std::vector<double> gas_mass;            // of the bodies that take heat, if others share the field
-  std::vector<double> loss;                // what the others lost this step, then per mass of gas, J/kg
+  // Those below are empty until a step needs them.
+  std::vector<Vec> body_force;  // what of the force is sum_p m_p b_p N_ip, as points put it there
+  std::vector<Vec> remapped;    // v_i from the updated point velocities [York 3.24]
+  struct {
+    std::vector<double> mass;   // what the points put on each node
+    std::vector<Vec> momentum;  // the same of P_i
+  } unfolded;                   // before folding at walls
+  struct {
+    std::vector<Vec> odd_power, even_power;  // of B_d on one [Sharpening 1]
+    std::vector<Vec> straining;              // the one whose gradients strain the points, sharpened
+    std::vector<Vec> added;                  // what sharpening adds to the one that carries them
+    std::vector<Vec> filtered;               // w_i of the transfers xpic and fmpm
+  } corrected;                               // nodal velocities
+  struct {
+    std::vector<double> mass;      // of the bodies that take heat, if others share the field
+    std::vector<double> density;   // M_i / |cell_i|
+    std::vector<double> heat;      // sum_p m_p e_p N_ip, then E_i, its mean per mass
+    std::vector<double> exchange;  // sum_p m_p N_ip max(0, -div v), then alpha_i
+    std::vector<double> kept;      // sum_p m_p c_p N_ip, then 1 - alpha_i of [Filter 1]
+    std::vector<double> closing;   // K_i of [Limiter 1]
+    std::vector<Vec> slopes;       // and what it is found from
+    std::vector<double> loss;      // what the others lost this step, then per mass of gas, J/kg
+  } gas;
 
   // Calls visit(node) for every touched node of a row.
   template <class Visit>

@@ -26,26 +26,25 @@ class ReadOff {
     if (theta_ == 0) return;
     for (int pass = 0; pass < 2; ++pass) {
       before_ = density;
-      field.for_touched(
-          grid_,
-          [&](std::size_t i) {
-            if (!(field.mass[i] > least_mass)) return;
-            for (int d = 0; d < dim; ++d) {
-              for (int side = 0; side < 2; ++side) density[i] -= outward_flux(field, static_cast<int>(i), d, side);
-            }
-          },
-          threads);
+      for_touched_beside(grid_, field, threads, [&](int i, const RowNeighbours<dim>& beside) {
+        const auto at = static_cast<std::size_t>(i);
+        if (!(field.mass[at] > least_mass)) return;
+        for (int d = 0; d < dim; ++d) {
+          const Neighbour sides[] = {beside(i, d, 0), beside(i, d, 1)};
+          for (int side = 0; side < 2; ++side) density[at] -= outward_flux(field, i, d, side, sides);
+        }
+      });
     }
   }
 
  private:
   double at(int node) const { return node < 0 ? 0.0 : before_[static_cast<std::size_t>(node)]; }
 
-  // F through the face on one side of node i, away from it.
-  double outward_flux(const VelocityField<dim>& field, int i, int d, int side) const {
-    const Neighbour<dim> there = neighbour(grid_, field, i, d, side);
+  // F through the face on one side of node i, away from it; sides: its neighbours along d.
+  double outward_flux(const VelocityField<dim>& field, int i, int d, int side, const Neighbour (&sides)[2]) const {
+    const Neighbour there = sides[side];
     if (there.node < 0) return 0;
-    const double own = at(i), other = at(there.node), before = at(neighbour(grid_, field, i, d, 1 - side).node);
+    const double own = at(i), other = at(there.node), before = at(sides[1 - side].node);
     const double beyond = at(neighbour(grid_, field, there.node, d, there.mirrored ? 1 - side : side).node);
     const double change = other - own, sign = change < 0 ? -1 : 1, least = std::min({before, own, other, beyond});
     return sign * std::max(0.0, std::min({theta_ * std::abs(change), sign * (own - before), sign * (beyond - other),

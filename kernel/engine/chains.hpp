@@ -37,7 +37,7 @@ class Chains {
     force_.resize(static_cast<std::size_t>(dim * n + lanes));
     smooth_.resize(static_cast<std::size_t>(dim * n + lanes));
     Field& field = alone(at);
-    std::vector<Vec>&force = field.held(&Field::force), &seen = field.held(&Field::end);  // sum_p F_p N_ip; A_i
+    std::vector<Vec>&force = field.held(field.force), &seen = field.held(field.end);  // sum_p F_p N_ip; A_i
     field.for_touched(space_.grid, [&](std::size_t i) { force[i].setZero(); });
     const double* mass = body.points(column::mass);
     std::array<typename Space::Loops::Spread, 1 + dim> to_nodes{{{mass, nullptr, field.mass.data(), 1}}};
@@ -68,7 +68,7 @@ class Chains {
   double smooth_strain(Body& body, const Weights<dim>& at, double dt) {
     if (!body.chain || !(kappa_ > 0) || body.material->measure() == StressMeasure::point_force) return 0;
     Field& field = alone(at);
-    std::vector<double>& seen = field.held(&Field::heat);  // sum_p m_p eps_p N_ip, then eps_i
+    std::vector<double>& seen = field.held(field.gas.heat);  // sum_p m_p eps_p N_ip, then eps_i
     field.for_touched(space_.grid, [&](std::size_t i) { seen[i] = 0; });
     const double *mass = body.points(column::mass), *strain = body.points(column::strain);
     const typename Space::Loops::Spread to_nodes[] = {{mass, nullptr, field.mass.data(), 1},

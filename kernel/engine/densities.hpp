@@ -53,7 +53,7 @@ class Densities {
       map_own_mass(body.points, source.elsewhere ? *source.elsewhere : at, *of);
     }
     find_nodal(bodies, body, of == &field ? field.mass_of_gas() : of->mass, *of);
-    source.nodes = &of->density;
+    source.nodes = &of->gas.density;
     source.specific = body.enclosure.has_value();
     return source;
   }
@@ -72,7 +72,7 @@ class Densities {
       space_.walls.fold_even(field, enclosed_);
     }
     if (inverse_volume_.empty()) inverse_volume_ = space_.loops->inverse_volumes();
-    std::vector<double>& density = field.held(&Field::density);
+    std::vector<double>& density = field.held(field.gas.density);
     field.for_touched(
         space_.grid,
         [&](std::size_t i) {

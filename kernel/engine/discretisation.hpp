@@ -134,7 +134,7 @@ struct Discretisation {
   // The nodal velocity whose gradients strain the points: sharpened as the accelerations are. [Sharpening 1]
   const std::vector<Vec>& straining_velocity(Field& field, const std::vector<Vec>& velocity) const {
     if (sharpening.none()) return velocity;
-    std::vector<Vec>& straining = field.held(&Field::straining);
+    std::vector<Vec>& straining = field.held(field.corrected.straining);
     sharpening.apply(field, velocity, straining, threads);
     walls.extend(field, straining);
     return straining;
@@ -143,12 +143,12 @@ struct Discretisation {
   // Q u - u of a nodal velocity u; nothing where a gas shares the node with a membrane, through which it must not move.
   // [Sharpening 2]
   const std::vector<Vec>& added_by_sharpening(Field& field, const std::vector<Vec>& velocity) const {
-    std::vector<Vec>& added = field.held(&Field::beyond);
+    std::vector<Vec>& added = field.held(field.corrected.added);
     sharpening.apply(field, velocity, added, threads);
     field.for_touched(
         grid,
         [&](std::size_t i) {
-          const bool shared = field.mixed() && field.gas_mass[i] < field.mass[i];
+          const bool shared = field.mixed() && field.gas.mass[i] < field.mass[i];
           added[i] = shared ? Vec(Vec::Zero()) : Vec(added[i] - velocity[i]);
         },
         threads);
@@ -159,8 +159,8 @@ struct Discretisation {
   // How fast the straining velocity closes; null: the body's material does not ask. [Limiter 1]
   const std::vector<double>* closing(const Body& body, Field& field, const std::vector<Vec>& straining) const {
     if (!body.points.has(column::closing)) return nullptr;
-    std::vector<double>& closing = field.held(&Field::closing);
-    limiter.apply(field, straining, field.held(&Field::slopes), closing, threads);
+    std::vector<double>& closing = field.held(field.gas.closing);
+    limiter.apply(field, straining, field.held(field.gas.slopes), closing, threads);
     walls.extend_even(field, closing);
     return &closing;
   }

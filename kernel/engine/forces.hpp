@@ -30,9 +30,9 @@ class Forces {
     for (std::size_t b = 0; b < at.bodies.size() && shares_ != Shares::none; ++b) {
       if (!at.bodies[b].material->takes_heat()) continue;
       Field& field = at.field(b);
-      clear(field, field.held(&Field::heat));
-      clear(field, field.held(&Field::exchange));
-      if (shares_ == Shares::heat_and_sound) clear(field, field.held(&Field::kept));
+      clear(field, field.held(field.gas.heat));
+      clear(field, field.held(field.gas.exchange));
+      if (shares_ == Shares::heat_and_sound) clear(field, field.held(field.gas.kept));
     }
   }
 
@@ -97,7 +97,7 @@ class Forces {
     std::array<typename Space::Loops::Spread, dim> forces;
     for (int d = 0; d < dim; ++d) {
       forces[static_cast<std::size_t>(d)] = {body.points(column::body_force, d), body.points(column::mass),
-                                             component(field.held(&Field::body_force), d), dim};
+                                             component(field.held(field.body_force), d), dim};
     }
     space_.spread(body.points, at, forces);
   }

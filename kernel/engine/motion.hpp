@@ -173,7 +173,7 @@ class Motion {
   }
   // Heat is exchanged as points move or are kicked, once forces were mapped, by integrators that give heat back. [Exchange 1]
   bool exchanges_heat(const Body& body, const Field& field) const {
-    return exchange_ && body.material->takes_heat() && !field.exchange.empty();
+    return exchange_ && body.material->takes_heat() && !field.gas.exchange.empty();
   }
   Sums finish_body(Bodies& at, std::size_t b, const Record& step, double dt, std::optional<double> drift);
   // Strains the points of a range and gives them what they lost.
@@ -229,7 +229,7 @@ class Motion {
         action.linear -= keep * before.linear;
         action.angular -= keep * before.angular;
       }
-      if (!field.kept.empty()) {  // of what points keep the walls saw nothing
+      if (!field.gas.kept.empty()) {  // of what points keep the walls saw nothing
         for (const WallAction<dim>& kept : kept_actions(field)) {
           action.linear -= kept.linear;
           action.angular -= kept.angular;
@@ -243,10 +243,10 @@ class Motion {
 
   // What the maps' folding and extension would give to what points keep of their own velocities and of the nodes'.
   std::array<WallAction<dim>, 2> kept_actions(const Field& field) const {
-    std::vector<typename Space::Vec> own(field.mapped), nodal(field.start);
+    std::vector<typename Space::Vec> own(field.unfolded.momentum), nodal(field.start);
     field.for_touched(space_.grid, [&](std::size_t i) {
-      own[i] *= field.kept[i];
-      nodal[i] *= field.kept[i];
+      own[i] *= field.gas.kept[i];
+      nodal[i] *= field.gas.kept[i];
     });
     return {space_.walls.fold(field, own), space_.walls.extension_impulse(field, nodal)};
   }

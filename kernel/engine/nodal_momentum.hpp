@@ -49,9 +49,9 @@ class NodalMomentum {
   template <int rotations>
   double start(Field& field, StepRecord<dim, rotations>& record) const {
     double mass = 0;
-    field.for_touched(space_.grid, [&](std::size_t i) { mass += field.own_mass[i] = field.mass[i]; });
+    field.for_touched(space_.grid, [&](std::size_t i) { mass += field.unfolded.mass[i] = field.mass[i]; });
     if (space_.filters_at_rate(scene_)) {
-      std::vector<Vec>& mapped = field.held(&Field::mapped);
+      std::vector<Vec>& mapped = field.held(field.unfolded.momentum);
       for_touched(field, [&](std::size_t i) { mapped[i] = field.momentum[i]; });
     }
     space_.walls.fold_mass(field);
@@ -68,7 +68,7 @@ class NodalMomentum {
   void start_again(std::vector<Field>& fields) const {
     for (Field& field : fields) {
       space_.walls.fold(field, field.momentum);
-      space_.divide_by_mass(field, field.momentum, field.held(&Field::remapped));
+      space_.divide_by_mass(field, field.momentum, field.held(field.remapped));
     }
     if (contact_) contact_->apply_to_remapped(fields);
     for (Field& field : fields) {
@@ -97,7 +97,7 @@ class NodalMomentum {
       record.wall_work += drive(field, field.end, record.wall);
       WallAction<dim> counted;
       drive(field, field.midpoint, counted);
-      if (!field.exchange.empty()) solve_shares(field, dt);
+      if (!field.gas.exchange.empty()) solve_shares(field, dt);
       if (!loaded_) continue;
       const std::vector<Vec>& straining = space_.straining_velocity(field, field.midpoint);
       field.for_touched(space_.grid,
@@ -127,9 +127,9 @@ class NodalMomentum {
   // Body forces fold like all others: what a point puts on a ghost node pulls the mirror node the other way.
   void add_body_force(Field& field, double dt, AdvanceRecord<dim>& record) const {
     if (!loaded_) return;
-    std::vector<Vec>& loads = field.held(&Field::body_force);
+    std::vector<Vec>& loads = field.held(field.body_force);
     field.for_touched(space_.grid, [&](std::size_t i) {
-      const Vec f = loads[i] + field.own_mass[i] * gravity_;  // [York 3.18]
+      const Vec f = loads[i] + field.unfolded.mass[i] * gravity_;  // [York 3.18]
       loads[i] = f;
       field.force[i] += f;
       record.body.linear += dt * f;
@@ -181,31 +181,30 @@ class NodalMomentum {
   // alpha_i = min(1, dt (k_f c_i / h + b_f D_i)) [Filter 1]; 1 where pistons set a velocity, and where membranes share the
   // node: what their points keep of their own motion strains them, and nothing stops it.
   void solve_shares(Field& field, double dt) const {
-    const bool filters = !field.kept.empty();
+    const bool filters = !field.gas.kept.empty();
     const FilterRate& rate = scene_.filter;
-    for (std::vector<double>* sums : {&field.heat, &field.exchange, &field.kept}) {
+    for (std::vector<double>* sums : {&field.gas.heat, &field.gas.exchange, &field.gas.kept}) {
       if (!sums->empty()) space_.walls.fold_even(field, *sums);
     }
     const std::vector<double>& mass = field.mass_of_gas();
     for_touched(field, [&](std::size_t i) {
       const double share = mass[i] > least_mass ? 1 / mass[i] : 0.0;
-      field.heat[i] *= share;
-      const double closing = field.exchange[i] * share;
-      field.exchange[i] = scene_.heat_exchange * dt * closing;
+      field.gas.heat[i] *= share;
+      const double closing = field.gas.exchange[i] * share;
+      field.gas.exchange[i] = scene_.heat_exchange * dt * closing;
       if (!filters) return;
-      const double taken = dt * (rate.sound * field.kept[i] * share / space_.grid.h() + rate.compression * closing);
+      const double taken = dt * (rate.sound * field.gas.kept[i] * share / space_.grid.h() + rate.compression * closing);
       const bool gas_alone = share > 0 && mass[i] >= field.mass[i];
-      field.kept[i] = gas_alone ? 1 - std::min(1.0, taken) : 0.0;
+      field.gas.kept[i] = gas_alone ? 1 - std::min(1.0, taken) : 0.0;
     });
-    for_touched(field, [&](std::size_t i) {
-      if (field.exchange[i] == 0) return;
-      field.exchange[i] = std::min(
-          1.0, field.exchange[i] * exchange_share(space_.grid, field, field.heat, static_cast<int>(i)));
+    for_touched_beside(space_.grid, field, space_.threads, [&](int i, const RowNeighbours<dim>& beside) {
+      double& share = field.gas.exchange[static_cast<std::size_t>(i)];
+      if (share != 0) share = std::min(1.0, share * exchange_share(beside, field.gas.heat, i));
     });
     if (filters) {
-      pistons_.for_driven(space_.grid, field, [&](std::size_t i, const Piston&) { field.kept[i] = 0; });
+      pistons_.for_driven(space_.grid, field, [&](std::size_t i, const Piston&) { field.gas.kept[i] = 0; });
     }
-    for (std::vector<double>* values : {&field.heat, &field.exchange, &field.kept}) {
+    for (std::vector<double>* values : {&field.gas.heat, &field.gas.exchange, &field.gas.kept}) {
       if (!values->empty()) space_.walls.extend_even(field, *values);
     }
   }

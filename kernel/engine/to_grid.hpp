@@ -32,9 +32,9 @@ class ToGrid {
       }
       for (Field& field : at.fields) {
         if (!gas || !field.mixed()) continue;
-        field.for_touched(space_.grid, [&](std::size_t i) { field.gas_mass[i] = field.mass[i]; });
-        space_.walls.fold_even(field, field.gas_mass);
-        space_.walls.extend_even(field, field.gas_mass);
+        field.for_touched(space_.grid, [&](std::size_t i) { field.gas.mass[i] = field.mass[i]; });
+        space_.walls.fold_even(field, field.gas.mass);
+        space_.walls.extend_even(field, field.gas.mass);
       }
     }
     step.grid_mass = 0;

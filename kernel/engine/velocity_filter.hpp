@@ -23,25 +23,25 @@ class VelocityFilter {
 
   bool none() const { return space_.transfer.order == 0; }
 
-  // Sets field.filtered from its start and end. Its momentum is that of the grid but for what walls give meanwhile: `given`
+  // Sets field.corrected.filtered from its start and end. Its momentum is that of the grid but for what walls give meanwhile: `given`
   // and the turn of it are added to.
   void apply(const Group& group, Field& field, Vec& given, Spin<dim>& turn) const {
     const bool of_end = space_.transfer.filters_end;
     std::vector<Vec> left = of_end ? field.end : field.start, passed(left.size(), Vec::Zero());
-    field.filtered = left;
+    field.corrected.filtered = left;
     for (int j = 1; j < space_.transfer.order; ++j) {
       pass_to_points_and_back(group, field, left, passed);
       field.for_touched(space_.grid, [&](std::size_t i) {
         left[i] -= passed[i];
-        field.filtered[i] += left[i];  // [XPIC 1] [FMPM 1]
+        field.corrected.filtered[i] += left[i];  // [XPIC 1] [FMPM 1]
       });
     }
     field.for_touched(space_.grid, [&](std::size_t i) {
-      if (!of_end) field.filtered[i] += field.end[i] - field.start[i];  // [XPIC 1]
+      if (!of_end) field.corrected.filtered[i] += field.end[i] - field.start[i];  // [XPIC 1]
     });
-    space_.walls.extend(field, field.filtered);
+    space_.walls.extend(field, field.corrected.filtered);
     field.for_touched(space_.grid, [&](std::size_t i) {
-      const Vec change = field.own_mass[i] * (field.filtered[i] - field.end[i]);
+      const Vec change = field.unfolded.mass[i] * (field.corrected.filtered[i] - field.end[i]);
       given += change;
       turn += cross<dim>(space_.grid.position(static_cast<int>(i)), change);
     });

@@ -52,7 +52,7 @@ class Encounter {
   // Velocities mapped anew; nothing is told of these.
   Pass remap(ProbeRandom& random) {
     for (VelocityField<dim>& field : fields_) {
-      auto& remapped = field.held(&VelocityField<dim>::remapped);
+      auto& remapped = field.held(field.remapped);
       for_nodes(field, [&](int node) { at(remapped, node) = velocity(node, 0, random); });
     }
     Pass pass{fields_, {}, {}};

@@ -28,7 +28,7 @@ template <class G, class S>
                                                                 const BinVelocity& end) const -> BinFilter {
   BinFilter bin;
   for_stencil_nodes(print, [&](int k, std::size_t i) {
-    const double kept = field.kept[i];
+    const double kept = field.gas.kept[i];
     bin.kept[k] = kept;
     bin.most = std::max(bin.most, kept);
     bin.work[k] = end.square[k];

@@ -75,9 +75,9 @@ double ListLoops<G>::map_forces(const Body& body, const At& at, const Chunk& chu
       const auto i = static_cast<std::size_t>(node);
       field.force[i] += n * force + flux * gradient;
       if (!exchange) continue;
-      field.heat[i] += n * m * points(column::energy)[p];
-      field.exchange[i] += n * m * std::max(0.0, -divergence);  // [Exchange 1]
-      if (shares == Shares::heat_and_sound) field.kept[i] += n * m * points(column::sound_speed)[p];
+      field.gas.heat[i] += n * m * points(column::energy)[p];
+      field.gas.exchange[i] += n * m * std::max(0.0, -divergence);  // [Exchange 1]
+      if (shares == Shares::heat_and_sound) field.gas.kept[i] += n * m * points(column::sound_speed)[p];
     }
   }
   return hoop_force;

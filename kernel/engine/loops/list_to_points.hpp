@@ -152,7 +152,7 @@ void ListLoops<G>::filter(const Body& body, const Reach& at, int p, const Field&
   for (const auto& [node, n, gradient] : at.of(p)) {
     const auto i = static_cast<std::size_t>(node);
     const Vec r = arm(at, p, node), end = field.end[i] - base;
-    const Vec more = field.kept[i] * (v + c * r - (field.start[i] - base));
+    const Vec more = field.gas.kept[i] * (v + c * r - (field.start[i] - base));
     velocity += n * (end + more);
     taken.moment += n * (end + more) * r.transpose();
     taken.square += n * (end.squaredNorm() + 2 * more.dot(end));
@@ -172,12 +172,12 @@ auto ListLoops<G>::take(const Body& body, const Reach& at, int p, const Field& f
   const double carried = mean(entries, [&](std::size_t i) { return relative(i).squaredNorm(); });
   Taken taken{u.value + base, u.value + base, u.moment, Matrix::Zero(), carried - u.value.squaredNorm()};
   if (transfer_.order > 0) {
-    const Jet w = jet(at, p, base, [&](std::size_t i) { return field.filtered[i]; });
+    const Jet w = jet(at, p, base, [&](std::size_t i) { return field.corrected.filtered[i]; });
     taken.velocity = w.value + base;
     taken.moment = w.moment;
     taken.square = carried + 2 * base.dot(u.value - w.value) - w.value.squaredNorm();
   }
-  if (transfer_.affine && !field.kept.empty()) filter(body, at, p, field, base, taken);
+  if (transfer_.affine && !field.gas.kept.empty()) filter(body, at, p, field, base, taken);
   if (transfer_.affine) taken.twist = taken.moment * inertia_of(at, p).inverse();  // [EC-APIC 5]
   if (keep == 0) return taken;
   const Jet a = jet(at, p, Vec::Zero(), change);
@@ -204,7 +204,7 @@ template <class G>
 void ListLoops<G>::exchange_heat(Body& body, const Reach& at, int p, const Field& field) {
   double& energy = body.points(column::energy)[p];
   energy += mean(at.of(p),
-                 [&](std::size_t i) { return field.exchange[i] * (field.heat[i] - energy); });  // [Exchange 1]
+                 [&](std::size_t i) { return field.gas.exchange[i] * (field.gas.heat[i] - energy); });  // [Exchange 1]
 }
 
 template <class G>

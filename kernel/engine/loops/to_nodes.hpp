@@ -102,10 +102,10 @@ double ShapeLoops<G, S>::map_forces(const Body& body, const At& at, const Chunk&
     for_packs(first, last, with_pack);
     add_to_nodes<dim>(print, forces, component(field.force, 0));
     if constexpr (gas) {
-      add_to_nodes<1>(print, heats, field.heat.data());
-      add_to_nodes<1>(print, closings, field.exchange.data());
+      add_to_nodes<1>(print, heats, field.gas.heat.data());
+      add_to_nodes<1>(print, closings, field.gas.exchange.data());
     }
-    if constexpr (noise) add_to_nodes<1>(print, sounds, field.kept.data());
+    if constexpr (noise) add_to_nodes<1>(print, sounds, field.gas.kept.data());
   });
   return sum(hoop_force);
 }

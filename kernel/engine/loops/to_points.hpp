@@ -152,7 +152,7 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
   Pack lost = 0.0, torque[3] = {0.0, 0.0, 0.0}, moved[3] = {0.0, 0.0, 0.0};
   const double keep = affine ? 0 : transfer_.keep;
   const bool increments = keep > 0, mixes = increments && keep < 1, filters = !affine && transfer_.order > 0;
-  const bool loss_first = loss && keep == 1, at_rate = affine && !field.kept.empty();
+  const bool loss_first = loss && keep == 1, at_rate = affine && !field.gas.kept.empty();
   for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
     const BinVelocity end = bin_velocity(print, field.end);
     BinFilter filter;
@@ -165,9 +165,9 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
     if (beyond) collect(print, *beyond, shifted);
     if (energy) {
       for_stencil_nodes(print, [&](int k, std::size_t i) {
-        alpha[k] = field.exchange[i];
-        heat[k] = field.exchange[i] * field.heat[i];
-        most_exchange = std::max(most_exchange, field.exchange[i]);
+        alpha[k] = field.gas.exchange[i];
+        heat[k] = field.gas.exchange[i] * field.gas.heat[i];
+        most_exchange = std::max(most_exchange, field.gas.exchange[i]);
       });
     }
     if (increments || filters) {
@@ -177,7 +177,7 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
           if (increments)
             change[k][d] = field.end[i][d] - field.start[i][d];
           else
-            change[k][d] = field.filtered[i][d] - end.base[d];
+            change[k][d] = field.corrected.filtered[i][d] - end.base[d];
           change_square[k] += change[k][d] * change[k][d];
         }
       });

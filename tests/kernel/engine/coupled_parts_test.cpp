@@ -161,8 +161,8 @@ TEST(LossToGas, GoesToGasAtTheNodesAndWaitsWhereThereIsNone) {
   Located on(gas_beside_membrane());
   VelocityField<2>& field = on.field();
   ASSERT_TRUE(field.mixed());
-  std::fill(field.gas_mass.begin(), field.gas_mass.end(), 0.0);
-  const typename PointLoops<Plane>::Spread mass[] = {{on.points()(column::mass), nullptr, field.gas_mass.data(), 1}};
+  std::fill(field.gas.mass.begin(), field.gas.mass.end(), 0.0);
+  const typename PointLoops<Plane>::Spread mass[] = {{on.points()(column::mass), nullptr, field.gas.mass.data(), 1}};
   on.space.spread(on.points(), on.at.weights[0], mass);
   on.points(1)(column::transfer_loss)[0] = 6;
   on.points(1)(column::transfer_loss)[1] = 7;

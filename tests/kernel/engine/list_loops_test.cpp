@@ -130,13 +130,13 @@ class Pair {
     to_nodes("spread", [&](const Loops& loops, const Chunk& c, auto& field) {
       const typename Loops::Spread all[] = {
           {body_.points(column::velocity), body_.points(column::mass), component(field.force, 0), dim},
-          {body_.points(column::volume), nullptr, field.heat.data(), 1}};
+          {body_.points(column::volume), nullptr, field.gas.heat.data(), 1}};
       loops.spread(body_.points, at_, c, all);
       return 0.0;
     });
     to_points("gather", [&](const Loops& loops, Body& body, const Chunk& c) {
       const typename Loops::Gather all[] = {{component(field_.start, dim - 1), dim, body.points(column::volume)},
-                                            {field_.density.data(), 1, body.points(column::transfer_loss)}};
+                                            {field_.gas.density.data(), 1, body.points(column::transfer_loss)}};
       loops.gather(body.points, at_, c, all);
       return MotionSums{};
     });
@@ -145,7 +145,7 @@ class Pair {
         MotionSums sums;
         sums.lost = loops.gather_start(
             body, at_, c,
-            {.loss = &field_.start, .rates = &field_.midpoint, .density = &field_.density, .specific = specific});
+            {.loss = &field_.start, .rates = &field_.midpoint, .density = &field_.gas.density, .specific = specific});
         return sums;
       });
     }
@@ -190,12 +190,12 @@ class Pair {
       numbers(*id, 0.5, 1.5);
     numbers(column::half_size, 0.04, 0.14);
     hold(field_);
-    for (auto* nodes : {&field_.start, &field_.end, &field_.midpoint, &field_.filtered}) {
+    for (auto* nodes : {&field_.start, &field_.end, &field_.midpoint, &field_.corrected.filtered}) {
       for (Vec& value : *nodes) {
         for (int d = 0; d < dim; ++d) value[d] = random(-1, 1);
       }
     }
-    for (auto* nodes : {&field_.density, &field_.heat, &field_.exchange}) {
+    for (auto* nodes : {&field_.gas.density, &field_.gas.heat, &field_.gas.exchange}) {
       for (double& value : *nodes) value = random(0.1, 1);
     }
   }
@@ -227,9 +227,8 @@ class Pair {
 
   // The arrays that loops read and write without asking whether a scene needs them.
   static void hold(VelocityField<dim>& field) {
-    field.held(&VelocityField<dim>::filtered);
-    for (const auto array : {&VelocityField<dim>::density, &VelocityField<dim>::heat, &VelocityField<dim>::exchange})
-      field.held(array);
+    field.held(field.corrected.filtered);
+    for (std::vector<double>* array : {&field.gas.density, &field.gas.heat, &field.gas.exchange}) field.held(*array);
   }
 
   template <class Map>
@@ -243,8 +242,8 @@ class Pair {
     expect_alike(own.mass, other.mass, what);
     expect_alike(flat(own.momentum), flat(other.momentum), what);
     expect_alike(flat(own.force), flat(other.force), what);
-    expect_alike(own.heat, other.heat, what);
-    expect_alike(own.exchange, other.exchange, what);
+    expect_alike(own.gas.heat, other.gas.heat, what);
+    expect_alike(own.gas.exchange, other.gas.exchange, what);
   }
 
   template <class Map>

@@ -237,7 +237,7 @@ TEST(VelocityFilter, LeavesTheMotionOfAWhole) {
     space.touch_alone(at, field);
     space.for_chunks_writing_nodes(
         at, [&](const Chunk& chunk) { space.loops->map_mass_and_momentum(body, at, chunk, field); });
-    field.own_mass = field.mass;
+    field.unfolded.mass = field.mass;
     field.for_touched(space.grid, [&](std::size_t i) {
       if (field.mass[i] > 0) field.start[i] = field.end[i] = {3, -4};
     });
@@ -246,7 +246,7 @@ TEST(VelocityFilter, LeavesTheMotionOfAWhole) {
     VelocityFilter<Plane>(space).apply({{&body.points, &at}}, field, given, turn);
     field.for_touched(space.grid, [&](std::size_t i) {
       if (!(field.mass[i] > 0)) return;
-      EXPECT_NEAR((field.filtered[i] - field.end[i]).norm(), 0, 1e-13) << transfer;
+      EXPECT_NEAR((field.corrected.filtered[i] - field.end[i]).norm(), 0, 1e-13) << transfer;
     });
     EXPECT_NEAR(given.norm(), 0, 1e-13);
   }
