@@ -195,6 +195,15 @@ double force_ends(const TwoBarRun& run) {
 
 }  // namespace
 
+Bounded plane_wave_speed(const TwoBarProblem& problem) {
+  const Bounded nu(problem.poisson), stiff = Bounded(problem.youngs_modulus) / ((Bounded(1) - nu) * (Bounded(1) + nu));
+  return sqrt(stiff / problem.density);
+}
+
+Bounded plane_contact_duration(const TwoBarProblem& problem) {
+  return Bounded(2) * problem.width / plane_wave_speed(problem);
+}
+
 TwoBar::TwoBar(const TwoBarProblem& problem, int elements) : problem_(problem) {
   check_two_bar(problem);
   check_within("elements", elements, 32, 5000);
@@ -208,10 +217,9 @@ TwoBar::TwoBar(const TwoBarProblem& problem, int elements) : problem_(problem) {
   const double correction = std::abs(value - finest().restitution);
   restitution_ = {value, 3 * std::max(meshes, aspects) + 0.1 * correction};
 
-  const Bounded nu(problem.poisson), stiff = Bounded(problem.youngs_modulus) / ((Bounded(1) - nu) * (Bounded(1) + nu));
-  wave_speed_ = sqrt(stiff / problem.density);
+  wave_speed_ = plane_wave_speed(problem);
   peak_force_ = Bounded(0.5) * problem.density * wave_speed_ * problem.speed * problem.height;
-  duration_ = Bounded(2) * problem.width / wave_speed_;
+  duration_ = plane_contact_duration(problem);
   const double ends = force_ends(finest());
   if (std::abs(ends - duration_.value) > 2 * finest().step) duration_ = hull(duration_, {ends, finest().step});
 }

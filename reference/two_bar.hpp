@@ -25,6 +25,11 @@ struct TwoBarProblem {
   double speed = 2;  // relative; one bar rests before
 };
 
+/// Of a plane wave along a bar, which its height keeps from contracting, m/s.
+Bounded plane_wave_speed(const TwoBarProblem& problem);
+/// 2 width/c, s: the plane front, which nothing overtakes, is back at the whole face at once with tension.
+Bounded plane_contact_duration(const TwoBarProblem& problem);
+
 /// One mesh: `elements` through the width, `aspect` times as high as long (rounded so that they fill the height).
 struct TwoBarRun {
   int elements = 0, aspect = 0;
@@ -54,8 +59,7 @@ class TwoBar {
 
   Bounded wave_speed() const { return wave_speed_; }
   Bounded restitution() const { return restitution_; }
-  /// 2 width/c: the plane front, which nothing overtakes, is back at the whole face at once with tension. The bound
-  /// covers the finest mesh too where its force lasts longer or less long by more than two steps.
+  /// plane_contact_duration(). The bound covers the finest mesh too where its force lasts longer or less long by more than two steps.
   Bounded contact_duration() const { return duration_; }
   Bounded peak_force() const { return peak_force_; }  // at first touch: rho c speed/2 times height
   Bounded impulse() const;                            // on one bar: mass speed/2 (1 + restitution)

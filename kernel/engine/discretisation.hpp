@@ -94,6 +94,7 @@ struct Discretisation {
   template <class Sum, class Work>
   Sum sum_over_chunks_writing_nodes(const Weights<dim>& at, Work&& work) const {
     const auto& chunks = at.bins.chunks();
+    if (chunks.size() == 1) return work(chunks.front());
     std::vector<Sum> sums(chunks.size());
     for_chunks_writing_nodes(
         at, [&](const Chunk& chunk) { sums[static_cast<std::size_t>(&chunk - chunks.data())] = work(chunk); });

@@ -73,13 +73,13 @@ class Locating {
 
  private:
   // What a step sets before it reads it.
-  std::vector<ColumnId> stale_columns(const Body& body) const {
-    std::vector<ColumnId> stale{column::transfer_loss};
-    if (!space_.context.continuity_density) stale.push_back(column::density);
-    if (!options_.evaluates_stress_first) return stale;
-    stale.insert(stale.end(), {column::strain_rate, column::sound_speed, column::closing});
-    if (body.material->has_density()) stale.insert(stale.end(), {column::stress, column::volume, column::pressure});
-    return stale;
+  const std::vector<ColumnId>& stale_columns(const Body& body) {
+    stale_ = {column::transfer_loss};
+    if (!space_.context.continuity_density) stale_.push_back(column::density);
+    if (!options_.evaluates_stress_first) return stale_;
+    stale_.insert(stale_.end(), {column::strain_rate, column::sound_speed, column::closing});
+    if (body.material->has_density()) stale_.insert(stale_.end(), {column::stress, column::volume, column::pressure});
+    return stale_;
   }
 
   const Space& space_;
@@ -87,6 +87,7 @@ class Locating {
   EngineOptions options_;
   Placing<Geometry> placing_;
   MembraneTangents tangents_;
+  std::vector<ColumnId> stale_;  // of one body
   Ledger& ledger_;
 };
 

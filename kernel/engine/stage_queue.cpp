@@ -1,7 +1,6 @@
 #include "kernel/engine/stage_queue.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace plumbline {
 namespace {
@@ -73,7 +72,7 @@ void StageQueue::add(const StageCall& call) {
   for (const Fusion& fusion : fusions()) {
     if (!may_become(fusion, waiting_)) continue;
     if (waiting_.size() < fusion.stages.size() || fusion.drops_weights) return;
-    return fusion.run(engine_, std::exchange(waiting_, {}));
+    return fusion.run(engine_, taken());
   }
   // What waited becomes no fusion with this call, which may begin one of its own.
   waiting_.pop_back();
@@ -85,13 +84,13 @@ void StageQueue::add(const StageCall& call) {
 void StageQueue::end_step() {
   for (const Fusion& fusion : fusions()) {
     if (waiting_.size() != fusion.stages.size() || !may_become(fusion, waiting_)) continue;
-    return fusion.run(engine_, std::exchange(waiting_, {}));
+    return fusion.run(engine_, taken());
   }
   run_waiting();
 }
 
 void StageQueue::run_waiting() const {
-  for (const StageCall& call : std::exchange(waiting_, {})) call.run(engine_);
+  for (const StageCall& call : taken()) call.run(engine_);
 }
 
 bool& fuses_stages() {

@@ -73,6 +73,12 @@ class StageQueue final : public Stages {
  private:
   void add(const StageCall& call);
   void run_waiting() const;
+  // What waited; nothing waits any longer.
+  const std::vector<StageCall>& taken() const {
+    taken_.clear();
+    taken_.swap(waiting_);
+    return taken_;
+  }
   // The engine once nothing waits any longer.
   Engine& settled() const {
     run_waiting();
@@ -81,7 +87,7 @@ class StageQueue final : public Stages {
 
   Engine& engine_;
   bool fusing_;
-  mutable std::vector<StageCall> waiting_;
+  mutable std::vector<StageCall> waiting_, taken_;
 };
 
 // One step of dt, s.

@@ -184,7 +184,7 @@ const std::string bands = "2026-11-23 5825b24";
 
 // The interval of contact against 2L/c.
 std::vector<CaseGate> duration_gates() {
-  const double lasts = reference_bars().contact_duration().value;
+  const double lasts = reference::plane_contact_duration({}).value;
   const auto in_time = [&](const std::string& study, double level) {
     return gate(study + "/contact-duration-" + to_text(level), error_at("contact_duration", level),
                 at_most(0.02 * lasts),
