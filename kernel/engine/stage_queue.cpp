@@ -1,26 +1,27 @@
 #include "kernel/engine/stage_queue.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace plumbline {
 namespace {
 
 using Stage = StageCall::Stage;
-using Calls = std::vector<StageCall>;
+using Calls = std::span<const StageCall>;
 
-bool begins_with(const std::vector<Stage>& stages, const Calls& calls) {
+bool begins_with(const std::vector<Stage>& stages, Calls calls) {
   return calls.size() <= stages.size() &&
          std::equal(calls.begin(), calls.end(), stages.begin(),
                     [](const StageCall& call, Stage stage) { return call.stage == stage; });
 }
 
 // Whether the calls are the fusion's first ones.
-bool may_become(const Fusion& fusion, const Calls& calls) {
+bool may_become(const Fusion& fusion, Calls calls) {
   return begins_with(fusion.stages, calls) && fusion.holds(calls);
 }
 
 // Whether call k, where it is there, is the points' strain over the step that moved or kicked them.
-bool strains_with_midpoint(const Calls& calls, std::size_t k) {
+bool strains_with_midpoint(Calls calls, std::size_t k) {
   return calls.size() <= k || (calls[k].time == calls[0].time && calls[k].velocity == NodalVelocity::midpoint);
 }
 
@@ -31,18 +32,18 @@ const std::vector<Fusion>& fusions() {
   static const std::vector<Fusion> all{
       {"predict stress, map forces",
        {Stage::predict_stress, Stage::map_forces},
-       [](const Calls& calls) { return calls[0].velocity == NodalVelocity::start; },
-       [](Engine& engine, const Calls& calls) { engine.predict_stress_and_map_forces(calls[0].time); },
+       [](Calls calls) { return calls[0].velocity == NodalVelocity::start; },
+       [](Engine& engine, Calls calls) { engine.predict_stress_and_map_forces(calls[0].time); },
        false},
       {"move, strain, heat",
        {Stage::move_points, Stage::strain_points, Stage::return_transfer_loss},
-       [](const Calls& calls) { return calls[0].velocity == NodalVelocity::end && strains_with_midpoint(calls, 1); },
-       [](Engine& engine, const Calls& calls) { engine.finish_points(calls[0].time, {}); },
+       [](Calls calls) { return calls[0].velocity == NodalVelocity::end && strains_with_midpoint(calls, 1); },
+       [](Engine& engine, Calls calls) { engine.finish_points(calls[0].time, {}); },
        true},
       {"kick, drift, strain, heat",
        {Stage::kick_points, Stage::drift_points, Stage::strain_points, Stage::return_transfer_loss},
-       [](const Calls& calls) { return strains_with_midpoint(calls, 2); },
-       [](Engine& engine, const Calls& calls) { engine.finish_points(calls[0].time, calls[1].time); },
+       [](Calls calls) { return strains_with_midpoint(calls, 2); },
+       [](Engine& engine, Calls calls) { engine.finish_points(calls[0].time, calls[1].time); },
        true}};
   return all;
 }
@@ -68,29 +69,29 @@ void StageCall::run(Engine& engine) const {
 
 void StageQueue::add(const StageCall& call) {
   if (!fusing_) return call.run(engine_);
-  waiting_.push_back(call);
+  waiting_.calls.at(waiting_.count++) = call;
   for (const Fusion& fusion : fusions()) {
-    if (!may_become(fusion, waiting_)) continue;
-    if (waiting_.size() < fusion.stages.size() || fusion.drops_weights) return;
-    return fusion.run(engine_, taken());
+    if (!may_become(fusion, waiting_.all())) continue;
+    if (waiting_.count < fusion.stages.size() || fusion.drops_weights) return;
+    return fusion.run(engine_, std::exchange(waiting_, {}).all());
   }
   // What waited becomes no fusion with this call, which may begin one of its own.
-  waiting_.pop_back();
-  if (waiting_.empty()) return call.run(engine_);
+  if (--waiting_.count == 0) return call.run(engine_);
   run_waiting();
   add(call);
 }
 
 void StageQueue::end_step() {
   for (const Fusion& fusion : fusions()) {
-    if (waiting_.size() != fusion.stages.size() || !may_become(fusion, waiting_)) continue;
-    return fusion.run(engine_, taken());
+    if (waiting_.count != fusion.stages.size() || !may_become(fusion, waiting_.all())) continue;
+    return fusion.run(engine_, std::exchange(waiting_, {}).all());
   }
   run_waiting();
 }
 
 void StageQueue::run_waiting() const {
-  for (const StageCall& call : taken()) call.run(engine_);
+  const Waiting calls = std::exchange(waiting_, {});
+  for (const StageCall& call : calls.all()) call.run(engine_);
 }
 
 bool& fuses_stages() {

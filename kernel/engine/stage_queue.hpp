@@ -2,6 +2,8 @@
 // several of them. Integrators see the unfused vocabulary alone.
 #pragma once
 
+#include <array>
+#include <span>
 #include <vector>
 
 #include "kernel/mechanics.hpp"
@@ -20,7 +22,7 @@ struct StageCall {
     return_transfer_loss,
     drift_points
   };
-  Stage stage;
+  Stage stage = Stage::predict_stress;
   double time = 0;  // s: dt, or how far ahead
   NodalVelocity velocity = NodalVelocity::current;
 
@@ -31,8 +33,8 @@ struct StageCall {
 struct Fusion {
   const char* name;
   std::vector<StageCall::Stage> stages;
-  bool (*holds)(const std::vector<StageCall>& calls);  // of as many calls as are there; their stages are those above
-  void (*run)(Engine& engine, const std::vector<StageCall>& calls);
+  bool (*holds)(std::span<const StageCall> calls);  // of as many calls as are there; their stages are those above
+  void (*run)(Engine& engine, std::span<const StageCall> calls);
   bool drops_weights;  // after it no stage may follow in the step but locate_points()
 };
 const std::vector<Fusion>& fusions();
@@ -73,21 +75,22 @@ class StageQueue final : public Stages {
  private:
   void add(const StageCall& call);
   void run_waiting() const;
-  // What waited; nothing waits any longer.
-  const std::vector<StageCall>& taken() const {
-    taken_.clear();
-    taken_.swap(waiting_);
-    return taken_;
-  }
   // The engine once nothing waits any longer.
   Engine& settled() const {
     run_waiting();
     return engine_;
   }
 
+  // At most as many as the longest fusion has, and the one that ends the waiting.
+  struct Waiting {
+    std::array<StageCall, 5> calls;
+    std::size_t count = 0;
+    std::span<const StageCall> all() const { return {calls.data(), count}; }
+  };
+
   Engine& engine_;
   bool fusing_;
-  mutable std::vector<StageCall> waiting_, taken_;
+  mutable Waiting waiting_;
 };
 
 // One step of dt, s.

@@ -27,8 +27,7 @@ double fastest_point(const Columns& points, PointRange range, int dim) {
   return std::sqrt(square.value());
 }
 
-Material::Fault first_not_finite(const Columns& points, PointRange range, const ColumnId& id,
-                                 const std::string& reason) {
+Material::Fault first_not_finite(const Columns& points, PointRange range, const ColumnId& id, const char* reason) {
   for (int k = 0; k < points.components(id); ++k) {
     const double* values = points(id, k);
     for (int p = range.first; p < range.last; ++p) {
