@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 #include "cases/catalog/stability/fast_growth.hpp"
 #include "cases/catalog/stability/gas_patch.hpp"
@@ -147,12 +148,18 @@ Findings viscosities() {
   return findings;
 }
 
+Settings in_plane(const std::string& scheme, double per_cell) {
+  return stability_settings(gas(), scheme, {{"dim", 2.0}, {"ppc", per_cell}, {"side", "opening"}});
+}
+
+Amplification amplification(const Settings& settings, double dt) {
+  const Experiment experiment = experiment_of(gas(), settings);
+  return Amplification(experiment.patch({1, 5}), experiment.integrator, experiment.positions, dt);
+}
+
 // Growth in the plane in a step, of the wave that grows most.
 double growth_in_plane(const std::string& scheme, double per_cell, double dt) {
-  const Settings settings = stability_settings(gas(), scheme, {{"dim", 2.0}, {"ppc", per_cell}, {"side", "opening"}});
-  const Experiment experiment = experiment_of(gas(), settings);
-  const Amplification a(experiment.patch({1, 5}), experiment.integrator, experiment.positions, dt);
-  return worst_wave(a, 2).radius - 1;
+  return worst_wave(amplification(in_plane(scheme, per_cell), dt), 2).radius - 1;
 }
 
 Findings plane() {
@@ -164,6 +171,69 @@ Findings plane() {
   }
   findings.measures.push_back(
       finding("default.of_sixteen", growth_in_plane("default", 16, 0.2) / growth_in_plane("default", 4, 0.2)));
+  return findings;
+}
+
+// The eigenvalues of one wave: those that are 1, those that are what the filter leaves in a step, and the moduli of the others.
+struct Spectrum {
+  int neutral = 0, filtered = 0;
+  std::vector<double> others;  // falling
+};
+
+Spectrum spectrum_of(const Amplification& a, const WaveNumber& theta, double left) {
+  constexpr double near =
+      1e-4;  // differences of the step are good to 1e-9; what is fivefold spreads like its fifth root
+  Spectrum found;
+  for (const std::complex<double>& value : eigenvalues(a.at(theta))) {
+    if (std::abs(value - 1.0) < 1e-6)
+      ++found.neutral;
+    else if (std::abs(value - left) < near)
+      ++found.filtered;
+    else
+      found.others.push_back(std::abs(value));
+  }
+  std::sort(found.others.rbegin(), found.others.rend());
+  return found;
+}
+
+// All eigenvalues of waves along an axis and along the diagonal: 4 points a cell have 36 numbers that a step reads, 8 of places,
+// 8 of velocities, 16 of their gradients and 4 of energies.
+Findings whole_spectrum() {
+  constexpr double dt = 0.2;
+  constexpr int waves = 16;
+  const Settings settings = in_plane("default", 4);
+  const double left = 1 - settings.number("filter.sound") * dt;
+  const Amplification a = amplification(settings, dt);
+  Findings findings;
+  findings.profile.abscissa = "wave_number";
+  std::vector<double> at, largest, sound, least;
+  double fewest_neutral = HUGE_VAL, fewest_filtered = HUGE_VAL, growing_on_axis = 0, growing_on_diagonal = 0;
+  for (int k = 1; k < waves; ++k) {  // at pi the waves of sound are filtered about as fast as what no node sees
+    const double t = std::numbers::pi * k / waves;
+    for (const bool diagonal : {false, true}) {
+      const Spectrum found = spectrum_of(a, {t, diagonal ? t : 0}, left);
+      fewest_neutral = std::min<double>(fewest_neutral, found.neutral);
+      fewest_filtered = std::min<double>(fewest_filtered, found.filtered);
+      const auto grow = std::count_if(found.others.begin(), found.others.end(), [](double m) { return m > 1 + 1e-6; });
+      double& most = diagonal ? growing_on_diagonal : growing_on_axis;
+      most = larger(most, static_cast<double>(grow));
+      if (!diagonal || found.others.size() < 4) continue;
+      at.push_back(t);
+      largest.push_back(found.others[0]);
+      sound.push_back(found.others[1]);
+      least.push_back(found.others.back());
+    }
+  }
+  const std::vector<double> filtered(at.size(), left), neutral(at.size(), 1.0);
+  findings.measures = {finding("unknowns", a.unknowns()), finding("neutral", fewest_neutral),
+                       finding("filtered", fewest_filtered), finding("growing.axis", growing_on_axis),
+                       finding("growing.diagonal", growing_on_diagonal)};
+  findings.profile.columns = {{"wave_number", "1/h", "of the wave in either direction, times the cell", at},
+                              {"largest", "1", "modulus of the mode that grows", largest},
+                              {"neutral", "1", "of ten displacements and energies that no force sees", neutral},
+                              {"sound", "1", "of the two waves of sound", sound},
+                              {"shear", "1", "of the mode that answers the growing one", least},
+                              {"filtered", "1", "of 22 velocities and gradients that no node sees", filtered}};
   return findings;
 }
 
@@ -194,6 +264,8 @@ std::vector<Trial> trials() {
        the_switch},
       {"sound", "How fast sound of no amplitude travels", "π/31 a cell.", sound},
       {"viscosity", "Limits with physical viscosity", "From none to 30 c h.", viscosities, Tier::full},
+      {"spectrum", "All modes of waves in the plane", "Along an axis and the diagonal, 2 x 2 points a cell, 0.2 h/c.",
+       whole_spectrum},
       {"plane", "Growth in the plane, at steps of 0.1 and 0.2 h/c", "All wave numbers, 2 x 2 points a cell.", plane}};
 }
 
@@ -235,6 +307,19 @@ std::vector<CaseGate> gates() {
       gate("viscosity/york1997-rise", value_of("york1997.rise"), at_most(1e-3), falling).in(Tier::full),
       gate("viscosity/york1997-diffusive", value_of("york1997.diffusive"), between(0.95, 1.05), diffusive)
           .in(Tier::full),
+
+      gate("spectrum/unknowns", value_of("unknowns"), exactly(36),
+           theory("of each point two places, two velocities, their four gradients and an energy; the rest follows")),
+      gate("spectrum/neutral", value_of("neutral"), exactly(10),
+           theory(
+               "two forces a cell see two combinations of eight places and four energies; what they do not see stays")),
+      gate(
+          "spectrum/filtered", value_of("filtered"), exactly(22),
+          theory("two nodal velocities a cell are seen of eight and sixteen gradients; a step leaves 1 - k_f c Δt/h of "
+                 "the others")),
+      gate("spectrum/growing-axis", value_of("growing.axis"), exactly(0), at_rest),
+      gate("spectrum/growing-diagonal", value_of("growing.diagonal"), exactly(0), at_rest)
+          .fails("the wave of shear of plane/default-rate, one of 36 modes", {1, 1}),
 
       gate("plane/york1997-rate", value_of("york1997.rate"), at_most(1e-5), at_rest)
           .fails("the mixed derivative of bilinear shapes, but not their second ones, changes forces as points move: "
