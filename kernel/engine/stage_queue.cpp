@@ -16,9 +16,7 @@ bool begins_with(const std::vector<Stage>& stages, Calls calls) {
 }
 
 // Whether the calls are the fusion's first ones.
-bool may_become(const Fusion& fusion, Calls calls) {
-  return begins_with(fusion.stages, calls) && fusion.holds(calls);
-}
+bool may_become(const Fusion& fusion, Calls calls) { return begins_with(fusion.stages, calls) && fusion.holds(calls); }
 
 // Whether call k, where it is there, is the points' strain over the step that moved or kicked them.
 bool strains_with_midpoint(Calls calls, std::size_t k) {

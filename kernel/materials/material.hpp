@@ -115,7 +115,6 @@ class Material {
 double fastest_point(const Columns& points, PointRange range, int dim);
 
 // A point of the range with a value of the column that is not finite.
-Material::Fault first_not_finite(const Columns& points, PointRange range, const ColumnId& id,
-                                 const char* reason);
+Material::Fault first_not_finite(const Columns& points, PointRange range, const ColumnId& id, const char* reason);
 
 }  // namespace plumbline
