@@ -59,7 +59,8 @@ class TwoBar {
 
   Bounded wave_speed() const { return wave_speed_; }
   Bounded restitution() const { return restitution_; }
-  /// plane_contact_duration(). The bound covers the finest mesh too where its force lasts longer or less long by more than two steps.
+  /// plane_contact_duration(). The bound covers the finest mesh too where its force lasts longer or less long by more
+  /// than two steps.
   Bounded contact_duration() const { return duration_; }
   Bounded peak_force() const { return peak_force_; }  // at first touch: rho c speed/2 times height
   Bounded impulse() const;                            // on one bar: mass speed/2 (1 + restitution)

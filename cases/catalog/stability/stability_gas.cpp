@@ -182,7 +182,7 @@ struct Spectrum {
 
 Spectrum spectrum_of(const Amplification& a, const WaveNumber& theta, double left) {
   constexpr double near =
-      1e-4;  // differences of the step are good to 1e-9; what is fivefold spreads like its fifth root
+      1e-4;  // derivatives are good to 1e-9; an eigenvalue of a Jordan block of two spreads by its root
   Spectrum found;
   for (const std::complex<double>& value : eigenvalues(a.at(theta))) {
     if (std::abs(value - 1.0) < 1e-6)
@@ -208,7 +208,7 @@ Findings whole_spectrum() {
   findings.profile.abscissa = "wave_number";
   std::vector<double> at, largest, sound, least;
   double fewest_neutral = HUGE_VAL, fewest_filtered = HUGE_VAL, growing_on_axis = 0, growing_on_diagonal = 0;
-  for (int k = 1; k < waves; ++k) {  // at pi the waves of sound are filtered about as fast as what no node sees
+  for (int k = 1; k < waves; ++k) {  // at pi the waves of sound are filtered about as fast as the null space
     const double t = std::numbers::pi * k / waves;
     for (const bool diagonal : {false, true}) {
       const Spectrum found = spectrum_of(a, {t, diagonal ? t : 0}, left);
@@ -228,12 +228,13 @@ Findings whole_spectrum() {
   findings.measures = {finding("unknowns", a.unknowns()), finding("neutral", fewest_neutral),
                        finding("filtered", fewest_filtered), finding("growing.axis", growing_on_axis),
                        finding("growing.diagonal", growing_on_diagonal)};
-  findings.profile.columns = {{"wave_number", "1/h", "of the wave in either direction, times the cell", at},
-                              {"largest", "1", "modulus of the mode that grows", largest},
-                              {"neutral", "1", "of ten displacements and energies that no force sees", neutral},
-                              {"sound", "1", "of the two waves of sound", sound},
-                              {"shear", "1", "of the mode that answers the growing one", least},
-                              {"filtered", "1", "of 22 velocities and gradients that no node sees", filtered}};
+  findings.profile.columns = {
+      {"wave_number", "1/h", "of the wave in either direction, times the cell", at},
+      {"largest", "1", "modulus of the mode that grows", largest},
+      {"neutral", "1", "of ten displacements and energies in the null space of the forces", neutral},
+      {"sound", "1", "of the two waves of sound", sound},
+      {"shear", "1", "of the mode that answers the growing one", least},
+      {"filtered", "1", "of 22 velocities and gradients in the null space of the map to the nodes", filtered}};
   return findings;
 }
 
@@ -312,11 +313,11 @@ std::vector<CaseGate> gates() {
            theory("of each point two places, two velocities, their four gradients and an energy; the rest follows")),
       gate("spectrum/neutral", value_of("neutral"), exactly(10),
            theory(
-               "two forces a cell see two combinations of eight places and four energies; what they do not see stays")),
-      gate(
-          "spectrum/filtered", value_of("filtered"), exactly(22),
-          theory("two nodal velocities a cell are seen of eight and sixteen gradients; a step leaves 1 - k_f c Δt/h of "
-                 "the others")),
+               "forces have two components a cell: of eight places and four energies ten combinations change neither")),
+      gate("spectrum/filtered", value_of("filtered"), exactly(22),
+           theory("the map to the nodes has rank two a cell, of eight velocities and sixteen gradients; of its null "
+                  "space a "
+                  "step leaves 1 - k_f c Δt/h")),
       gate("spectrum/growing-axis", value_of("growing.axis"), exactly(0), at_rest),
       gate("spectrum/growing-diagonal", value_of("growing.diagonal"), exactly(0), at_rest)
           .fails("the wave of shear of plane/default-rate, one of 36 modes", {1, 1}),

@@ -5,13 +5,12 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <cstdint>
 #include <new>
 #include <system_error>
 #include <type_traits>
+#include <utility>
 
 #include "cases/harness/exchange/foreign_reader.hpp"
 #include "cases/harness/files/errors.hpp"

@@ -1,5 +1,5 @@
 // Reads files that other programs wrote: nothing of them is taken on trust. HDF5 does not come back from some damaged files, so
-// a process of its own reads them and answers through a pipe. Throws FileError, also where that process dies or is not done in
+// a process of its own reads them and answers through a socket. Throws FileError, also where that process dies or is not done in
 // time.
 #pragma once
 

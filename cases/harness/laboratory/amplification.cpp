@@ -141,7 +141,7 @@ void Amplification::drop_idle() {
   const Patch::Period here{0, 0};
   std::vector<int> kept(static_cast<std::size_t>(unknowns_));
   for (int k = 0; k < unknowns_; ++k) kept[static_cast<std::size_t>(k)] = k;
-  const auto is_idle = [&](int u) {
+  const auto idle = [&](int u) {
     double row = 0, column = 0;  // largest entry but for the own
     for (const auto& [period, block] : blocks_) {
       for (const int v : kept) {
@@ -152,12 +152,10 @@ void Amplification::drop_idle() {
     }
     const double own = blocks_.at(here)(u, u);
     const bool trivial = std::abs(own) <= rounding || std::abs(own - 1) <= rounding;
-    const bool idle = trivial && (row <= rounding || column <= rounding);
-    if (idle) ++(own > 0.5 ? idle_.kept : idle_.forgotten);
-    return idle;
+    return trivial && (row <= rounding || column <= rounding);
   };
   for (bool changed = true; changed;) {
-    const auto end = std::remove_if(kept.begin(), kept.end(), is_idle);
+    const auto end = std::remove_if(kept.begin(), kept.end(), idle);
     changed = end != kept.end();
     kept.erase(end, kept.end());
   }

@@ -35,11 +35,6 @@ class Amplification {
   Amplification(const Patch& patch, const IntegratorChoice& integrator, Positions positions, double dt);
 
   int unknowns() const { return unknowns_; }
-  // Those left out with the eigenvalue 1, and with 0.
-  struct Idle {
-    int kept = 0, forgotten = 0;
-  };
-  const Idle& idle() const { return idle_; }
   const Differences& differences() const { return differences_; }
   // Largest entry among blocks of the outermost periods; what is cut off is about as large.
   double tail() const { return tail_; }
@@ -56,7 +51,6 @@ class Amplification {
 
   int directions_ = 0, unknowns_ = 0;
   Blocks blocks_;
-  Idle idle_;
   Differences differences_;
   double tail_ = 0;
 };
