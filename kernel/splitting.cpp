@@ -66,9 +66,12 @@ class Splitter {
 
   // Of the points that are too large, those that still grow, by more than rounding. Gas that is squeezed, or only moves,
   // is thin at a free surface alone, and only in the eyes of a kernel that sees vacuum there. Nor does it help a gas so
-  // cold that no signal crosses a cell while it doubles: its points fly apart whether there are two or one.
+  // cold that no signal crosses a cell while it doubles: its points fly apart whether there are two or one. What was
+  // halved often is a spray at the edge of vacuum, where each half meets the others' motion as heat.
   std::vector<int> growing(std::vector<int> points) const {
+    const std::vector<int> halved = halvings();
     std::erase_if(points, [&](int p) {
+      if (halved[static_cast<std::size_t>(body_.id[static_cast<std::size_t>(p)])] >= most_halvings) return true;
       if (!affine_) return false;
       const int n = direction(p);
       const double stretch = c(p, n, n) * grid_.h, v = speed(p);
@@ -90,6 +93,16 @@ class Splitter {
   }
 
  private:
+  static constexpr int most_halvings = 3;  // kernel/README.md, "Points that outgrow the kernel", says why
+
+  // By id: how often a point, and what it comes from, was split.
+  std::vector<int> halvings() const {
+    std::vector<int> times(static_cast<std::size_t>(body_.points.points()), 0);
+    std::size_t half = times.size() - body_.split_from.size();
+    for (const int parent : body_.split_from) times[half++] = ++times[static_cast<std::size_t>(parent)];
+    return times;
+  }
+
   double c(int p, int row, int column) const {
     return affine_ ? body_.points(column::affine, row * grid_.dim + column)[p] : 0.0;
   }

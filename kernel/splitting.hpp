@@ -1,7 +1,7 @@
 // Points that outgrow the kernel. A point further from its neighbours than shapes reach shares no node with them: it
 // expands itself without limit, whatever the gas around it does. So a gas point whose volume has grown beyond a multiple
 // of a cell's is split in two while it grows (tr C > 0, of rings tr C + v_r/r, and 0 < n . C n < c/h), which takes nothing
-// from mass, momentum, centre of mass or energy.
+// from mass, momentum, centre of mass or energy. What is an eighth of a point of the start is not split again.
 //
 //   x' = x -+ d n,  v' = v -+ d C n,  m' = m/2,  V' = V/2,  e' = e            n: unit vector of one axis  [Splitting 1]
 //   C' n = s C n,  s = sqrt(1 - d^2/D),  C' = C across n                                                [Splitting 2]
@@ -24,7 +24,8 @@ namespace plumbline {
 // Why points cannot be split under these choices; empty if they can.
 std::string splitting_refusal(const std::string& shape, const std::string& transfer);
 
-// Splits the points of all gases in the scene whose volume column exceeds scene.split h^dim and that grow. New points go behind the
+// Splits the points of all gases in the scene whose volume column exceeds scene.split h^dim and that grow, an eighth of
+// a point excepted. New points go behind the
 // others; their numbers go on where those of the body end, in the order of the points they come from. Returns how many
 // came. time: s, for where pistons stand.
 int split_points(Scene& scene, double time, int threads, Ledger& ledger);

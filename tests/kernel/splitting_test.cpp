@@ -190,6 +190,30 @@ TEST(Splitting, NotInGasTooColdToFeelIt) {
   EXPECT_EQ(split_points(scene, 0, 1, ledger), 1);
 }
 
+// An eighth is not split again, in whatever order its parts were made.
+TEST(Splitting, ThriceAtMost) {
+  for (const Space space : scenes::spaces) {
+    Scene scene = lone_point(space);
+    Ledger ledger;
+    for (int expected = 1; expected <= 8; expected *= 2) {
+      Columns& points = scene.bodies[0].points;
+      const int dim = scene.grid.dim;
+      for (int p = 0; p < points.points(); ++p) {  // whatever it was: large, warm and growing
+        points(column::volume)[p] = 2 * std::pow(h, dim) *
+                                    (space == Space::axisymmetric ? points(column::position)[p] : 1);
+        points(column::energy)[p] = 2;
+        for (int k = 0; k < dim * dim; ++k) points(column::affine, k)[p] = k % (dim + 1) == 0 ? 1 : 0;
+      }
+      EXPECT_EQ(split_points(scene, 0, 1, ledger), expected < 8 ? expected : 0) << space;
+    }
+    // The points' order says nothing: they are known by their numbers.
+    Body& body = scene.bodies[0];
+    EXPECT_EQ(body.points.points(), 8);
+    for (int p = 0; p < 8; ++p) EXPECT_DOUBLE_EQ(body.points(column::mass)[p], body.points(column::mass)[0]) << space;
+    EXPECT_EQ(body.split_from, (std::vector<int>{0, 0, 1, 0, 1, 2, 3})) << space;
+  }
+}
+
 // No half is put beyond a wall, the axis or a piston; the centre of mass stays where it was all the same.
 TEST(Splitting, NothingIsPutBeyondAWallOrPiston) {
   for (const double x : {0.001, 0.999, 0.0}) {
