@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "kernel/geometry.hpp"
 #include "kernel/materials/material_entry.hpp"
@@ -17,6 +18,26 @@ const RegisterPart entry(material_entry<IdealGas>("ideal gas with energy equatio
                                                    {"viscosity", "Pa s", &IdealGas::viscosity},
                                                    {"viscosity_linear", "1", &IdealGas::viscosity_linear},
                                                    {"viscosity_quadratic", "1", &IdealGas::viscosity_quadratic}}));
+
+// Energies of points, which a cold gas may not take below zero by what of |v_p|^2 is lost in the sum of kinetic and internal
+// energy: there they become zero.
+class Energies {
+ public:
+  explicit Energies(Columns& points) : energy_(points(column::energy)) {
+    for (int k = 0; k < points.components(column::velocity); ++k) velocity_.push_back(points(column::velocity, k));
+  }
+  [[gnu::always_inline]] Pack operator[](int p) const { return load(energy_ + p); }
+  [[gnu::always_inline]] void set(int p, const Pack& e, int count) const {
+    constexpr double rounding = 1e-16;
+    Pack square = 0.0;
+    for (const double* component : velocity_) square += load(component + p) * load(component + p);
+    store(energy_ + p, choose(e < 0.0 && e > -rounding * square, Pack(0.0), e), count);
+  }
+
+ private:
+  double* energy_;
+  std::vector<const double*> velocity_;
+};
 
 // Loops over points that carry `strains` strain rates and stresses, the first `normals` of them normal. <1, 1> serves
 // points on a line and, with the divergence as their one rate, all points whose stress is a pressure.
@@ -83,34 +104,20 @@ struct Loops {
     return stress;
   }
 
-  // What of |v_p|^2 is lost in the sum of kinetic and internal energy: a cold gas may not become colder than nothing by less.
-  static constexpr double rounding = 1e-16;
-  static std::vector<const double*> components(const Columns& points, const ColumnId& id) {
-    std::vector<const double*> all;
-    for (int k = 0; k < points.components(id); ++k) all.push_back(points(id, k));
-    return all;
-  }
-  static Pack square(const std::vector<const double*>& v, int p) {
-    Pack sum = 0.0;
-    for (const double* component : v) sum += load(component + p) * load(component + p);
-    return sum;
-  }
-
   // The energy after isentropic compression, e' = -(gamma - 1) e div v, to first order; never negative. [Leapfrog 2]
   static Pack ahead(const Pack& e, const Pack& z) { return choose(z < 0.0, e * (1.0 - z), e / (1.0 + z)); }
 
   static double advance(Columns& points, PointRange range, bool continuity, double dt) {
     const Reading rate(points, column::strain_rate), stress(points, column::stress);
     const double *volume = points(column::volume), *mass = points(column::mass);
-    double *energy = points(column::energy), *density = points(column::density);
-    const std::vector<const double*> velocity = components(points, column::velocity);
+    double* density = points(column::density);
+    const Energies energy(points);
     Pack stored = 0.0;
     for_packs(
         range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
           const Tensor d = rate[p];
           const Pack heat = dt * load(volume + p) * stress[p].dot(d);
-          const Pack e = load(energy + p) + heat / load(mass + p);  // [York 4.8]
-          store(energy + p, choose(e < 0.0 && e > -rounding * square(velocity, p), Pack(0.0), e), count);
+          energy.set(p, energy[p] + heat / load(mass + p), count);                                // [York 4.8]
           if (continuity) store(density + p, load(density + p) / (1.0 + dt * d.trace()), count);  // [York 4.7]
           stored += kept(heat, count);
         });
@@ -237,10 +244,10 @@ double IdealGas::viscous_heat(const Columns& points, PointRange range, const Mat
 
 void IdealGas::add_heat(Columns& points, PointRange range, const double* heat) const {
   const double* mass = points(column::mass);
-  double* energy = points(column::energy);
+  const Energies energy(points);
   for_packs(
       range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
-        plumbline::store(energy + p, load(energy + p) + load(heat + p) / load(mass + p), count);  // [EC-APIC 6]
+        energy.set(p, energy[p] + load(heat + p) / load(mass + p), count);  // [EC-APIC 6]
       });
 }
 

@@ -168,6 +168,23 @@ TEST(IdealGas, TakesHeat) {
 }
 
 // c = sqrt(gamma (gamma - 1) e) and 4/3 mu / rho, of the fastest and the thinnest point.
+// A cold gas that moves: what rounding takes from nothing is nothing, what is more than that stays to be refused.
+TEST(IdealGas, IsNotColderThanNothingByRounding) {
+  for (const double lost : {0.9e-16, 1.1e-16}) {
+    const double left = lost < 1e-16 ? 0 : -4 * lost;
+    Columns points = one_point({1}, 0);
+    points(column::velocity)[0] = -2;
+    const std::vector<double> heat(1 + lanes, -4 * lost);
+    IdealGas().add_heat(points, all_points(points), heat.data());
+    EXPECT_EQ(points(column::energy)[0], left);
+    points = one_point({1}, 0);
+    points(column::velocity)[0] = -2;
+    points(column::stress)[0] = -8 * lost;  // V sigma : d = -4 lost
+    IdealGas().advance(points, all_points(points), on_line, 1);
+    EXPECT_EQ(points(column::energy)[0], left);
+  }
+}
+
 TEST(IdealGas, StepBounds) {
   Columns points = one_point({0, 0, 0}, 3, 2);
   points(column::velocity, 0)[1] = 3;
