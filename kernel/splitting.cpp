@@ -67,7 +67,7 @@ class Splitter {
   // Of the points that are too large, those that still grow, by more than rounding. Gas that is squeezed, or only moves,
   // is thin at a free surface alone, and only in the eyes of a kernel that sees vacuum there. Nor does it help a gas so
   // cold that no signal crosses a cell while it doubles: its points fly apart whether there are two or one. What was
-  // halved often is a spray at the edge of vacuum, where each half meets the others' motion as heat.
+  // halved often is spray at the edge of vacuum, whose motion becomes heat.
   std::vector<int> growing(std::vector<int> points) const {
     const std::vector<int> halved = halvings();
     std::erase_if(points, [&](int p) {

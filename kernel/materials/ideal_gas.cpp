@@ -23,20 +23,23 @@ const RegisterPart entry(material_entry<IdealGas>("ideal gas with energy equatio
 // energy: there they become zero.
 class Energies {
  public:
-  explicit Energies(Columns& points) : energy_(points(column::energy)) {
-    for (int k = 0; k < points.components(column::velocity); ++k) velocity_.push_back(points(column::velocity, k));
+  explicit Energies(Columns& points)
+      : energy_(points(column::energy)),
+        components_(points.components(column::velocity)) {
+    for (int k = 0; k < components_; ++k) velocity_[k] = points(column::velocity, k);
   }
   [[gnu::always_inline]] Pack operator[](int p) const { return load(energy_ + p); }
   [[gnu::always_inline]] void set(int p, const Pack& e, int count) const {
     constexpr double rounding = 1e-16;
     Pack square = 0.0;
-    for (const double* component : velocity_) square += load(component + p) * load(component + p);
+    for (int k = 0; k < components_; ++k) square += load(velocity_[k] + p) * load(velocity_[k] + p);
     store(energy_ + p, choose(e < 0.0 && e > -rounding * square, Pack(0.0), e), count);
   }
 
  private:
   double* energy_;
-  std::vector<const double*> velocity_;
+  int components_;
+  const double* velocity_[3] = {};
 };
 
 // Loops over points that carry `strains` strain rates and stresses, the first `normals` of them normal. <1, 1> serves

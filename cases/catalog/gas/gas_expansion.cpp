@@ -53,9 +53,9 @@ GasFlow expansion_flow(const Settings& settings) {
 
 std::vector<CaseGate> gates() {
   const std::string spray =
-      "on fine meshes points at the edge of vacuum are split, and the halves meet each other's motion, at several "
-      "times "
-      "the speed of sound, as heat; of a few light ones: without splitting the rise is that at 40 cells";
+      "on fine meshes points at the edge of vacuum are split, and the motion of the halves among each other becomes "
+      "heat, "
+      "of a few light ones: without splitting the rise is that at 40 cells";
   return joined(
       {required_order("default", "density.L1", 0.8, "the jump at the start allows 1; 0.8 as of the shock tubes"),
        {energy_gate("default"),
