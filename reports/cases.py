@@ -81,6 +81,11 @@ class Case:
         return [entry for entry in self.series if entry.vary == vary]
 
     @property
+    def has_points(self):
+        """Whether any of its runs has points; trials compute without."""
+        return any(level.get("points") for entry in self.series for level in entry.levels)
+
+    @property
     def counts(self):
         return Counter(gate.get("verdict") for gate in self.all_gates)
 

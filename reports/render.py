@@ -24,6 +24,7 @@ import baseline
 import cases as gathering
 import cost
 import cost_charts
+import distributions
 import figures
 import frame
 import mutants
@@ -304,6 +305,7 @@ def picture_groups(case, results, name, film_characters):
 def case_figures(case, results, finest, name, costs):
     """All figures of a case, by the part of the page they stand in; what cannot be drawn is left out."""
     drawn = {"profiles": profile_groups(case, results, name), "convergence": [], "variations": []}
+    drawn["draws"] = frame.ready([distributions.drawing(case, results, name)])
     for number, measure in enumerate(convergence_measures(case)[:MOST_CONVERGENCE]):
         drawn["convergence"].append(
             frame.ready(
@@ -317,7 +319,8 @@ def case_figures(case, results, finest, name, costs):
             for vary in ("dt", "ppc", "offset")
             for number, measure in enumerate(figures.variation_measures(case, vary))
         )
-    drawn["costs"] = frame.ready(cost.case_figures(costs, case, name)) if costs else cost_figures(case, name)
+    if case.has_points:
+        drawn["costs"] = frame.ready(cost.case_figures(costs, case, name)) if costs else cost_figures(case, name)
     refined = [pair for pair in finest if pair[0].refined] or finest
     quantities = profiles.quantities(finest)
     drawn["drifts"] = frame.ready([profiles.drifts(quantities, refined, f"{name}-drift", ROUNDING_OF_A_RUN)])

@@ -266,15 +266,17 @@ def study_rows(case):
             "style": entry.style,
             "label": entry.label,
             "scheme": entry.scheme,
-            "vary": _varied(entry) or "single runs",
+            "vary": (_varied(entry) if _has_cells(entry) else "") or "single runs",
             "why": entry.why,
             "title": entry.title if entry.title != entry.label else "",
             "levels": list(
                 dict.fromkeys(
                     text.exact(level.get("value") if entry.vary else (level.get("settings") or {}).get("cells"))
                     for level in entry.levels
+                    if _has_cells(entry)
                 )
-            ),
+            )
+            or [text.MISSING],
             "points": _range(entry, "points"),
             "steps": _range(entry, "steps"),
             "file": entry.files[0] if len(entry.files) == 1 else f"{len(entry.files)} files",
@@ -287,8 +289,13 @@ def _varied(entry):
     return figures.VARIED.get(entry.vary, entry.vary)
 
 
+def _has_cells(entry):
+    """Whether the levels are meshes; a trial, which has none, is told as a study of one level."""
+    return entry.vary != "cells" or any("cells" in (level.get("settings") or {}) for level in entry.levels)
+
+
 def _range(entry, key):
-    values = [level.get(key) for level in entry.levels if level.get(key) is not None]
+    values = [level.get(key) for level in entry.levels if level.get(key)]
     if not values:
         return text.MISSING
     low, high = min(values), max(values)
@@ -506,7 +513,8 @@ def scalar_rows(case):
 
 
 def _cells(level):
-    return text.exact((level.get("settings") or {}).get("cells"))
+    settings = level.get("settings") or {}
+    return text.exact(settings.get("cells")) if "cells" in settings else ""
 
 
 def reference_budget(case):
