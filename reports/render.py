@@ -39,6 +39,7 @@ import svg
 import tables
 import text
 import trust
+import york
 
 NORMS = (".L1", ".L2", ".Linf")
 MOST_PROFILES = 2  # lines of a case that are drawn over the exact solution, in the field that stands for it
@@ -128,6 +129,7 @@ def front_page(folder, cases):
         "trust": trust_part(folder, cases),
         "speed": speed_part(folder.bench),
         "stability": stability_part(folder.stability, cases),
+        "york": york_part(cases),
         "compared": baseline.section(folder.diff, {name: anchor(name) for name in cases}),
         "file_count": len(folder.runs) + len(folder.studies) + len(folder.verdicts),
     }
@@ -207,6 +209,14 @@ def trust_part(folder, cases):
         "other_tolerances": max(0, len(judged) - MOST_TOLERANCES),
         "margins": frame.ready([trust.margins(part["tolerances"], [result.name for result in folder.verdicts])]),
     }
+
+
+def york_part(cases):
+    """What answers for York's figures and tables; None where none of his cases is there."""
+    part = york.page(cases)
+    for row in part["rows"] if part else ():
+        row["cases"] = _anchored({**case, "case": case["name"]} for case in row["cases"])
+    return part
 
 
 def speed_part(bench):
