@@ -194,12 +194,12 @@ def _stick_reach(case, lines, measure):
 
 PRICES = {
     "time": (wall_time, "wall_s", "wall time in s, one thread", "error against wall time"),
-    "work": (point_steps, "cell_steps", "point-steps (points × steps)", "error against point-steps"),
+    "work": (point_steps, "cell_steps", "particle-steps (points × steps)", "error against particle-steps"),
 }
 
 
 def case_figures(document, case, prefix):
-    """Error against wall time and against point-steps; [] where the document has nothing on the case."""
+    """Error against wall time and against particle-steps; [] where the document has nothing on the case."""
     lines = lines_of(document, case)
     measure = case.measure
     found = [_case_figure(case, lines, measure, kind, f"{prefix}-{kind}") for kind in PRICES] if lines and measure else []
@@ -255,7 +255,7 @@ def _case_figure(case, lines, measure, kind, prefix):
         title[0].upper() + title[1:],
         _caption(measure, kind, rows, sticks),
         list(dict.fromkeys([COST_FILE] + [entry.file for entry, _ in sticks])),
-        keys + [Key("front of the best", "currentColor", "ring")],
+        keys + [Key("Pareto front", "currentColor", "ring")],
     )
 
 

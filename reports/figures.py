@@ -467,8 +467,8 @@ COSTS = {
     "work": (
         point_steps,
         "cell_steps",
-        "point-steps (points × steps)",
-        "error against point-steps",
+        "particle-steps (points × steps)",
+        "error against particle-steps",
     ),
 }
 
@@ -484,7 +484,7 @@ def front(points):
 
 
 def cost(case, measure, kind, prefix):
-    """Error against cost of every line of the case, with the front of the best, beside other methods."""
+    """Error against cost of every line of the case, with the Pareto front, beside other methods."""
     price, column, axis, title = COSTS[kind]
     rows = [
         (
@@ -551,5 +551,5 @@ def cost(case, measure, kind, prefix):
         title[0].upper() + title[1:],
         caption,
         list(dict.fromkeys(_files(series) + [entry.file for entry in beside])),
-        keys + [Key("front of the best", "currentColor", "ring")],
+        keys + [Key("Pareto front", "currentColor", "ring")],
     )

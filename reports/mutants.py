@@ -1,4 +1,4 @@
-"""What the section "Gates proven to bite" shows of the kill matrix that ci/mutants writes."""
+"""What the section "Mutation testing" shows of the kill matrix that ci/mutants writes."""
 
 import itertools
 

@@ -183,7 +183,7 @@ def quantity_name(quantity):
 
 
 def drifts(quantities, finest, prefix, worth_drawing=0.0):
-    """Residuals of the books over their scale against time, a panel a quantity, for [(series, run result)].
+    """Residuals of the conservation budgets over their scale against time, a panel a quantity, for [(series, run result)].
 
     The file states the largest |residual|/scale of all steps (`relative_drift`), which fixes the scale.
     None where all stay below `worth_drawing`: noise of rounding.
@@ -223,10 +223,10 @@ def drifts(quantities, finest, prefix, worth_drawing=0.0):
     keys.append(Key("rounding of one operation", "var(--muted)", dash=True))
     files = list(dict.fromkeys(result.name for lines in panels.values() for _, result, _ in lines))
     drawing = svg.draw(
-        paint, prefix, f"Residuals of the books against time: {largest}", height=0.5 + 1.15 * len(panels), nrows=len(panels),
+        paint, prefix, f"Residuals of the conservation budgets against time: {largest}", height=0.5 + 1.15 * len(panels), nrows=len(panels),
         sharex=True, squeeze=False,
     )  # fmt: skip
-    return Figure(drawing, "Residuals of the books", caption, files, keys)
+    return Figure(drawing, "Residuals of the conservation budgets", caption, files, keys)
 
 
 def _residuals(quantity, finest):
@@ -248,7 +248,7 @@ def _panel_name(quantity):
 
 
 def closed(quantity, finest):
-    """Labels of the lines whose books of a quantity close to the last bit at every stored step."""
+    """Labels of the lines whose budgets of a quantity close to the last bit at every stored step."""
     found = [(entry, relative_residual(result, quantity)) for entry, result in finest]
     return [entry.label for entry, relative in found if relative is not None and not relative.any()]
 

@@ -47,8 +47,8 @@ MOST_OTHER_PROFILES = 1  # in every other field
 MOST_OTHER_FIELDS = 1  # of a case that are drawn beside it; all are in its CSV
 MOST_CONVERGENCE = 2  # measures of a case whose errors are drawn; fits of the others are in the table below
 MOST_BYTES = 5_000_000  # of the page, so that it is a file one can send
-ROUNDING_OF_A_RUN = 1e-11  # what many roundings add up to; books off by less are stated, not drawn
-MOST_BOOKS = 2  # lines of a case whose books are shown in full; those of all are in its CSV
+ROUNDING_OF_A_RUN = 1e-11  # what many roundings add up to; budgets off by less are stated, not drawn
+MOST_BUDGETS = 2  # lines of a case whose budgets are shown in full; those of all are in its CSV
 MOST_TOLERANCES = 200  # in the ledger of the page; all are in its CSV
 
 
@@ -108,7 +108,7 @@ def front_page(folder, cases):
         row["anchor"] = anchor(row["name"])
     parts = {
         "cost": cost_part(folder, cases),
-        "bite": mutants.page(folder.mutants),
+        "mutants": mutants.page(folder.mutants),
         "integrators": scorecards.page(folder.scorecards, folder.judges),
         "expected_failures": expected_failures_part(cases),
     }
@@ -144,7 +144,7 @@ def glance(cases, parts):
     if counts:
         cards.append(
             {"figure": f"{judged - missed} of {judged}", "target": "verdicts", "look": "fail" if missed else "pass",
-             "words": f"gates are as they should be, over {text.plural(len(cases), 'case')}"}
+             "words": f"gates meet expectation, over {text.plural(len(cases), 'case')}"}
         )  # fmt: skip
     if counts["XFAIL"]:
         of_default = sum(len(one["rows"]) for one in parts["expected_failures"] if one["owner"] == "default")
@@ -160,17 +160,17 @@ def glance(cases, parts):
             {"figure": name, "target": "which-scheme", "look": "",
              "words": f"is the scheme to take for {times} of {text.plural(len(chosen), 'kind')} of scene: which scheme for which job"}
         )  # fmt: skip
-    integrators, bite = parts["integrators"], parts["bite"]
+    integrators, mutated = parts["integrators"], parts["mutants"]
     if integrators and integrators["cards"]:
         judged, green = len(integrators["cards"]), integrators["green"]
         cards.append(
             {"figure": f"{green} of {judged}", "target": "integrators", "look": "pass" if green == judged else "fail",
              "words": "time integrators meet all gates that any must meet: judge one of your own"}
         )  # fmt: skip
-    if bite:
+    if mutated:
         cards.append(
-            {"figure": str(bite["score"]), "target": "bite", "look": "",
-             "words": f"of {bite['judged']} seeded bugs that change anything are caught by a gate or a named test"}
+            {"figure": str(mutated["score"]), "target": "mutants", "look": "",
+             "words": f"of {mutated['judged']} seeded bugs that change anything are caught by a gate or a named test"}
         )  # fmt: skip
     return cards
 
@@ -294,7 +294,7 @@ def case_page(case, results, film_characters, costs):
         "has_norms": any(measure.endswith(NORMS) for measure in convergence_measures(case)),
         "scalars": tables.scalar_rows(case),
         "leads_with_scalars": not (case.measure or "").endswith(NORMS),
-        "books": tables.ledger_rows(([pair for pair in finest if pair[0].refined] or finest)[:MOST_BOOKS]),
+        "budgets": tables.ledger_rows(([pair for pair in finest if pair[0].refined] or finest)[:MOST_BUDGETS]),
         "stopped": tables.stopped(case),
         "pictures": picture_groups(case, results, name, film_characters),
         "normals": frame.ready(normals.drawings(case, results, f"{name}-normals")),

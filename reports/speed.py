@@ -208,7 +208,7 @@ def _thread_keys(series):
 
 
 def cost_by_size(bench):
-    """Cost of a point-step against the number of points, with the spread of the repeats."""
+    """Cost of a particle-step against the number of points, with the spread of the repeats."""
     series = _by_threads(bench)
     if not series:
         return None
@@ -238,7 +238,7 @@ def cost_by_size(bench):
                     name, (points, 1), xycoords=("data", "axes fraction"), ha="right", va="top", rotation=90,
                     fontsize=7.5, xytext=(-2, -2), textcoords="offset points",
                 )  # fmt: skip
-        axes.set(xlabel="number of points", ylabel="cost of a point-step in ns")
+        axes.set(xlabel="number of points", ylabel="cost of a particle-step in ns")
         log_axis(axes.xaxis, *axes.get_xlim())
         if axes.get_yscale() == "log":
             log_axis(axes.yaxis, *axes.get_ylim())
@@ -252,8 +252,8 @@ def cost_by_size(bench):
         + ("Dotted: where the points alone fill a cache." if caches else "")
     )
     return Figure(
-        svg.draw(paint, "speed-cost", "Cost of a point-step against the number of points"),
-        "Cost of a point-step",
+        svg.draw(paint, "speed-cost", "Cost of a particle-step against the number of points"),
+        "Cost of a particle-step",
         caption,
         [BENCH_FILE],
         _thread_keys(series),

@@ -544,7 +544,7 @@ def reference_budget(case):
 
 
 def ledger_rows(finest):
-    """Books of the finest run of each line: [(series, result)]."""
+    """Budgets of the finest run of each line: [(series, result)]."""
     return [
         {
             "style": entry.style,

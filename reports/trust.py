@@ -183,7 +183,7 @@ def _kind(settings):
 
 
 def tolerances(cases, widened=()):
-    """Every gate with where its bound comes from and how much room it leaves, those to look at first on top."""
+    """Every gate with where its bound comes from and the margin it leaves, those to look at first on top."""
     rows = []
     for case in cases.values():
         for gate in tables.fold_recorded(case.all_gates):
@@ -327,7 +327,7 @@ def assessment(cases, rows, reference_rows, folder):
             "evidence": (
                 f"{text.plural(len(rows), 'gate')} on {text.plural(len(cases), 'case')} with exact or semi-exact solutions, "
                 f"{text.plural(orders, 'fitted order')} with intervals; manufactured solutions at large strain; every equation "
-                "has a test; references with computed bounds; seeded bugs show that the gates bite"
+                "has a test; references with computed bounds; mutation testing shows that gates can fail"
                 + (f"; {100 * covered:.0f}\u202f% of lines are run by tests" if covered is not None else "")
             ),
             "links": [("requirements", "#trust-requirements"), ("references", "#trust-references"), ("cases", "#overview")],

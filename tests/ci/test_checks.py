@@ -121,6 +121,7 @@ def test_backward_range_is_refused(tree):
     ("kernel/grid.hpp", "// TO" + "DO: later\n", "note to oneself"),
     ("kernel/grid.hpp", "// FIX" + "ME\n", "note to oneself"),
     ("README.md", "<" * 7 + " ours\n", "merge leftover"),
+    ("reports/templates/a.html", "<h3>Do it " + "again</h3>\n", "word of our own"),
     ("notes.txt", "\n", "top level"),
     ("scripts/run.sh", "\n", "top level"),
 ])

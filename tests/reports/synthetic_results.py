@@ -516,7 +516,7 @@ def bench_document():
     missing = {name: None for name in ("bytes_per_point", "flops_per_point", "fraction_of_limit")}
     kernels.append({**tube, **missing})
     target = {"name": "2-D quadratic apic leapfrog, 1e+06 points", "unit": "point-steps/s", "low": 4.5e7, "high": None}
-    ratio = {"name": "dearest over cheapest point-step", "unit": "1", "low": None, "high": 1.5}
+    ratio = {"name": "max over min cost of a particle-step", "unit": "1", "low": None, "high": 1.5}
     return {
         "machine": {
             "cpu": PROVENANCE["cpu"],

@@ -196,7 +196,7 @@ def test_charts_and_figures_of_a_case_are_drawn():
     found = cost.compare(doc, {"sod": OneCase("sod")})
     assert cost_charts.relative_to_york(found).svg.startswith("<svg") and cost_charts.absolute(found) is None
     time, work = cost.case_figures(doc, OneCase("sod"), "case-sod")
-    assert "Medians of up to 3" in time.caption and "point-steps" in work.title.lower()
+    assert "Medians of up to 3" in time.caption and "particle-steps" in work.title.lower()
     assert cost.case_figures(doc, OneCase("lax"), "case-lax") == []
 
 

@@ -157,7 +157,7 @@ def bare_pages(tmp_path_factory):
         ("nothing", "plumbline bench --cases", None),
         ("nothing", "holds no coverage.json", None),
         ("springs", "No maps of stability are in this report", "Which Courant number is safe"),
-        ("springs", "No speed was measured for this report", "Cost of a point-step"),
+        ("springs", "No speed was measured for this report", "Cost of a particle-step"),
         ("springs", "", "What it looks like"),
     ],
 )

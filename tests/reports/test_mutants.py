@@ -1,4 +1,4 @@
-"""The section "Gates proven to bite": what it shows of a kill matrix, and what it does without one."""
+"""The section "Mutation testing": what it shows of a kill matrix, and what it does without one."""
 
 import json
 import pathlib
@@ -11,7 +11,7 @@ from html_page import shown, source_of
 
 
 def rows(page):
-    return [cells for section, cells in page.rows if section == "bite"]
+    return [cells for section, cells in page.rows if section == "mutants"]
 
 
 @pytest.fixture

@@ -223,7 +223,7 @@ def test_what_a_reader_needs_is_there(parsed):
         "ω = √(k/m)",
         "No overshoot limiter at the contact.",
         "Error against wall time",
-        "Error against point-steps",
+        "Error against particle-steps",
         "Time step alone",
         "Order and error constant, level by level",
         "Within rounding: over the scale of the run",
@@ -238,7 +238,7 @@ def test_what_a_reader_needs_is_there(parsed):
 
 def test_speed_is_shown_as_the_bench_states_it(parsed):
     for words in (
-        "Cost of a point-step",
+        "Cost of a particle-step",
         "Memory per point",
         "at least 45 million/s",
         "MISSED",
@@ -270,7 +270,7 @@ def test_a_bench_of_little_makes_a_page(tmp_path):
         kernel["memory_bytes_per_point"] = None
     (tmp_path / "bench.json").write_text(json.dumps({"machine": {}, "kernels": kernels}), encoding="utf-8")
     words = shown(tmp_path).text
-    assert "The default step, wherever it works" in words and "Cost of a point-step" not in words
+    assert "The default step, wherever it works" in words and "Cost of a particle-step" not in words
 
 
 def test_another_method_stands_beside_the_schemes(source, parsed):
