@@ -124,6 +124,7 @@ def front_page(folder, cases):
         "verdicts_present": [name for name in gathering.URGENCY if any(case.counts[name] for case in cases.values())],
         "damaged": folder.damaged,
         "meanings": tables.MEANINGS,
+        "origin": tables.origin(folder),
         "provenance": tables.provenance(folder),
         "commands": tables.commands(folder),
         "trust": trust_part(folder, cases),

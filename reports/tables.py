@@ -602,6 +602,27 @@ def _stop_words(stop):
 # --- provenance -----------------------------------------------------------------------------------
 
 
+def origin(folder):
+    """What the first screen says of where the results come from: those of the verdicts that were started last, else of any file;
+    None where no file says it. `wall`: what all runs of the folder took together."""
+    files = folder.verdicts or folder.studies or folder.runs
+    stated = [result.provenance for result in files if result.provenance.get("git")]
+    if not stated:
+        return None
+    last = max(stated, key=lambda one: one.get("started") or "")
+    walls = [result.run.get("wall_s") for result in folder.runs]
+    return {
+        "commit": last["git"][:7],
+        "dirty": bool(last.get("dirty")),
+        "date": (last.get("started") or "")[:10],
+        "machine": last.get("cpu") or "",
+        "compiler": last.get("compiler") or "",
+        "threads": last.get("threads"),
+        "wall": text.seconds(sum(wall for wall in walls if wall)) if any(walls) else "",
+        "others": len({(one["git"], one.get("cpu")) for one in stated}) - 1,
+    }
+
+
 def provenance(folder):
     """[(files, rows)]: one entry per distinct build and machine, the one with most files first."""
     groups = {}

@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 import sys
+import types
 from collections import Counter
 
 import numpy
@@ -550,3 +551,21 @@ def test_schemes_stand_side_by_side_for_each_kind_of_scene(tmp_path):
     page = source_of(tmp_path)
     assert "<td>cubic / linear<td>linear / none" in page
     assert "<code>ppc</code><td>8<td>" in page
+
+
+def test_first_screen_says_commit_date_and_machine(source):
+    words = source[: source.index('id="verdicts"')]
+    assert "Computed" in words and "from commit" in words and "all runs together took" in words
+
+
+def test_origin_is_that_of_the_last_verdicts_and_counts_other_builds():
+    import tables
+
+    def result(git, started, wall):
+        return types.SimpleNamespace(provenance={"git": git, "started": started, "cpu": "a"}, run={"wall_s": wall})
+
+    early, late = result("1" * 40, "2026-01-01T00:00:00Z", 2.0), result("2" * 40, "2026-02-01T00:00:00Z", 3.0)
+    found = tables.origin(types.SimpleNamespace(verdicts=[late, early], studies=[], runs=[early, late]))
+    assert (found["commit"], found["date"], found["others"]) == ("2222222", "2026-02-01", 1)
+    assert found["wall"].startswith("5")
+    assert tables.origin(types.SimpleNamespace(verdicts=[], studies=[], runs=[])) is None
