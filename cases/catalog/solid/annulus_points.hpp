@@ -34,7 +34,12 @@ Body cut_annulus(std::string name, std::shared_ptr<const Material> material, con
 Body ring_annulus(std::string name, std::shared_ptr<const Material> material, const Annulus& annulus, double density,
                   int ppc, const GridSpec& grid);
 
-// One of these three by its name: lattice, cut, circles.
+// Sectors of the same bands, which tile the ring: each with its area, its centre of mass and its parallelogram of the half
+// edges half its band along the radius and half its middle arc across, in the column half_edges_at_start.
+Body polar_annulus(std::string name, std::shared_ptr<const Material> material, const Annulus& annulus, double density,
+                   int ppc, const GridSpec& grid);
+
+// One of these four by its name: lattice, cut, circles, polar.
 using AnnulusLayout = Body (*)(std::string, std::shared_ptr<const Material>, const Annulus&, double, int,
                                const GridSpec&);
 AnnulusLayout annulus_layout(const std::string& name);

@@ -13,7 +13,7 @@
 namespace plumbline {
 
 template <class Geometry>
-class ListLoops final : public PointLoops<Geometry> {
+class ListLoops : public PointLoops<Geometry> {
  public:
   using Base = PointLoops<Geometry>;
   static constexpr int dim = Geometry::dim;
@@ -46,10 +46,16 @@ class ListLoops final : public PointLoops<Geometry> {
                            const Motion& motion) const override;
   Survey survey(const Body& body, PointRange range) const override;
 
- private:
+ protected:
   using Matrix = Eigen::Matrix<double, dim, dim>;
   static constexpr int rotations = Geometry::rotations;
   static constexpr std::size_t about = dim == 2 ? 2 : 0;  // the first rotation's place in a Turn
+
+  const Grid<dim>& grid() const { return grid_; }
+  const Transfer& transfer() const { return transfer_; }
+  bool on_grid(const Columns& points, int p) const;
+
+ private:
   using Entries = std::span<const typename NodeList<dim>::Entry>;
 
   // Some points, where they stand, and what they reach.
@@ -84,7 +90,6 @@ class ListLoops final : public PointLoops<Geometry> {
   Jet jet(const Reach& at, int p, const Vec& base, Value&& f) const;
   Matrix inertia_of(const Reach& at, int p) const;  // D_p = sum N (x_i - x_p) (x_i - x_p)^T, m^2
   int lowest_node(Entries entries) const;
-  bool on_grid(const Columns& points, int p) const;
 
   void map_motion(const Body& body, const At& at, const Chunk& chunk, bool with_mass, Field& field) const;
   void store_strain_rates(Body& body, const Reach& at, int p, const std::vector<Vec>& velocity) const;
