@@ -113,6 +113,7 @@ class Cpdi final : public ListedShape<dim> {
     return {.support = domains_.support(), .blur = Domains<dim>::blur, .fixed_inertia = false, .boxes = true};
   }
 
+  bool keeps_affine_energy() const override { return true; }
   bool follows() const override { return true; }
   void follow(Columns& points) const override { deform_domains<dim>(points); }
 

@@ -532,7 +532,11 @@ class NaiveStep {
       if (affine) {
         for (int d = dim_; d < 3; ++d) moment(d, d) = 1;
         point.c = scene_.shape == "linear" ? l : Mat(b * moment.inverse());  // [EC-APIC 5]
-        kept += (point.c * inertia(point) * point.c.transpose()).trace();
+        const Mat there = inertia(point);
+        const double before = (point.c * moment * point.c.transpose()).trace();
+        if (domains() && !gas_ && !segments_ && before > 0)  // [CPDI 5]
+          point.c *= std::sqrt(before / (point.c * there * point.c.transpose()).trace());
+        kept += (point.c * there * point.c.transpose()).trace();
       }
       point.loss += point.m * ((flip ? change_square : square) - kept) / 2;  // [EC-APIC 5] B_p
       transfer -= point.loss;

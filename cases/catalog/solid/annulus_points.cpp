@@ -26,14 +26,16 @@ struct Sector {
   double centroid_radius() const { return mean_radius() * std::sin(width / 2) / (width / 2); }
 };
 
-// Bands a spacing wide (the nearest that divides the ring's width), of sectors about as long.
-std::vector<Sector> sectors_of(const Annulus& a, double spacing) {
+// Bands a spacing wide (the nearest that divides the ring's width), of sectors about as long: in each band for itself, or
+// in all alike, so that each has its sides in common with those of the next band.
+std::vector<Sector> sectors_of(const Annulus& a, double spacing, bool alike) {
   const int circles = std::max(1, whole(std::round((a.outer - a.inner) / spacing)));
   const double width = (a.outer - a.inner) / circles, turn = (a.quarter ? 0.5 : 2.0) * std::numbers::pi;
   std::vector<Sector> sectors;
   for (int c = 0; c < circles; ++c) {
     Sector sector{a.inner + c * width, a.inner + (c + 1) * width, 0, 0};
-    const int count = std::max(a.quarter ? 1 : 4, whole(std::round(turn * sector.middle() / width)));
+    const double radius = alike ? 0.5 * (a.inner + a.outer) : sector.middle();
+    const int count = std::max(a.quarter ? 1 : 4, whole(std::round(turn * radius / width)));
     sector.width = turn / count;
     for (int k = 0; k < count; ++k) {
       sector.angle = (k + 0.5) * sector.width;
@@ -185,13 +187,13 @@ Body points_of(const std::vector<Sector>& sectors, double (Sector::*radius)() co
 
 Body ring_annulus(std::string name, std::shared_ptr<const Material> material, const Annulus& annulus, double density,
                   int ppc, const GridSpec& grid) {
-  return points_of(sectors_of(annulus, grid.h / ppc), &Sector::mean_radius, std::move(name), std::move(material),
+  return points_of(sectors_of(annulus, grid.h / ppc, false), &Sector::mean_radius, std::move(name), std::move(material),
                    annulus, density);
 }
 
 Body polar_annulus(std::string name, std::shared_ptr<const Material> material, const Annulus& annulus, double density,
                    int ppc, const GridSpec& grid) {
-  const std::vector<Sector> sectors = sectors_of(annulus, grid.h / ppc);
+  const std::vector<Sector> sectors = sectors_of(annulus, grid.h / ppc, true);
   Body body = points_of(sectors, &Sector::centroid_radius, std::move(name), std::move(material), annulus, density);
   body.points.add(column::half_edges_at_start, 4);
   for (int p = 0; p < body.points.points(); ++p) {

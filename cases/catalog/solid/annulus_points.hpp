@@ -34,8 +34,10 @@ Body cut_annulus(std::string name, std::shared_ptr<const Material> material, con
 Body ring_annulus(std::string name, std::shared_ptr<const Material> material, const Annulus& annulus, double density,
                   int ppc, const GridSpec& grid);
 
-// Sectors of the same bands, which tile the ring: each with its area, its centre of mass and its parallelogram of the half
-// edges half its band along the radius and half its middle arc across, in the column half_edges_at_start.
+// Sectors of the same bands, as many in each, so that they have their corners in common: where those of one band stand between
+// those of the next, forces along the circle do not cancel on a grid, by a share that does not fall with h. Each has its area, its
+// centre of mass and a parallelogram of two half edges, half its band along the radius and half its middle arc across, in
+// the column half_edges_at_start.
 Body polar_annulus(std::string name, std::shared_ptr<const Material> material, const Annulus& annulus, double density,
                    int ppc, const GridSpec& grid);
 

@@ -11,14 +11,14 @@ namespace plumbline {
 template <class G>
 [[gnu::always_inline]] inline void CornerLoops<G>::store_strain_rates(const RateColumns& rates, int p,
                                                                       const CornerWeights::Jet& jet, double radius) {
-  const double hoop = G::axisymmetric ? jet.value[0] / radius : 0;
+  const double hoop = G::axisymmetric ? jet.value.x / radius : 0;
+  const double gradient[dim][dim] = {{jet.gradient.xx, jet.gradient.xy}, {jet.gradient.yx, jet.gradient.yy}};
   if (rates.full) {
-    for (int k = 0; k < dim * dim; ++k) rates.at[k][p] = jet.gradient(k / dim, k % dim);
+    for (int k = 0; k < dim * dim; ++k) rates.at[k][p] = gradient[k / dim][k % dim];
     if (G::axisymmetric) rates.at[dim * dim][p] = hoop;
     return;
   }
-  double gradient[dim][dim], rate[G::strains];
-  for (int k = 0; k < dim * dim; ++k) gradient[k / dim][k % dim] = jet.gradient(k / dim, k % dim);
+  double rate[G::strains];
   G::strain(gradient, hoop, rate);  // [York 3.23]
   for (int k = 0; k < G::strains; ++k) rates.at[k][p] = rate[k];
 }
@@ -38,8 +38,9 @@ double CornerLoops<G>::gather_start(Body& body, const At& at, const Chunk& chunk
         if (strained) store_strain_rates(rates, p, weights.jet(strained), domains_.radius(radius[p]));
         if (!start) return;
         const CornerWeights::Moments u = weights.moments(start);
-        const Matrix inertia = weights.inertia(), taken = u.moment * inverse(inertia), off = from.affine[p] - taken;
-        const double apart = (from.velocity[p] - u.value).squaredNorm() + affine_square(off, inertia);
+        const Square inertia = weights.inertia(), taken = u.moment * inertia.inverse(), off = from.affine(p) - taken;
+        const Two v = from.velocity(p), slip{v.x - u.value.x, v.y - u.value.y};
+        const double apart = slip.square() + affine_square(off, inertia);
         const double spread = u.spread - affine_square(taken, inertia);
         const double lost = 0.5 * from.mass[p] * (apart + std::max(spread, 0.0));  // [EC-APIC 1]
         if (loss) loss[p] = lost;
@@ -54,38 +55,44 @@ MotionSums CornerLoops<G>::gather_motion(Body& body, const At& at, const Chunk& 
   if (!side_by_side(body) || motion.exchange || motion.beyond || !field.gas.kept.empty())
     return Lists::gather_motion(body, at, chunk, field, motion);
   Columns& points = body.points;
-  MovingColumns<double> to(points);
+  const MovingColumns<double> to(points);
   const RateColumns rates(body);
-  const DomainEdges<dim> edges(points);
-  const CellRange all = all_cells();
-  const double* const x[] = {points(column::position, 0), points(column::position, 1)};
+  const EdgeColumns edges(points);
+  const double* const x[] = {to.x[0], to.x[1]};
   const double* radius = at.places(points, true).x[0];
   const double* straining = motion.straining ? motion.straining->front().data() : nullptr;
   const double* carrying = motion.carrying ? motion.carrying->front().data() : nullptr;
   const double* end = field.end.front().data();
   double* loss = points.has(column::transfer_loss) ? points(column::transfer_loss) : nullptr;
+  const double dt = motion.drift.value_or(motion.dt), h = this->grid().h();
   MotionSums sums;
   for_points(
       points, at, chunk, [&](int p, const CornerWeights& weights) __attribute__((always_inline)) {
         const CornerWeights::Moments u = weights.moments(end);
-        Vec carried = u.value;
+        Two carried = u.value;
         if (straining) {
           const CornerWeights::Jet jet = weights.jet(straining);
           store_strain_rates(rates, p, jet, domains_.radius(radius[p]));
           if (carrying == straining) carried = jet.value;
         }
         if (carrying && carrying != straining) carried = weights.value(carrying);
-        const Matrix twist = u.moment * inverse(weights.inertia());  // [EC-APIC 5]
-        const Vec step = motion.drift ? Vec(*motion.drift * u.value) : Vec(motion.dt * carried);
-        if (sums.too_far < 0 && !(step.cwiseAbs().maxCoeff() <= this->grid().h())) sums.too_far = p;
+        const Square here = weights.inertia(), taken = u.moment * here.inverse();  // [EC-APIC 5]
+        const Two own = motion.drift ? u.value : carried, step{dt * own.x, dt * own.y};
+        if (sums.too_far < 0 && !(std::abs(step.x) <= h && std::abs(step.y) <= h)) sums.too_far = p;
         const double m = to.mass[p];
-        to.velocity.set(p, u.value);
-        to.position.set(p, to.position[p] + step);  // [York 3.21]
-        to.affine.set(p, twist);
-        // With the inertia of the new place: where that is another, so are the energy and the spin of the affine part.
-        const Matrix there = this->weights(x, edges, p, all).inertia();
+        to.v[0][p] = u.value.x;
+        to.v[1][p] = u.value.y;
+        to.x[0][p] += step.x;  // [York 3.21]
+        to.x[1][p] += step.y;
+        // With the inertia of the new place the energy of the affine part stays, its spin does not.
+        const Square there = inertia_of(x, edges, p);
+        const Square twist = taken.times(kept_share(taken, here, there));
+        to.c[0][p] = twist.xx;
+        to.c[1][p] = twist.xy;
+        to.c[2][p] = twist.yx;
+        to.c[3][p] = twist.yy;
         add_spin(m, u.moment - twist * there, sums.torque);
-        if (!motion.drift) add_spin(m * motion.dt, u.value * carried.transpose(), sums.moved);
+        if (!motion.drift) add_spin(m * motion.dt, outer(u.value, carried), sums.moved);
         const double given = 0.5 * m * (u.spread - affine_square(twist, there));
         if (loss) loss[p] += given;
         sums.lost += given;
@@ -96,23 +103,22 @@ MotionSums CornerLoops<G>::gather_motion(Body& body, const At& at, const Chunk& 
 // Mass, momenta and kinetic energy of a range. inside: whether all so far stand on the grid.
 template <class G>
 void CornerLoops<G>::sum_motion(const Body& body, PointRange range, Totals& totals, bool& inside) const {
-  const Columns& points = body.points;
-  const MovingColumns<const double> from(points);
-  const DomainEdges<dim> edges(points);
-  const CellRange all = all_cells();
-  const double* const place[] = {points(column::position, 0), points(column::position, 1)};
+  const MovingColumns<const double> from(body.points);
+  const EdgeColumns edges(body.points);
   for (int p = range.first; p < range.last; ++p) {
     const double m = from.mass[p];
-    const Vec x = from.position[p], v = from.velocity[p];
-    const Matrix twist = from.affine[p], inertia = weights(place, edges, p, all).inertia();
-    const double square = v.squaredNorm(), speed = std::sqrt(square);
-    inside = inside && std::isfinite(square) && this->on_grid(points, p);
+    const Two x{from.x[0][p], from.x[1][p]}, v = from.velocity(p);
+    const Square twist = from.affine(p), inertia = inertia_of(from.x, edges, p);
+    const double square = v.square(), speed = std::sqrt(square);
+    inside = inside && std::isfinite(square) && on_grid(from.x, p);
     totals.mass += m;
-    for (int d = 0; d < dim; ++d) totals.momentum[static_cast<std::size_t>(d)] += m * v[d];
+    totals.momentum[0] += m * v.x;
+    totals.momentum[1] += m * v.y;
     totals.momentum_scale += m * speed;
-    if (rotations > 0) totals.angular_scale += m * speed * x.norm();
+    if (rotations > 0) totals.angular_scale += m * speed * std::sqrt(x.square());
     totals.energy.kinetic += 0.5 * m * (square + affine_square(twist, inertia));
-    add_spin(m, v * x.transpose() + twist * inertia, totals.angular_momentum);
+    add_spin(m, outer(v, x), totals.angular_momentum);
+    add_spin(m, twist * inertia, totals.angular_momentum);
   }
 }
 
@@ -129,9 +135,14 @@ Survey CornerLoops<G>::survey(const Body& body, PointRange range) const {
 template <class G>
 Totals CornerLoops<G>::survey_motion(const Body& body, PointRange range) const {
   if (!side_by_side(body)) return Lists::survey_motion(body, range);
+  const MovingColumns<const double> from(body.points);
+  const EdgeColumns edges(body.points);
   Totals totals;
-  bool inside = true;
-  sum_motion(body, range, totals, inside);
+  for (int p = range.first; p < range.last; ++p) {
+    const Square twist = from.affine(p), moment = twist * inertia_of(from.x, edges, p);
+    totals.energy.kinetic += 0.5 * from.mass[p] * moment.dot(twist);
+    add_spin(from.mass[p], moment, totals.angular_momentum);
+  }
   return totals;
 }
 

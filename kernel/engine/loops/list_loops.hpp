@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -54,6 +55,17 @@ class ListLoops : public PointLoops<Geometry> {
   const Grid<dim>& grid() const { return grid_; }
   const Transfer& transfer() const { return transfer_; }
   bool on_grid(const Columns& points, int p) const;
+  // What has stress in all directions and no heat.
+  static bool is_solid(const Body& body) {
+    const StressMeasure measure = body.material->measure();
+    return (measure == StressMeasure::full || measure == StressMeasure::symmetric) && !body.material->takes_heat();
+  }
+  // tr(C D C^T), and what C is multiplied by for it to be the same with D of another place. [CPDI 5]
+  static double affine_square(const Matrix& c, const Matrix& inertia) { return (c * inertia).cwiseProduct(c).sum(); }
+  static double kept_share(const Matrix& c, const Matrix& here, const Matrix& there) {
+    const double before = affine_square(c, here), after = affine_square(c, there);
+    return before > 0 && after > 0 ? std::sqrt(before / after) : 1;
+  }
 
  private:
   using Entries = std::span<const typename NodeList<dim>::Entry>;
@@ -96,7 +108,7 @@ class ListLoops : public PointLoops<Geometry> {
   struct Taken;
   void filter(const Body& body, const Reach& at, int p, const Field& field, const Vec& base, Taken& taken) const;
   Taken take(const Body& body, const Reach& at, int p, const Field& field) const;
-  void settle_affine(Body& body, const Reach& there, int p, Taken& taken, MotionSums& sums) const;
+  void settle_affine(Body& body, const Reach& here, const Reach& there, int p, Taken& taken, MotionSums& sums) const;
   static void exchange_heat(Body& body, const Reach& at, int p, const Field& field);
   // Torque m (S - S^T) of S = sum N f (x_i - x_p)^T.
   static void add_turn(double m, const Matrix& s, Turn& turn);

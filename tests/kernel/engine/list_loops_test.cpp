@@ -190,7 +190,9 @@ class Pair {
                                &column::transfer_loss, &column::rest_length})
       numbers(*id, 0.5, 1.5);
     numbers(column::half_size, 0.04, 0.14);
-    if (lists_->follows()) shear_domains(random);
+    if constexpr (dim == 2) {
+      if (lists_->follows()) shear_domains(random);
+    }
     hold(field_);
     for (auto* nodes : {&field_.start, &field_.end, &field_.midpoint, &field_.corrected.filtered}) {
       for (Vec& value : *nodes) {
