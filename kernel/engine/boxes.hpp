@@ -29,7 +29,7 @@ void add_boxes(Body& body, bool deforming) {
 template <class G>
 void deform_boxes(const Discretisation<G>& space, Columns& points, Ledger& ledger) {
   constexpr int dim = G::dim;
-  if (!space.shape.boxes || !points.has(column::half_size_at_start)) return;
+  if (!space.shape.boxes || space.loops->follows() || !points.has(column::half_size_at_start)) return;
   const bool affine = space.transfer.affine;
   const double *mass = points(column::mass), *at_start[dim], *f[dim][dim], *twist[dim][dim] = {};
   double* half_size[dim];
@@ -75,9 +75,9 @@ template <class G>
 void follow_points(const Discretisation<G>& space, Body& body, Ledger& ledger) {
   if (!space.loops->follows()) return;
   const PointRange all = all_points(body.points);
-  const Totals before = space.loops->survey(body, all).totals;
+  const Totals before = space.loops->survey_motion(body, all);
   space.loops->follow(body.points);
-  const Totals after = space.loops->survey(body, all).totals;
+  const Totals after = space.loops->survey_motion(body, all);
   ledger.energy.book(Flow::transfer, after.energy.kinetic - before.energy.kinetic);
   for (std::size_t k = 0; k < 3; ++k) {
     ledger.angular_momentum[k].book(Flow::transfer, after.angular_momentum[k] - before.angular_momentum[k]);

@@ -135,6 +135,8 @@ class PointLoops {
 
   // --- points alone
   virtual Survey survey(const Body& body, PointRange range) const = 0;
+  // What of a survey depends on the weights: kinetic energy and angular momentum.
+  virtual Totals survey_motion(const Body& body, PointRange range) const { return survey(body, range).totals; }
 };
 
 }  // namespace plumbline

@@ -52,6 +52,8 @@ class ListedShape {
   // columns that no step changes, at.half_size and what follow() has set: every stage of a step has the same weights.
   virtual void list(const Columns& points, const Places<dim>& at, PointRange range, NodeList<dim>& nodes) const = 0;
 
+  // Whether solids that move keep the energy of their affine velocities, whatever becomes of their inertia: C_p then changes.
+  virtual bool keeps_affine_energy() const { return false; }
   // Whether follow() does something.
   virtual bool follows() const { return false; }
   // Sets columns of its own from the points as they are, once a step, before they are located.

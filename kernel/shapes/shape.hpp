@@ -24,8 +24,9 @@ struct ShapeEntry : Choice {
   std::tuple<MakeLoops<Line>, MakeLoops<Plane>, MakeLoops<Axisymmetric>, MakeLoops<Solid>> loops;
   double inertia = 0;  // D_p / h^2 where a point stands on a node, the same anywhere if constant_inertia is offered
   bool boxes = false;  // points have half sizes
-  bool boxes_deform = false;  // which follow the deformation
-  int lanes = 1;              // how many values its loops read side by side
+  bool boxes_deform = false;      // which follow the deformation
+  bool domain_gradients = false;  // gradients are means over the points' domains, not derivatives of the values
+  int lanes = 1;                  // how many values its loops read side by side
 };
 
 // In the order of their names.

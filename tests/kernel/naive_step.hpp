@@ -24,7 +24,8 @@ struct NaivePoint {
   Eigen::Matrix3d c = Eigen::Matrix3d::Zero(), stress = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d eps = Eigen::Matrix3d::Zero(), f = Eigen::Matrix3d::Identity();  // of solids
   Eigen::Vector3d half = 0.5 * Eigen::Vector3d::Ones(), half_at_start = half;      // of the box, in cells
-  Eigen::Vector3d pull = Eigen::Vector3d::Zero();                                  // of the segments on the point
+  Eigen::Matrix3d edges = Eigen::Matrix3d::Identity();  // half edges of the domain, a column each, in cells
+  Eigen::Vector3d pull = Eigen::Vector3d::Zero();       // of the segments on the point
   double m = 0, volume = 0, density = 0, energy = 0, pressure = 0, strain = 0, loss = 0, exchanged = 0, rest = 0;
   double sound = 0, closing = 0;  // of the stress: c, and how fast the flow is compressed
 };
@@ -74,6 +75,7 @@ class NaiveStep {
       const double section = rings() ? point.volume / std::abs(point.x[0]) : point.volume;
       point.half_at_start.setConstant(std::pow(section, 1.0 / dim_) / h_ / 2);
       point.half = point.half_at_start.cwiseMin(0.5);
+      point.edges = point.half_at_start.asDiagonal();
     }
     if (segments_) {
       for (std::size_t p = 0; p < points.size(); ++p) points[p].strain = stretch(p);
@@ -203,6 +205,7 @@ class NaiveStep {
     return sum;
   }
   bool boxes() const { return scene_.shape == "gimp" || scene_.shape == "contiguous-gimp"; }
+  bool domains() const { return scene_.shape == "cpdi"; }
   // half: of the boxes, in cells.
   double spline(double u, double half) const {
     const double a = std::abs(u);
@@ -212,6 +215,9 @@ class NaiveStep {
         return s < 0 ? (1 + s) * (1 + s) / 2 : 1 - (1 - s) * (1 - s) / 2;
       };
       return (until(u + half) - until(u - half)) / (2 * half);
+    }
+    if (domains()) {  // of the volumes of nodes: a domain of this half edge along the axis
+      return 0.5 * (std::max(0.0, 1 - std::abs(u - half)) + std::max(0.0, 1 - std::abs(u + half)));
     }
     if (scene_.shape == "linear") return std::max(0.0, 1 - a);
     if (scene_.shape == "quadratic") return a < 0.5 ? 0.75 - a * a : a < 1.5 ? 0.5 * (1.5 - a) * (1.5 - a) : 0;
@@ -228,13 +234,41 @@ class NaiveStep {
     return a < 1 ? -2 * u + 1.5 * a * u : a < 2 ? -sign * 0.5 * (2 - a) * (2 - a) : 0;
   }
   bool apart(const Vec& x, const NaiveNode& node) const { return (x - node.x).cwiseAbs().maxCoeff() >= 2.001 * h_; }
+  // visit(share of N_i, factor of grad N_i) for each corner of a domain: tents there, and (s_c . r^k)_k. [CPDI 2, 3]
+  template <class Visit>
+  void for_corners(const NaivePoint& p, const NaiveNode& node, Visit&& visit) const {
+    const int corners = 1 << dim_;
+    Mat edges = Mat::Identity();
+    edges.topLeftCorner(dim_, dim_) = h_ * p.edges.topLeftCorner(dim_, dim_);
+    const Mat duals = edges.inverse();  // row by row
+    for (int c = 0; c < corners; ++c) {
+      Vec corner = p.x, slope = Vec::Zero();
+      for (int k = 0; k < dim_; ++k) {
+        const double sign = (c >> k) % 2 == 1 ? 1 : -1;
+        corner += sign * edges.col(k);
+        slope += sign * duals.row(k).transpose();
+      }
+      double share = 1.0 / corners;
+      for (int d = 0; d < dim_; ++d) share *= std::max(0.0, 1 - std::abs(corner[d] - node.x[d]) / h_);
+      visit(share, slope);
+    }
+  }
   double weight(const NaivePoint& p, const NaiveNode& node) const {
+    if (domains()) {
+      double sum = 0;
+      for_corners(p, node, [&](double share, const Vec&) { sum += share; });
+      return sum;
+    }
     double n = 1;
     for (int d = 0; d < dim_; ++d) n *= spline((p.x[d] - node.x[d]) / h_, p.half[d]);
     return n;
   }
   Vec gradient(const NaivePoint& p, const NaiveNode& node) const {
     Vec g = Vec::Zero();
+    if (domains()) {
+      for_corners(p, node, [&](double share, const Vec& slope) { g += share * slope; });
+      return g;
+    }
     for (int d = 0; d < dim_; ++d) {
       g[d] = slope((p.x[d] - node.x[d]) / h_, p.half[d]) / h_;
       for (int e = 0; e < dim_; ++e) g[d] *= e == d ? 1 : spline((p.x[e] - node.x[e]) / h_, p.half[e]);
@@ -250,13 +284,14 @@ class NaiveStep {
     return d;
   }
   // Boxes that follow the deformation have the second moments of what the box at the start became; what their inertia
-  // gains of the points' affine energy is booked. [GIMP 2]
+  // gains of the points' affine energy is booked. [GIMP 2] So it is of domains. [CPDI 1]
   void deform_boxes() {
-    if (scene_.shape != "contiguous-gimp" || !neo_) return;
+    if ((scene_.shape != "contiguous-gimp" && !domains()) || !neo_) return;
     for (NaivePoint& p : points) {
       const Mat moments = p.half_at_start.cwiseAbs2().asDiagonal();
       const double before = (p.c * inertia(p) * p.c.transpose()).trace();
       p.half = Mat(p.f * moments * p.f.transpose()).diagonal().cwiseSqrt().cwiseMin(0.5);
+      p.edges = p.f * p.half_at_start.asDiagonal();
       transfer += p.m * ((p.c * inertia(p) * p.c.transpose()).trace() - before) / 2;
     }
   }
@@ -497,7 +532,11 @@ class NaiveStep {
       if (affine) {
         for (int d = dim_; d < 3; ++d) moment(d, d) = 1;
         point.c = scene_.shape == "linear" ? l : Mat(b * moment.inverse());  // [EC-APIC 5]
-        kept += (point.c * inertia(point) * point.c.transpose()).trace();
+        const Mat there = inertia(point);
+        const double before = (point.c * moment * point.c.transpose()).trace();
+        if (domains() && !gas_ && !segments_ && before > 0)  // [CPDI 5]
+          point.c *= std::sqrt(before / (point.c * there * point.c.transpose()).trace());
+        kept += (point.c * there * point.c.transpose()).trace();
       }
       point.loss += point.m * ((flip ? change_square : square) - kept) / 2;  // [EC-APIC 5] B_p
       transfer -= point.loss;

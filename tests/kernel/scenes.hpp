@@ -16,6 +16,7 @@
 #include "kernel/integrator_traits.hpp"
 #include "kernel/materials/ideal_gas.hpp"
 #include "kernel/materials/uniaxial_membrane.hpp"
+#include "kernel/shapes/domain_columns.hpp"
 #include "kernel/shapes/shape.hpp"
 #include "kernel/simulation.hpp"
 #include "kernel/transfers/transfer.hpp"
@@ -272,11 +273,11 @@ inline std::vector<double> densities_in_use(const Body& body) {
 }
 
 inline std::vector<const ColumnId*> all_columns() {
-  return {&column::position,  &column::velocity,          &column::affine,      &column::mass,
-          &column::volume,    &column::strain_rate,       &column::stress,      &column::density,
-          &column::energy,    &column::pressure,          &column::strain,      &column::kept_loss,
-          &column::tangent,   &column::transfer_loss,     &column::deformation, &column::body_force,
-          &column::half_size, &column::half_size_at_start};
+  return {&column::position,  &column::velocity,           &column::affine,      &column::mass,
+          &column::volume,    &column::strain_rate,        &column::stress,      &column::density,
+          &column::energy,    &column::pressure,           &column::strain,      &column::kept_loss,
+          &column::tangent,   &column::transfer_loss,      &column::deformation, &column::body_force,
+          &column::half_size, &column::half_size_at_start, &column::half_edges,  &column::half_edges_at_start};
 }
 
 // Every column, bit for bit, and the order of the points.

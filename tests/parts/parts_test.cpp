@@ -76,6 +76,7 @@ constexpr Wrong wrong_parts[] = {
     {"shape", "wrong-unity", "unity/line", "gradient/sums/line"},
     {"shape", "wrong-centre", "linear/plane", "unity/plane"},
     {"shape", "wrong-gradient", "gradient/derivative/line", "gradient/sums/line"},
+    {"shape", "wrong-domain", "gradient/domain/plane", "gradient/sums/plane"},
     {"shape", "wrong-anchor", "continuity/value/plane", "linear/plane"},
     {"shape", "wrong-inertia", "inertia/second-moment/line", "linear/line"},
     {"shape", "wrong-smooth", "continuity/gradient/line", "gradient/derivative/line"},

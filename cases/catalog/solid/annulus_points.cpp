@@ -9,31 +9,40 @@
 
 #include "cases/harness/description/fill_solid.hpp"
 #include "cases/harness/files/whole.hpp"
+#include "kernel/shapes/domain_columns.hpp"
 
 namespace plumbline {
 namespace {
 
-struct Place {
-  std::array<double, 2> x;
-  double volume;
+// A sector of a band between two circles.
+struct Sector {
+  double low, high;     // radii
+  double angle, width;  // of its middle, and between its sides
+
+  double middle() const { return 0.5 * (low + high); }
+  double area() const { return 0.5 * (high * high - low * low) * width; }
+  // The first moment of its radii over its area; the centre of mass is nearer by the mean of the cosine over its angles.
+  double mean_radius() const { return 2.0 / 3 * (high * high * high - low * low * low) / (high * high - low * low); }
+  double centroid_radius() const { return mean_radius() * std::sin(width / 2) / (width / 2); }
 };
 
-std::vector<Place> places_on_circles(const Annulus& a, double spacing) {
+// Bands a spacing wide (the nearest that divides the ring's width), of sectors about as long: in each band for itself, or
+// in all alike, so that each has its sides in common with those of the next band.
+std::vector<Sector> sectors_of(const Annulus& a, double spacing, bool alike) {
   const int circles = std::max(1, whole(std::round((a.outer - a.inner) / spacing)));
   const double width = (a.outer - a.inner) / circles, turn = (a.quarter ? 0.5 : 2.0) * std::numbers::pi;
-  std::vector<Place> places;
+  std::vector<Sector> sectors;
   for (int c = 0; c < circles; ++c) {
-    const double low = a.inner + c * width, high = low + width, middle = 0.5 * (low + high);
-    // The first moment of a band over its area, for a share of small angle.
-    const double radius = 2.0 / 3 * (high * high * high - low * low * low) / (high * high - low * low);
-    const int count = std::max(a.quarter ? 1 : 4, whole(std::round(turn * middle / width)));
+    Sector sector{a.inner + c * width, a.inner + (c + 1) * width, 0, 0};
+    const double radius = alike ? 0.5 * (a.inner + a.outer) : sector.middle();
+    const int count = std::max(a.quarter ? 1 : 4, whole(std::round(turn * radius / width)));
+    sector.width = turn / count;
     for (int k = 0; k < count; ++k) {
-      const double angle = (k + 0.5) * turn / count;
-      places.push_back({{a.centre[0] + radius * std::cos(angle), a.centre[1] + radius * std::sin(angle)},
-                        0.5 * (high * high - low * low) * turn / count});
+      sector.angle = (k + 0.5) * sector.width;
+      sectors.push_back(sector);
     }
   }
-  return places;
+  return sectors;
 }
 
 // Area, first and second moments of what lies inside.
@@ -154,31 +163,61 @@ Body fill_annulus(std::string name, std::shared_ptr<const Material> material, co
   return fill_solid(std::move(name), std::move(material), shape, density, ppc, grid);
 }
 
-Body ring_annulus(std::string name, std::shared_ptr<const Material> material, const Annulus& annulus, double density,
-                  int ppc, const GridSpec& grid) {
-  const std::vector<Place> places = places_on_circles(annulus, grid.h / ppc);
-  Body body = make_body(std::move(name), std::move(material), static_cast<int>(places.size()), 2);
+namespace {
+
+// A point for each sector, at this radius and its middle angle.
+Body points_of(const std::vector<Sector>& sectors, double (Sector::*radius)() const, std::string name,
+               std::shared_ptr<const Material> material, const Annulus& annulus, double density) {
+  Body body = make_body(std::move(name), std::move(material), static_cast<int>(sectors.size()), 2);
   double total = 0;
   for (int p = 0; p < body.points.points(); ++p) {
-    const Place& place = places[static_cast<std::size_t>(p)];
-    for (int d = 0; d < 2; ++d) body.points(column::position, d)[p] = place.x[static_cast<std::size_t>(d)];
-    body.points(column::volume)[p] = place.volume;
-    body.points(column::mass)[p] = density * place.volume;
-    total += place.volume;
+    const Sector& sector = sectors[static_cast<std::size_t>(p)];
+    const double r = (sector.*radius)();
+    body.points(column::position, 0)[p] = annulus.centre[0] + r * std::cos(sector.angle);
+    body.points(column::position, 1)[p] = annulus.centre[1] + r * std::sin(sector.angle);
+    body.points(column::volume)[p] = sector.area();
+    body.points(column::mass)[p] = density * sector.area();
+    total += sector.area();
   }
-  body.spacing = std::sqrt(total / static_cast<double>(places.size()));
+  body.spacing = std::sqrt(total / static_cast<double>(sectors.size()));
+  return body;
+}
+
+}  // namespace
+
+Body ring_annulus(std::string name, std::shared_ptr<const Material> material, const Annulus& annulus, double density,
+                  int ppc, const GridSpec& grid) {
+  return points_of(sectors_of(annulus, grid.h / ppc, false), &Sector::mean_radius, std::move(name), std::move(material),
+                   annulus, density);
+}
+
+Body polar_annulus(std::string name, std::shared_ptr<const Material> material, const Annulus& annulus, double density,
+                   int ppc, const GridSpec& grid) {
+  const std::vector<Sector> sectors = sectors_of(annulus, grid.h / ppc, true);
+  Body body = points_of(sectors, &Sector::centroid_radius, std::move(name), std::move(material), annulus, density);
+  body.points.add(column::half_edges_at_start, 4);
+  for (int p = 0; p < body.points.points(); ++p) {
+    const Sector& sector = sectors[static_cast<std::size_t>(p)];
+    const double across = (sector.high - sector.low) / 2, along = sector.middle() * sector.width / 2;
+    const double c = std::cos(sector.angle), s = std::sin(sector.angle);
+    const double edges[] = {across * c, across * s, -along * s, along * c};
+    for (int k = 0; k < 4; ++k) body.points(column::half_edges_at_start, k)[p] = edges[k];
+  }
   return body;
 }
 
 AnnulusLayout annulus_layout(const std::string& name) {
-  return name == "cut" ? cut_annulus : name == "circles" ? ring_annulus : fill_annulus;
+  return name == "cut"       ? cut_annulus
+         : name == "polar"   ? polar_annulus
+         : name == "circles" ? ring_annulus
+                             : fill_annulus;
 }
 
 Key layout_key(std::string value) {
   return {.name = "layout",
           .value = std::move(value),
-          .choices = {"cut", "circles", "lattice"},
-          .description = "the lattice with cut squares, points on circles, or whole squares"};
+          .choices = {"polar", "cut", "circles", "lattice"},
+          .description = "sectors with domains, the lattice with cut squares, points on circles, or whole squares"};
 }
 
 }  // namespace plumbline

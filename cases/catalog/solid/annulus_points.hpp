@@ -34,7 +34,14 @@ Body cut_annulus(std::string name, std::shared_ptr<const Material> material, con
 Body ring_annulus(std::string name, std::shared_ptr<const Material> material, const Annulus& annulus, double density,
                   int ppc, const GridSpec& grid);
 
-// One of these three by its name: lattice, cut, circles.
+// Sectors of the same bands, as many in each, so that they have their corners in common: where those of one band stand between
+// those of the next, forces along the circle do not cancel on a grid, by a share that does not fall with h. Each has its area, its
+// centre of mass and a parallelogram of two half edges, half its band along the radius and half its middle arc across, in
+// the column half_edges_at_start.
+Body polar_annulus(std::string name, std::shared_ptr<const Material> material, const Annulus& annulus, double density,
+                   int ppc, const GridSpec& grid);
+
+// One of these four by its name: lattice, cut, circles, polar.
 using AnnulusLayout = Body (*)(std::string, std::shared_ptr<const Material>, const Annulus&, double, int,
                                const GridSpec&);
 AnnulusLayout annulus_layout(const std::string& name);

@@ -55,6 +55,11 @@ std::vector<CaseGate> displacement_orders(const std::vector<std::string>& studie
   return all;
 }
 
+Number relative_error_at(double level) {
+  return number_at(fmt::format("{} over the largest norm of the motion, at {} cells", worst, level), worst, level,
+                   [](const RunResult&, const Measure& m) { return Measured::of(m.error / m.scale); });
+}
+
 CaseGate energy_monotone_gate(const std::string& study) {
   const auto largest_rise = [](const StudyResult& s) {
     double largest = 0;

@@ -25,6 +25,8 @@ Key poisson_key(double value);
 // 0.1 below.
 std::vector<CaseGate> displacement_orders(const std::vector<std::string>& studies, double order,
                                           const std::string& reason, Tier tier = Tier::quick);
+// displacement.worst over the largest norm of the exact displacement, at one level.
+Number relative_error_at(double level);
 // That no step raises the energy of the points: largest measure energy_rise of all runs of a study. Linear elasticity,
 // midpoint step, no load.
 CaseGate energy_monotone_gate(const std::string& study);

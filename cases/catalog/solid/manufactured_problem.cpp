@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/catalog/solid/collision.hpp"
 #include "cases/harness/description/archive.hpp"
 #include "cases/harness/description/schemes.hpp"
 #include "cases/harness/run/judged_at_end.hpp"
@@ -49,19 +50,22 @@ class ManufacturedProblem final : public Problem, public JudgedAtEnd {
     scene.grid = setup_.grid;
     Body body = setup_.body;
     start_motion(*setup_.exact, settings_.text("transfer") == "apic", body);
-    body.load = [exact = setup_.exact, start = start_](double time, Columns& points, std::span<const int> id) {
-      for (int p = 0; p < points.points(); ++p) {
-        const auto& x = start[static_cast<std::size_t>(id[static_cast<std::size_t>(p)])];
-        const Vector<double> b = exact->body_force(coordinates(*exact, x), time);
-        for (int d = 0; d < exact->dimension(); ++d) points(column::body_force, d)[p] = b[static_cast<std::size_t>(d)];
-      }
-    };
+    if (setup_.loaded)
+      body.load = [exact = setup_.exact, start = start_](double time, Columns& points, std::span<const int> id) {
+        for (int p = 0; p < points.points(); ++p) {
+          const auto& x = start[static_cast<std::size_t>(id[static_cast<std::size_t>(p)])];
+          const Vector<double> b = exact->body_force(coordinates(*exact, x), time);
+          for (int d = 0; d < exact->dimension(); ++d)
+            points(column::body_force, d)[p] = b[static_cast<std::size_t>(d)];
+        }
+      };
     scene.bodies.push_back(std::move(body));
     apply_choices(settings_, scene);
     return scene;
   }
 
   void observe(const Simulation& simulation) override {
+    energy_.observe(simulation);
     const double t = simulation.time();
     const bool last = end_time() - t <= 1e-12 * end_time();
     if (t < end_time() * static_cast<double>(seen_) / instants && !last) return;
@@ -76,6 +80,7 @@ class ManufacturedProblem final : public Problem, public JudgedAtEnd {
     }
   }
   void history(Archive& archive) override {
+    archive("energy", energy_);
     archive("seen", seen_);
     archive("worst", worst_);
     archive("worst_time", worst_time_);
@@ -84,9 +89,15 @@ class ManufacturedProblem final : public Problem, public JudgedAtEnd {
     archive("errors", errors_);
   }
 
-  std::vector<std::string> seen_on_the_way() const override { return {"displacement.worst"}; }
+  std::vector<std::string> seen_on_the_way() const override {
+    return {setup_.loaded ? "displacement.worst" : "energy_rise"};
+  }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {
+    if (!setup_.loaded) {
+      return {scalar_measure("energy_rise", energy_.largest_rise(), 0, 0, "1"),
+              scalar_measure("energy_lost", 1 - energy_.kept(), 0, 0, "1")};
+    }
     std::vector<Measure> all{worst_measure(simulation)};
     std::vector<ErrorSample> displacement, velocity, stress;
     const Body& body = simulation.scene().bodies.front();
@@ -104,8 +115,10 @@ class ManufacturedProblem final : public Problem, public JudgedAtEnd {
     Profile profile;
     profile.kind = "history";
     profile.abscissa = "time";
-    profile.columns = {{"time", "s", "time", times_},
-                       {"displacement_error", "1", "norm of the displacement's error", errors_}};
+    profile.columns = {
+        {"time", "s", "time", times_},
+        {"displacement_error", "1",
+         setup_.loaded ? "norm of the displacement's error" : "norm of the distance from the loaded motion", errors_}};
     return profile;
   }
 
@@ -187,6 +200,7 @@ class ManufacturedProblem final : public Problem, public JudgedAtEnd {
   Settings settings_;
   ManufacturedSetup setup_;
   std::vector<Vector<double>> start_;  // X by the point's number
+  EnergyWatch energy_;
   long seen_ = 0;
   double worst_ = 0, worst_time_ = 0, largest_ = 0;
   std::vector<double> times_, errors_;

@@ -12,7 +12,8 @@
 namespace plumbline {
 namespace {
 
-const std::vector<double> levels{16, 20, 24, 32, 40};
+const std::vector<double> levels{16, 20, 24, 32, 40}, ends{16, 32};
+const std::vector<double> roots_of_two{16, 23, 32, 45, 64};  // a factor of sqrt 2 apart
 
 struct Vortex : Parameters {
   reference::VortexProblem motion;
@@ -25,7 +26,7 @@ struct Vortex : Parameters {
     motion.poisson = number(poisson_key(motion.poisson));
     motion.density = positive("initial_density", motion.density, "kg/m^3", "initial density");
     end_time = positive("t_end", 1, "s", "end time");
-    layout = annulus_layout(text(layout_key("circles")));
+    layout = annulus_layout(text(layout_key("polar")));
   }
 };
 
@@ -45,23 +46,38 @@ std::unique_ptr<Problem> run(const Settings& settings) {
 }
 
 std::vector<StudyPlan> studies() {
-  return {study("default", "default", "Second order as far as boxes tile: they do not where the shear is large.", {16})
+  return {study("default", "default", "Domains tile the ring as it turns and shears: second order.", ends)
+              .in_full(roots_of_two),
+          study("boxes", "boxes", "Second order as far as boxes tile: they do not where the shear is large.", {16})
+              .with({{"shape", "contiguous-gimp"}, {"layout", "circles"}})
               .in_full(levels),
           study("cubic", "cubic B-splines", "Kernels that do not depend on the points' shapes.", levels)
-              .with({{"shape", "cubic"}})
+              .with({{"shape", "cubic"}, {"layout", "circles"}})
               .in(Tier::full)};
+}
+
+std::vector<CaseGate> gates() {
+  return joined(
+      {displacement_orders({"default"}, 1.9, "second order; 0.1 for large shear on coarse meshes", Tier::full),
+       {gate("default/worst-32", relative_error_at(32), at_most(2e-2),
+             requirement("two per cent of the motion with 16 cells across the ring; four times what 64 must reach")),
+        gate("default/worst-64", relative_error_at(64), at_most(5e-3),
+             requirement("half a per cent of the motion, at a shear of 6 and with 32 cells across the ring"))
+            .in(Tier::full)},
+       displacement_orders({"boxes", "cubic"}, 1.8, "second order; 0.2 for large shear", Tier::full)});
 }
 
 Case mms_vortex() {
   return {.name = "mms-vortex",
           .kind = Kind::solid,
           .keys = Vortex().keys(),
-          .sets = {{"cells", 32.0}},
+          .sets = {{"cells", 32.0}, {"shape", "cpdi"}},
+          .york1997 = {{"shape", "linear"}, {"layout", "circles"}},
           .york_step = courant_number(published_courant),
           .problem = run,
           .studies = studies(),
-          .gates = displacement_orders({"default", "cubic"}, 1.8, "second order; 0.2 for large shear", Tier::full),
-          .levels = levels};
+          .gates = gates(),
+          .levels = roots_of_two};
 }
 PLUMBLINE_CASE(mms_vortex);
 

@@ -24,7 +24,8 @@ std::vector<MeasuredGate> shape_gates(const ShapeEntry& shape) {
   std::vector<MeasuredGate> all;
   for (std::size_t geometry = 0; geometry < geometry_names().size(); ++geometry) {
     const auto subject = std::make_shared<const ShapeSubject>(shape, geometry);
-    for (auto* rows : {shape_identity_gates, shape_support_gates, shape_path_gates, shape_order_gates}) {
+    for (auto* rows :
+         {shape_identity_gates, shape_support_gates, shape_path_gates, shape_domain_gates, shape_order_gates}) {
       std::vector<MeasuredGate> some = rows(subject);
       std::move(some.begin(), some.end(), std::back_inserter(all));
     }

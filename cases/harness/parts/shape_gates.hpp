@@ -30,6 +30,7 @@ std::vector<MeasuredGate> shape_gates(const ShapeEntry& shape);
 std::vector<MeasuredGate> shape_identity_gates(const SharedSubject& subject);
 std::vector<MeasuredGate> shape_support_gates(const SharedSubject& subject);
 std::vector<MeasuredGate> shape_path_gates(const SharedSubject& subject);
+std::vector<MeasuredGate> shape_domain_gates(const SharedSubject& subject);
 std::vector<MeasuredGate> shape_order_gates(const SharedSubject& subject);
 
 // Random values from -1 to 1 on every node, a column for each direction.

@@ -1,6 +1,7 @@
 // Gradients are the derivatives of values, and both are as continuous as is claimed: what a random nodal field changes by
 // along a line is the integral of its gradient, exactly. Lines are cut into pieces, and those where both differ are halved
-// again and again, so that kinks are found wherever they are.
+// again and again, so that kinks are found wherever they are. Where gradients are means over domains, lines are cut into many
+// pieces, and those along which values or gradients change more than continuous ones could are halved.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,7 +17,10 @@ constexpr double agreed = 1e-13;            // difference on a piece that is rou
 constexpr double shortest = 0x1p-36;        // of pieces, in cells
 constexpr double close = 0x1p-20;           // pieces that short show jumps, cells
 constexpr std::size_t most_pieces = 1000;   // that are halved at once: more is no matter of kinks
-constexpr double most_jump = 1e-5;          // what slopes of ten a cell make of a piece that is close
+constexpr double steepest = 10;             // slopes and curvatures, a cell
+constexpr double most_jump = 1e-5;          // what these make of a piece that is close
+constexpr int pieces_a_cell = 8;            // to begin with
+constexpr int pieces_of_domains = 1000;     // a cell: along these, what is continuous changes by a hundredth
 constexpr double most_integral_off = 1e-9;  // thirty kinks, each a jump of 2/h in the gradient, on the shortest pieces
 
 struct PathFindings {
@@ -41,8 +45,10 @@ constexpr double gauss[] = {0, 0, 5.0 / 18, 8.0 / 18, 5.0 / 18};
 
 class Path {
  public:
-  Path(const ShapeProbe& probe, const ProbePoint& from, const ProbePoint& to)
+  // derivatives: gradients have to be those of the values.
+  Path(const ShapeProbe& probe, bool derivatives, const ProbePoint& from, const ProbePoint& to)
       : probe_(probe),
+        derivatives_(derivatives),
         from_(from),
         to_(to),
         field_(random_field(probe, seed)) {
@@ -54,7 +60,7 @@ class Path {
   PathFindings walk() {
     ProbeRandom random(seed + 1);
     std::vector<double> cuts{0, 1};
-    for (int k = 0; k < 8 * cells_; ++k) cuts.push_back(random(0, 1));
+    for (int k = 0; k < (derivatives_ ? pieces_a_cell : pieces_of_domains) * cells_; ++k) cuts.push_back(random(0, 1));
     std::sort(cuts.begin(), cuts.end());
     std::vector<Piece> pieces;
     for (std::size_t k = 1; k < cuts.size(); ++k) pieces.push_back({cuts[k - 1], cuts[k]});
@@ -73,7 +79,7 @@ class Path {
     }
     const Interpolated all = probe_.interpolated(points, field_);
     std::vector<Piece> rest;
-    const bool too_many = pieces.size() > most_pieces;
+    const bool too_many = derivatives_ && pieces.size() > most_pieces;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       const Piece& piece = pieces[k];
       const auto row = static_cast<Eigen::Index>(k) * points_a_piece;
@@ -86,7 +92,8 @@ class Path {
         }
       }
       off = off.abs();
-      if ((off > agreed).any() && length > shortest && !too_many) {
+      const bool unlike = derivatives_ ? (off > agreed).any() : jump(all, row, change) > steepest * length;
+      if (unlike && length > (derivatives_ ? shortest : close / 2) && !too_many) {
         const double middle = piece.from + share / 2;
         rest.insert(rest.end(), {{piece.from, middle}, {middle, piece.to}});
         continue;
@@ -99,13 +106,23 @@ class Path {
 
   void note_jumps(const Interpolated& all, Eigen::Index row, const Eigen::ArrayXd& change) {
     found_.value_jump = std::max(found_.value_jump, change.abs().maxCoeff());
+    found_.gradient_jump = std::max(found_.gradient_jump, gradient_jump(all, row));
+  }
+  // The larger of both.
+  double jump(const Interpolated& all, Eigen::Index row, const Eigen::ArrayXd& change) const {
+    return std::max(change.abs().maxCoeff(), gradient_jump(all, row));
+  }
+  // Along a piece, times h.
+  double gradient_jump(const Interpolated& all, Eigen::Index row) const {
+    double most = 0;
     for (const Eigen::MatrixXd& gradient : all.gradient) {
-      const double jump = (gradient.row(row + 1) - gradient.row(row)).cwiseAbs().maxCoeff();
-      found_.gradient_jump = std::max(found_.gradient_jump, jump * probe_.grid().h);
+      most = std::max(most, (gradient.row(row + 1) - gradient.row(row)).cwiseAbs().maxCoeff() * probe_.grid().h);
     }
+    return most;
   }
 
   const ShapeProbe& probe_;
+  bool derivatives_;
   ProbePoint from_, to_;
   Eigen::MatrixXd field_;
   std::vector<double> way_;  // m
@@ -114,7 +131,7 @@ class Path {
 };
 
 // Across the grid along each direction: slanted from side to side, and along the sides themselves.
-PathFindings across(const ShapeProbe& probe) {
+PathFindings across(const ShapeProbe& probe, bool derivatives) {
   const GridSpec& grid = probe.grid();
   ProbeRandom random(seed + 2);
   PathFindings worst;
@@ -128,7 +145,7 @@ PathFindings across(const ShapeProbe& probe) {
         from.x[d] = grid.origin[d] + (d == along || on_side ? 0 : random(0, extent));
         to.x[d] = d == along ? grid.origin[d] + extent : on_side ? from.x[d] : grid.origin[d] + random(0, extent);
       }
-      const PathFindings found = Path(probe, from, to).walk();
+      const PathFindings found = Path(probe, derivatives, from, to).walk();
       if (!(found.off <= worst.off)) worst.off = found.off;
       worst.value_jump = std::max(worst.value_jump, found.value_jump);
       worst.gradient_jump = std::max(worst.gradient_jump, found.gradient_jump);
@@ -137,12 +154,15 @@ PathFindings across(const ShapeProbe& probe) {
   return worst;
 }
 
+// Whether gradients have to be the derivatives of values.
+bool derivatives(const ShapeSubject& subject) { return !subject.entry->domain_gradients; }
+
 // Found by the first gate that asks.
 class SharedFindings {
  public:
   explicit SharedFindings(SharedSubject subject) : subject_(std::move(subject)) {}
   const PathFindings& operator()() {
-    std::call_once(done_, [&] { found_ = across(*subject_->walled); });
+    std::call_once(done_, [&] { found_ = across(*subject_->walled, derivatives(*subject_)); });
     return found_;
   }
 
@@ -158,19 +178,25 @@ std::vector<MeasuredGate> shape_path_gates(const SharedSubject& subject) {
   const std::string where = geometry_names()[subject->geometry];
   const auto findings = std::make_shared<SharedFindings>(subject);
   std::vector<MeasuredGate> all{
-      {"gradient",
-       gate_row("gradient", "derivative/" + where,
-                "integral of |d(N u)/ds - (grad N u) . t| along lines across the grid and along its sides, u random "
-                "within 1",
-                {{}, most_integral_off}, Origin::theory,
-                "the gradient is the derivative of the value; kinks are enclosed to 2^-36 cells, where thirty of them "
-                "leave 1e-9"),
-       "the gradient is that of another function, or lacks a factor", [findings] { return plain((*findings)().off); }},
       {"continuity",
        gate_row("continuity", "value/" + where, "largest change of a random field within 2^-20 cells", {{}, most_jump},
                 Origin::theory,
                 "values are continuous, or energy is not kept where points cross cells; slopes of ten a cell"),
        "values of two cells that do not meet at their side", [findings] { return plain((*findings)().value_jump); }}};
+  if (derivatives(*subject)) {
+    all.insert(
+        all.begin(),
+        {"gradient",
+         gate_row(
+             "gradient", "derivative/" + where,
+             "integral of |d(N u)/ds - (grad N u) . t| along lines across the grid and along its sides, u random "
+             "within 1",
+             {{}, most_integral_off}, Origin::theory,
+             "the gradient is the derivative of the value; kinks are enclosed to 2^-36 cells, where thirty of them "
+             "leave 1e-9"),
+         "the gradient is that of another function, or lacks a factor",
+         [findings] { return plain((*findings)().off); }});
+  }
   if (subject->entry->offers.count(Trait::smooth_gradients) > 0) {
     all.push_back({"continuity",
                    gate_row("continuity", "gradient/" + where,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -13,7 +14,7 @@
 namespace plumbline {
 
 template <class Geometry>
-class ListLoops final : public PointLoops<Geometry> {
+class ListLoops : public PointLoops<Geometry> {
  public:
   using Base = PointLoops<Geometry>;
   static constexpr int dim = Geometry::dim;
@@ -46,10 +47,27 @@ class ListLoops final : public PointLoops<Geometry> {
                            const Motion& motion) const override;
   Survey survey(const Body& body, PointRange range) const override;
 
- private:
+ protected:
   using Matrix = Eigen::Matrix<double, dim, dim>;
   static constexpr int rotations = Geometry::rotations;
   static constexpr std::size_t about = dim == 2 ? 2 : 0;  // the first rotation's place in a Turn
+
+  const Grid<dim>& grid() const { return grid_; }
+  const Transfer& transfer() const { return transfer_; }
+  bool on_grid(const Columns& points, int p) const;
+  // What has stress in all directions and no heat.
+  static bool is_solid(const Body& body) {
+    const StressMeasure measure = body.material->measure();
+    return (measure == StressMeasure::full || measure == StressMeasure::symmetric) && !body.material->takes_heat();
+  }
+  // tr(C D C^T), and what C is multiplied by for it to be the same with D of another place. [CPDI 5]
+  static double affine_square(const Matrix& c, const Matrix& inertia) { return (c * inertia).cwiseProduct(c).sum(); }
+  static double kept_share(const Matrix& c, const Matrix& here, const Matrix& there) {
+    const double before = affine_square(c, here), after = affine_square(c, there);
+    return before > 0 && after > 0 ? std::sqrt(before / after) : 1;
+  }
+
+ private:
   using Entries = std::span<const typename NodeList<dim>::Entry>;
 
   // Some points, where they stand, and what they reach.
@@ -84,14 +102,13 @@ class ListLoops final : public PointLoops<Geometry> {
   Jet jet(const Reach& at, int p, const Vec& base, Value&& f) const;
   Matrix inertia_of(const Reach& at, int p) const;  // D_p = sum N (x_i - x_p) (x_i - x_p)^T, m^2
   int lowest_node(Entries entries) const;
-  bool on_grid(const Columns& points, int p) const;
 
   void map_motion(const Body& body, const At& at, const Chunk& chunk, bool with_mass, Field& field) const;
   void store_strain_rates(Body& body, const Reach& at, int p, const std::vector<Vec>& velocity) const;
   struct Taken;
   void filter(const Body& body, const Reach& at, int p, const Field& field, const Vec& base, Taken& taken) const;
   Taken take(const Body& body, const Reach& at, int p, const Field& field) const;
-  void settle_affine(Body& body, const Reach& there, int p, Taken& taken, MotionSums& sums) const;
+  void settle_affine(Body& body, const Reach& here, const Reach& there, int p, Taken& taken, MotionSums& sums) const;
   static void exchange_heat(Body& body, const Reach& at, int p, const Field& field);
   // Torque m (S - S^T) of S = sum N f (x_i - x_p)^T.
   static void add_turn(double m, const Matrix& s, Turn& turn);

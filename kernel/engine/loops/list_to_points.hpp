@@ -193,8 +193,11 @@ auto ListLoops<G>::take(const Body& body, const Reach& at, int p, const Field& f
 
 // Stores C_p with the inertia of the new place: where that is another, so are the energy and the spin of the affine part.
 template <class G>
-void ListLoops<G>::settle_affine(Body& body, const Reach& there, int p, Taken& taken, MotionSums& sums) const {
+void ListLoops<G>::settle_affine(Body& body, const Reach& here, const Reach& there, int p, Taken& taken,
+                                 MotionSums& sums) const {
   const Matrix inertia = inertia_of(there, p);
+  if (shape_->keeps_affine_energy() && is_solid(body))
+    taken.twist *= kept_share(taken.twist, inertia_of(here, p), inertia);
   taken.square -= (taken.twist * inertia * taken.twist.transpose()).trace();
   add_turn(-body.points(column::mass)[p], taken.twist * inertia, sums.torque);
   for (int k = 0; k < dim * dim; ++k) body.points(column::affine, k)[p] = taken.twist(k / dim, k % dim);
@@ -241,7 +244,7 @@ MotionSums ListLoops<G>::gather_motion(Body& body, const At& at, const Chunk& ch
   double* loss = points.has(column::transfer_loss) ? points(column::transfer_loss) : nullptr;
   for (int p = range.first; p < range.last; ++p) {
     Taken& taken = all[static_cast<std::size_t>(p - range.first)];
-    if (transfer_.affine) settle_affine(body, there, p, taken, sums);
+    if (transfer_.affine) settle_affine(body, reached, there, p, taken, sums);
     const double given = 0.5 * points(column::mass)[p] * taken.square;  // [EC-APIC 5]
     if (loss) loss[p] = transfer_.keep == 1 ? given : loss[p] + given;
     sums.lost += given;

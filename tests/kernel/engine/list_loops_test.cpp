@@ -8,6 +8,7 @@
 
 #include "kernel/materials/neo_hookean.hpp"
 #include "kernel/materials/segment_membrane.hpp"
+#include "kernel/shapes/cpdi.hpp"
 #include "kernel/shapes/cubic.hpp"
 #include "kernel/shapes/gimp.hpp"
 #include "kernel/shapes/quadratic.hpp"
@@ -189,6 +190,9 @@ class Pair {
                                &column::transfer_loss, &column::rest_length})
       numbers(*id, 0.5, 1.5);
     numbers(column::half_size, 0.04, 0.14);
+    if constexpr (dim == 2) {
+      if (lists_->follows()) shear_domains(random);
+    }
     hold(field_);
     for (auto* nodes : {&field_.start, &field_.end, &field_.midpoint, &field_.corrected.filtered}) {
       for (Vec& value : *nodes) {
@@ -197,6 +201,18 @@ class Pair {
     }
     for (auto* nodes : {&field_.gas.density, &field_.gas.heat, &field_.gas.exchange}) {
       for (double& value : *nodes) value = random(0.1, 1);
+    }
+  }
+
+  // Edges of domains, turned and sheared, some of them cut where they reach further than the support.
+  void shear_domains(scenes::Random& random) {
+    body_.points.add(column::half_edges, dim * dim);
+    for (int p = 0; p < body_.points.points(); ++p) {
+      const double long_edge = p % 7 == 0 ? 1.1 : random(0.05, 0.3), angle = random(-3, 3),
+                   short_edge = random(0.05, 0.1);
+      const double edges[] = {long_edge * std::cos(angle), long_edge * std::sin(angle),
+                              -short_edge * std::sin(angle + 0.5), short_edge * std::cos(angle + 0.5)};
+      for (int k = 0; k < dim * dim; ++k) body_.points(column::half_edges, k)[p] = edges[k];
     }
   }
 
@@ -319,6 +335,13 @@ void compare_geometries(const std::string& name) {
 TEST(ListLoops, OfQuadraticsAreThoseOfTheirProducts) { compare_geometries<Quadratic>("quadratic"); }
 TEST(ListLoops, OfCubicsAreThoseOfTheirProducts) { compare_geometries<Cubic>("cubic"); }
 TEST(ListLoops, OfBoxesAreThoseOfTheirProducts) { compare_geometries<Gimp>("gimp"); }
+
+// The loops by corners side by side.
+TEST(ListLoops, OfDomainsAreThoseOfTheirCorners) {
+  const ShapeEntry lists = list_entry<Cpdi>("cpdi", "", "");
+  compare_loops<Plane>(shape_named("cpdi"), lists);
+  compare_loops<Axisymmetric>(shape_named("cpdi"), lists);
+}
 
 }  // namespace
 }  // namespace plumbline

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "kernel/materials/neo_hookean.hpp"
+#include "kernel/shapes/domain_columns.hpp"
 
 namespace plumbline {
 namespace {
@@ -113,7 +114,34 @@ TEST(AnnulusPoints, CutSquaresAreWholeInside) {
   EXPECT_GT(whole, 150);
 }
 
+// Sectors stand at their centres of mass, so that first moments are exact, and their parallelograms have their areas: half
+// edges along the radius and across it.
+TEST(AnnulusPoints, SectorsHaveTheirMomentsAndAreas) {
+  for (const bool quarter : {false, true}) {
+    const Body body = polar_annulus("ring", rubber(), {0.5, 1, {0, 0}, quarter}, 3, 2, grid(0.1));
+    const Sums sums(body);
+    EXPECT_NEAR(sums.area, area(0.5, 1) * (quarter ? 0.25 : 1), 1e-13);
+    EXPECT_NEAR(sums.mass, 3 * sums.area, 1e-12);
+    EXPECT_NEAR(sums.x, quarter ? (1 - 0.125) / 3 : 0, 1e-13);
+    EXPECT_NEAR(sums.y, quarter ? (1 - 0.125) / 3 : 0, 1e-13);
+    for (int p = 0; p < body.points.points(); ++p) {
+      const auto edge = [&](int k) { return body.points(column::half_edges_at_start, k)[p]; };
+      const double x = body.points(column::position, 0)[p], y = body.points(column::position, 1)[p];
+      EXPECT_NEAR(4 * (edge(0) * edge(3) - edge(1) * edge(2)), body.points(column::volume)[p], 1e-15);
+      EXPECT_NEAR(x * edge(1) - y * edge(0), 0, 1e-15);
+      EXPECT_NEAR(x * edge(2) + y * edge(3), 0, 1e-15);
+      EXPECT_NEAR(std::hypot(edge(0), edge(1)), 0.025, 1e-15);
+      // The middle arc: as many sectors in each band as suit the middle of the ring.
+      const int count = quarter ? 24 : 94;
+      const double angle = (quarter ? 0.5 : 2) * std::numbers::pi / count;
+      EXPECT_NEAR(std::remainder(std::atan2(y, x) - angle / 2, angle), 0, 1e-13);
+      EXPECT_NEAR(std::hypot(edge(2), edge(3)), std::hypot(x, y) * angle / 2, 0.01 * 0.025);
+    }
+  }
+}
+
 TEST(AnnulusPoints, LayoutsByName) {
+  EXPECT_EQ(annulus_layout("polar"), &polar_annulus);
   EXPECT_EQ(annulus_layout("cut"), &cut_annulus);
   EXPECT_EQ(annulus_layout("circles"), &ring_annulus);
   EXPECT_EQ(annulus_layout("lattice"), &fill_annulus);
