@@ -18,8 +18,9 @@ class Change {
   // read: a number of a probe.
   template <class Read>
   double of(const Read& read) const {
-    if (forwards_) return (4 * read(other_) - 3 * read(now_) - read(far_)) / dt;
-    return (read(far_) - read(other_)) / (2 * dt);
+    if (!forwards_) return (read(far_) - read(other_)) / (2 * dt);
+    const double now = read(now_);  // differences from it: what does not change has no rounding
+    return (4 * (read(other_) - now) - (read(far_) - now)) / dt;
   }
 
  private:
