@@ -81,6 +81,8 @@ class ElasticPlasticBarProblem final : public Problem {
     all.push_back(share_measure("yield_violation", violation_));
     all.push_back(share_measure("heat_off", heat_off_));
     all.push_back(share_measure("energy_off", energy_off_));
+    const Account& energy = simulation.ledger().energy;
+    all.push_back(share_measure("unlike_power", std::abs(energy.flow(Flow::constitutive) / energy.flow(Flow::walls))));
     return all;
   }
 

@@ -25,6 +25,7 @@ struct ElasticPlasticBar {
 //   heat_off           largest over the steps of the ledger's internal energy less Y alpha and the heat by viscosity, over the
 //                      piston's work
 //   energy_off         the same of the piston's work and what maps and strains booked less all stores
+//   unlike_power       what is stored and heated less the power of the stresses that moved the plate, over the piston's work
 std::unique_ptr<Problem> elastic_plastic_bar_problem(const ElasticPlasticBar& bar, const Settings& settings);
 
 }  // namespace plumbline
