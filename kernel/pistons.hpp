@@ -1,4 +1,4 @@
-// Planes that move through the grid with a given velocity and drive the nodes behind them.
+// Planes that move through the grid with given velocities and drive the nodes behind them.
 #pragma once
 
 #include <vector>
@@ -19,21 +19,30 @@ class Pistons {
   void advance(double dt) { time_ += dt; }
   void set_time(double time) { time_ = time; }
 
-  // Gives driven nodes the pistons' normal velocity. Adds the impulse to `action`; returns its work, J. Walls' ghosts are to
-  // be extended afterwards.
+  // Gives driven nodes the normal velocity that the pistons have dt from now. Adds the impulse to `action`; returns its work, J,
+  // over the mean of the pistons' velocities now and then, with which nodes move that had the first. Walls' ghosts are to be
+  // extended afterwards.
   double drive(const Grid<dim>& grid, const VelocityField<dim>& field, std::vector<Vec>& velocity,
-               WallAction<dim>& action) const {
+               WallAction<dim>& action, double dt) const {
     double work = 0;
     for_driven(grid, field, [&](std::size_t i, const Piston& piston) {
       const int d = piston.direction;
+      const double then = piston.velocity_at(time_ + dt);
       Vec impulse = Vec::Zero();
-      impulse[d] = field.mass[i] * (piston.velocity - velocity[i][d]);
-      velocity[i][d] = piston.velocity;
+      impulse[d] = field.mass[i] * (then - velocity[i][d]);
+      velocity[i][d] = then;
       action.linear += impulse;
       action.angular += cross<dim>(grid.position(static_cast<int>(i)), impulse);
-      work += impulse[d] * piston.velocity;
+      work += impulse[d] * mean_velocity(piston, dt);
     });
     return work;
+  }
+
+  // Gives them that mean.
+  void drive_midpoint(const Grid<dim>& grid, const VelocityField<dim>& field, std::vector<Vec>& velocity,
+                      double dt) const {
+    for_driven(grid, field,
+               [&](std::size_t i, const Piston& piston) { velocity[i][piston.direction] = mean_velocity(piston, dt); });
   }
 
   // visit(node, piston) for each touched node that a piston drives.
@@ -41,7 +50,7 @@ class Pistons {
   void for_driven(const Grid<dim>& grid, const VelocityField<dim>& field, Visit&& visit) const {
     for (const Piston& piston : pistons_) {
       const int d = piston.direction;
-      const double reach = piston.position + piston.velocity * time_ + (piston.side == 0 ? 0.5 : -0.5) * grid.h();
+      const double reach = piston.place_at(time_) + (piston.side == 0 ? 0.5 : -0.5) * grid.h();
       field.for_touched(grid, [&](std::size_t i) {
         const double x = grid.line(grid.index(static_cast<int>(i), d), d);
         if (piston.side == 0 ? x >= reach : x <= reach) return;
@@ -51,6 +60,10 @@ class Pistons {
   }
 
  private:
+  double mean_velocity(const Piston& piston, double dt) const {
+    return 0.5 * (piston.velocity_at(time_) + piston.velocity_at(time_ + dt));
+  }
+
   // Ghosts of walls have given their mass to their mirrors, and nodes on walls do not move along what the wall holds.
   static bool held(const Grid<dim>& grid, int node, int direction) {
     for (int d = 0; d < dim; ++d) {

@@ -18,13 +18,19 @@ namespace plumbline {
 //   grid        sum_i N_ip M_i / |cell_i|                                                 [EC-APIC 2]
 enum class DensityMethod { cell, quadratic, continuity, grid };
 
-// A rigid frictionless plane that moves along `direction` with constant velocity, the scene on one side of it: nodes
-// behind it, or less than half a cell before it, take its normal velocity. Its work is booked.
+// A rigid frictionless plane that moves along `direction`, the scene on one side of it: nodes behind it, or less than half a
+// cell before it, take its normal velocity. Its work is booked.
 struct Piston {
   int direction = 0;    // 0 ... dim - 1
   int side = 0;         // 0: the scene lies above it, 1: below it
   double position = 0;  // at t = 0, m
-  double velocity = 0;  // m/s
+  double velocity = 0;  // m/s, from t = rise on
+  double rise = 0;      // s, >= 0: until then the velocity grows from zero in proportion to the time
+
+  double velocity_at(double time) const { return time < rise ? velocity * (time / rise) : velocity; }
+  double place_at(double time) const {
+    return position + velocity * (time < rise ? 0.5 * time * (time / rise) : time - 0.5 * rise);
+  }
 };
 
 // How fast the affine transfers take from points what the nodes do not carry: rates of time, not shares of a step. [Filter 1]

@@ -58,7 +58,7 @@ class Splitter {
       high_[d] = grid_.origin[axis] + grid_.h * grid_.cells[axis];
     }
     for (const Piston& piston : scene.pistons) {
-      const double face = piston.position + piston.velocity * time;
+      const double face = piston.place_at(time);
       double& side = piston.side == 0 ? low_[piston.direction] : high_[piston.direction];
       side = piston.side == 0 ? std::max(side, face) : std::min(side, face);
     }

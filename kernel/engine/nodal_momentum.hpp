@@ -57,7 +57,7 @@ class NodalMomentum {
     space_.walls.fold_mass(field);
     WallAction<dim> action = space_.walls.fold(field, field.momentum);
     space_.divide_by_mass(field, field.momentum, field.start);
-    record.map_wall_work += drive(field, field.start, action);
+    record.map_wall_work += drive(field, field.start, action, 0);
     const double taken = 1 - space_.transfer.keep;  // of the velocities that the walls have changed
     record.map_wall.linear += taken * action.linear;
     record.map_wall.angular += taken * action.angular;
@@ -74,7 +74,7 @@ class NodalMomentum {
     for (Field& field : fields) {
       space_.walls.extend(field, field.remapped);
       WallAction<dim> not_kept;
-      drive(field, field.remapped, not_kept);
+      drive(field, field.remapped, not_kept, 0);
     }
   }
 
@@ -94,9 +94,8 @@ class NodalMomentum {
     for (Field& field : fields) {
       space_.walls.extend(field, field.end);
       space_.walls.extend(field, field.midpoint);
-      record.wall_work += drive(field, field.end, record.wall);
-      WallAction<dim> counted;
-      drive(field, field.midpoint, counted);
+      record.wall_work += drive(field, field.end, record.wall, dt);
+      drive_midpoint(field, dt);
       if (!field.gas.exchange.empty()) solve_shares(field, dt);
       if (!loaded_) continue;
       const std::vector<Vec>& straining = space_.straining_velocity(field, field.midpoint);
@@ -116,12 +115,17 @@ class NodalMomentum {
     field.for_touched(space_.grid, visit, space_.threads);
   }
 
-  // What pistons do to nodal velocities; returns their work, J.
-  double drive(const Field& field, std::vector<Vec>& velocity, WallAction<dim>& action) const {
+  // What pistons do to nodal velocities, of dt from now; returns their work, J.
+  double drive(const Field& field, std::vector<Vec>& velocity, WallAction<dim>& action, double dt) const {
     if (pistons_.none()) return 0;
-    const double work = pistons_.drive(space_.grid, field, velocity, action);
+    const double work = pistons_.drive(space_.grid, field, velocity, action, dt);
     space_.walls.extend(field, velocity);
     return work;
+  }
+  void drive_midpoint(Field& field, double dt) const {
+    if (pistons_.none()) return;
+    pistons_.drive_midpoint(space_.grid, field, field.midpoint, dt);
+    space_.walls.extend(field, field.midpoint);
   }
 
   // Body forces fold like all others: what a point puts on a ghost node pulls the mirror node the other way.

@@ -59,6 +59,7 @@ class Material {
   virtual bool chain() const { return false; }        // points are a chain, see Body::chain
   virtual bool has_density() const { return false; }  // a density column that a density method may set
   virtual bool takes_heat() const { return false; }   // transfer losses can become internal energy
+  virtual bool dissipates() const { return false; }   // part of what it stores is heat()
   virtual Traits needs() const { return {}; }         // of an integrator
 
   virtual StressMeasure measure() const { return StressMeasure::symmetric; }
@@ -95,6 +96,9 @@ class Material {
 
   // Energy stored, from the columns alone, J.
   virtual double stored_energy(const Columns& points, PointRange range) const = 0;
+
+  // What of it is heat that the stress of an elastic material has given, J. The rest is elastic, and what hardening keeps.
+  virtual double heat(const Columns&, PointRange) const { return 0; }
 
   virtual StepBounds step_bounds(const Columns& points, PointRange range, int dim) const = 0;
 

@@ -33,6 +33,9 @@ struct MaterialEntry {
   // One with the values given by name, all others at their defaults. Throws std::invalid_argument for a name that it does not have.
   std::function<std::shared_ptr<const Material>(const std::map<std::string, double>& values)> make;
   std::vector<KnownFailure> known_failures = {};
+  // Values by which `plumbline verify --material` judges it besides those that it gives all: where else it would not leave a
+  // range, as that of elasticity.
+  std::map<std::string, double> examples = {};
 };
 
 // In the order of their names.
@@ -68,7 +71,8 @@ struct ParameterMember {
 // The entry of material M, which has these parameters.
 template <class M>
 MaterialEntry material_entry(std::string title, std::string source, std::vector<ParameterMember<M>> members,
-                             std::vector<MaterialEntry::KnownFailure> known_failures = {}) {
+                             std::vector<MaterialEntry::KnownFailure> known_failures = {},
+                             std::map<std::string, double> examples = {}) {
   const auto read = [members](const Material& material) {
     const M& own = dynamic_cast<const M&>(material);
     MaterialParameters all;
@@ -88,7 +92,7 @@ MaterialEntry material_entry(std::string title, std::string source, std::vector<
     }
     return made;
   };
-  return {M().name(), std::move(title), std::move(source), read, make, std::move(known_failures)};
+  return {M().name(), std::move(title), std::move(source), read, make, std::move(known_failures), std::move(examples)};
 }
 
 }  // namespace plumbline

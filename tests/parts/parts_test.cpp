@@ -97,6 +97,7 @@ constexpr Wrong wrong_parts[] = {
     {"material", "wrong-still", "speed/motion/space", "speed/strained/space"},
     {"material", "wrong-rates", "rates/advance/rings", "energy/derivative/rings"},
     {"material", "wrong-stored", "energy/told/line", "energy/derivative/line"},
+    {"material", "wrong-cooling", "entropy/heat/plane", "energy/derivative/plane"},
     {"material", "wrong-faults", "faults/named/plane", "energy/told/plane"},
     {"contact", "wrong-reaction", "momentum/line", "release/line"},
     {"contact", "wrong-bounce", "energy/plane", "momentum/plane"},

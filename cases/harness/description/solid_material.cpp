@@ -17,7 +17,8 @@ bool is_elastic_solid(const MaterialEntry& entry, bool finite) {
   const auto material = entry.make({});
   if (finite && material->measure() != StressMeasure::full) return false;
   const MaterialParameters parameters = entry.parameters(*material);
-  return !material->chain() && has(parameters, "youngs_modulus") && has(parameters, "density");
+  return !material->chain() && !material->dissipates() && has(parameters, "youngs_modulus") &&
+         has(parameters, "density");
 }
 
 }  // namespace

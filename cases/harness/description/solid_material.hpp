@@ -8,8 +8,8 @@
 
 namespace plumbline {
 
-// "own", or any material that has the parameters youngs_modulus and density and is no chain; finite: whose points carry their
-// deformation gradient.
+// "own", or any material that has the parameters youngs_modulus and density, is no chain and does not dissipate; finite: whose
+// points carry their deformation gradient.
 Key material_key(bool finite);
 
 // The law that the settings choose, with the parameters of `own` that it has by the same name; others keep their defaults.

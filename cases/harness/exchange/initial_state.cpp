@@ -49,6 +49,7 @@ Json pistons_json(const Scene& scene) {
                     {"scene_lies", piston.side == 0 ? "above" : "below"},
                     {"position", piston.position},
                     {"velocity", piston.velocity}});
+    if (piston.rise > 0) list.back()["rise"] = piston.rise;
   }
   return list;
 }

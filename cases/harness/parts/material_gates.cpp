@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
 
+#include "cases/harness/parts/material_change.hpp"
 #include "cases/harness/parts/material_waves.hpp"
 #include "cases/harness/parts/shape_probe.hpp"
 
@@ -41,12 +41,12 @@ double of_states(const MaterialSubject& subject, std::size_t geometry,
 // dE - V sigma : rate dt of each point, over what the power could be.
 double off_power(const MaterialProbe& probe, ProbeRandom& random) {
   const Straining rate = probe.random_rate(random);
-  const MaterialProbe after = probe.strained(rate, dt), before = probe.strained(rate, -dt);
+  const Change change(probe, rate);
   double worst = 0;
   for (int p = 0; p < probe.count(); ++p) {
     const double stress = probe.stress(p).norm() + std::abs(probe.hoop_stress(p));
     const double scale = probe.volume(p) * stress * (rate.gradient.norm() + std::abs(rate.hoop));
-    const double off = (after.energy(p) - before.energy(p)) / (2 * dt) - probe.power(rate, p);
+    const double off = change.of([p](const MaterialProbe& at) { return at.energy(p); }) - probe.power(rate, p);
     if (off != 0) worst = worse(std::abs(off) / scale, worst);
   }
   return worst;
@@ -70,14 +70,13 @@ double off_rates(const MaterialProbe& probe, ProbeRandom& random) {
   const Straining rate = probe.random_rate(random);
   now.set_rate(rate);
   const std::vector<double> rates = now.material().rates(now.points(), now.context());
-  const MaterialProbe after = probe.strained(rate, dt), before = probe.strained(rate, -dt);
+  const Change change(probe, rate);
   double worst = 0;
   std::size_t k = 0;
   for (const ColumnId* id : now.material().internal_variables(now.context())) {
-    const auto high = after.points().values(*id), low = before.points().values(*id);
     double off = 0, scale = 0;
-    for (std::size_t i = 0; i < high.size(); ++i, ++k) {
-      const double found = (high[i] - low[i]) / (2 * dt);
+    for (std::size_t i = 0; i < now.points().values(*id).size(); ++i, ++k) {
+      const double found = change.of([&](const MaterialProbe& at) { return at.points().values(*id)[i]; });
       off = worse(std::abs(rates.at(k) - found), off);
       scale = std::max(scale, std::abs(found));
     }
@@ -132,6 +131,15 @@ double off_heat(const MaterialProbe& probe, ProbeRandom& random) {
     scale += flowing.volume(p) * flowing.stress(p).norm() * rate.gradient.norm();
   }
   return told == power ? 0 : std::abs(told - power) / scale;
+}
+
+// Heat that straining at a rate takes back from a point, over the energy that it has.
+double cooled(const MaterialProbe& probe, ProbeRandom& random) {
+  const MaterialProbe after = probe.strained(probe.random_rate(random), 0.01);
+  const auto heat = [](const MaterialProbe& at, int p) { return at.material().heat(at.points(), {p, p + 1}); };
+  double worst = 0;
+  for (int p = 0; p < probe.count(); ++p) worst = worse((heat(probe, p) - heat(after, p)) / after.energy(p), worst);
+  return worst;
 }
 
 // States that no material may be in and that are not named as the point's, and good ones that are.
@@ -238,6 +246,11 @@ std::vector<MeasuredGate> gates_of(const std::shared_ptr<const MaterialSubject>&
   rows.add("entropy", "told",
            "heat by viscosity, as it is told, less the power of what rates add to the stress, relative", rounding,
            Origin::identity, "the ledger tells it apart; roundings", "another part of the stress is told", off_heat);
+  if (first.dissipates()) {
+    rows.add("entropy", "heat", "heat that straining at random rates takes back, over the energy of the point",
+             rounding, Origin::theory, "dissipation is never negative; roundings",
+             "plastic flow against the stress, or a sign of the heat", cooled);
+  }
   rows.add("faults", "named", "inadmissible states that are not named as the point's, and good ones that are", 0,
            Origin::identity,
            "values that are no numbers, densities and energies below zero and points turned inside out end a run",
@@ -245,29 +258,7 @@ std::vector<MeasuredGate> gates_of(const std::shared_ptr<const MaterialSubject>&
   return rows.take();
 }
 
-double example_of(const std::string& unit) {
-  if (unit == "Pa") return 1000;
-  if (unit == "kg/m^3") return 2;
-  return 0.25;
-}
-
 }  // namespace
-
-MaterialSubject::MaterialSubject(const MaterialEntry& entry) {
-  std::map<std::string, double> with_units, all;
-  for (const MaterialParameter& parameter : entry.parameters(*entry.make({}))) {
-    const double example = parameter.value != 0 ? parameter.value : example_of(parameter.unit);
-    if (parameter.name == "density") density = example;
-    if (parameter.value != 0) continue;
-    for (const MaterialParameter& back : entry.parameters(*entry.make({{parameter.name, example}}))) {
-      if (back.name != parameter.name || back.value != example) continue;  // a choice becomes 1
-      all[parameter.name] = example;
-      if (parameter.unit != "1" && parameter.unit != "Pa s") with_units[parameter.name] = example;
-    }
-  }
-  made.push_back(entry.make(all));
-  if (with_units.size() < all.size()) made.push_back(entry.make(with_units));
-}
 
 std::vector<MeasuredGate> material_gates(const MaterialEntry& entry) {
   const auto subject = std::make_shared<const MaterialSubject>(entry);

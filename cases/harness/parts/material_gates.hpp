@@ -12,10 +12,10 @@
 namespace plumbline {
 
 // A material as it is judged. Numbers that are zero by default are given values by their units; of those without a unit, and of
-// viscosities, both are tried.
+// viscosities, both are tried. Besides the entry's own examples.
 struct MaterialSubject {
   explicit MaterialSubject(const MaterialEntry& entry);
-  std::vector<std::shared_ptr<const Material>> made;  // one or two, of which each has to meet the gates
+  std::vector<std::shared_ptr<const Material>> made;  // one to three, of which each has to meet the gates
   double density = 1;                                 // of its undeformed points, kg/m^3
 };
 

@@ -12,7 +12,10 @@ namespace plumbline {
 inline void survey_material(const Body& body, PointRange range, int dim, bool on_grid, Survey& result) {
   const double stored = body.material->stored_energy(body.points, range);
   if (body.material->store() == Store::internal) result.totals.energy.internal = stored;
-  if (body.material->store() == Store::elastic) result.totals.energy.elastic = stored;
+  if (body.material->store() == Store::elastic) {
+    result.totals.energy.internal = body.material->heat(body.points, range);
+    result.totals.energy.elastic = stored - result.totals.energy.internal;
+  }
   result.bounds = body.material->step_bounds(body.points, range, dim);
   result.admissible = on_grid && body.material->first_fault(body.points, range).point < 0;
 }
