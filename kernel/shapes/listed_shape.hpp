@@ -26,6 +26,12 @@ class NodeList {
   // All its nodes are listed.
   void end_point() { end_.push_back(entries_.size()); }
 
+  // No point is listed; the memory stays.
+  void clear() {
+    entries_.clear();
+    end_.clear();
+  }
+
   int points() const { return static_cast<int>(end_.size()); }
   std::span<const Entry> of(int point) const {
     const auto p = static_cast<std::size_t>(point);

@@ -75,7 +75,7 @@ class NaiveStep {
       const double section = rings() ? point.volume / std::abs(point.x[0]) : point.volume;
       point.half_at_start.setConstant(std::pow(section, 1.0 / dim_) / h_ / 2);
       point.half = point.half_at_start.cwiseMin(0.5);
-      point.edges = point.half_at_start.asDiagonal();
+      point.edges = point.half.asDiagonal();
     }
     if (segments_) {
       for (std::size_t p = 0; p < points.size(); ++p) points[p].strain = stretch(p);
@@ -366,6 +366,7 @@ class NaiveStep {
   // Half the variance of the shape.
   double theta() const {
     return (boxes()                       ? 1.0 / 6 + 0.25 * 0.25 / 3
+            : domains()                   ? 1.0 / 6 + 0.25 * 0.25
             : scene_.shape == "linear"    ? 1.0 / 6
             : scene_.shape == "quadratic" ? 1.0 / 4
                                           : 1.0 / 3) /

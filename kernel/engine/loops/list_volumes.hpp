@@ -10,14 +10,15 @@
 
 namespace plumbline {
 
-// Points throughout a grid, line by line along x: two Gauss points on each half of a cell in each direction, which is exact for
-// quadratics on rings.
+// Points throughout a grid, line by line along x: two Gauss points on each half of a cell in each direction; on rings on each
+// quarter, since there the kinks of domains of half a cell, at quarters, do not cancel about the axis.
 template <int dim>
 class Probes {
  public:
-  static constexpr int per_cell = 4;
-
-  explicit Probes(const Grid<dim>& grid) : grid_(grid), columns_(grid.cells(0) * per_cell) {
+  explicit Probes(const Grid<dim>& grid)
+      : grid_(grid),
+        per_cell_(grid.axisymmetric() ? 8 : 4),
+        columns_(grid.cells(0) * per_cell_) {
     columns_.add(column::position, dim);
     columns_.add(column::half_size, dim);
     for (int d = 0; d < dim; ++d) std::fill_n(columns_(column::half_size, d), columns_.points(), 0.25 * grid.h());
@@ -25,7 +26,7 @@ class Probes {
 
   int lines() const {
     int count = 1;
-    for (int d = 1; d < dim; ++d) count *= grid_.cells(d) * per_cell;
+    for (int d = 1; d < dim; ++d) count *= grid_.cells(d) * per_cell_;
     return count;
   }
   const Columns& line(int number) {
@@ -33,22 +34,24 @@ class Probes {
       double* x = columns_(column::position, d);
       for (int p = 0; d == 0 && p < columns_.points(); ++p) x[p] = place(p, d);
       if (d == 0) continue;
-      std::fill_n(x, columns_.points(), place(rest % (grid_.cells(d) * per_cell), d));
-      rest /= grid_.cells(d) * per_cell;
+      std::fill_n(x, columns_.points(), place(rest % (grid_.cells(d) * per_cell_), d));
+      rest /= grid_.cells(d) * per_cell_;
     }
     return columns_;
   }
   // Of space that belongs to a probe, m^dim; axisymmetric per radian, m^3.
   double volume(int p) const {
-    return std::pow(grid_.h() / per_cell, dim) * (grid_.axisymmetric() ? std::abs(columns_(column::position)[p]) : 1.0);
+    return std::pow(grid_.h() / per_cell_, dim) *
+           (grid_.axisymmetric() ? std::abs(columns_(column::position)[p]) : 1.0);
   }
 
  private:
   double place(int k, int d) const {
-    const double half = 0.5 * (k / 2 + 0.5), off = (k % 2 == 0 ? -0.25 : 0.25) / std::sqrt(3.0);
-    return grid_.origin(d) + grid_.h() * (half + off);
+    const double piece = 2.0 / per_cell_, off = (k % 2 == 0 ? -0.5 : 0.5) / std::sqrt(3.0);
+    return grid_.origin(d) + grid_.h() * piece * (k / 2 + 0.5 + off);
   }
   Grid<dim> grid_;
+  int per_cell_;  // points along each direction
   Columns columns_;
 };
 
@@ -95,6 +98,7 @@ std::vector<double> inverse_listed_volumes(const GridSpec& spec, MakeListed<dim>
   const auto shape = make(all);
   std::vector<double> volume(static_cast<std::size_t>(Grid<dim>(spec).node_count()));
   Probes<dim> probes(all);
+  NodeList<dim> nodes;
   for (int line = 0; line < probes.lines(); ++line) {
     const Columns& points = probes.line(line);
     Places<dim> at;
@@ -102,7 +106,7 @@ std::vector<double> inverse_listed_volumes(const GridSpec& spec, MakeListed<dim>
       at.x[d] = points(column::position, d);
       at.half_size[d] = points(column::half_size, d);
     }
-    NodeList<dim> nodes;
+    nodes.clear();
     shape->list(points, at, all_points(points), nodes);
     for (int p = 0; p < points.points(); ++p) {
       for (const auto& [node, n, gradient] : nodes.of(p)) {
