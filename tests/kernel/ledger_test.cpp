@@ -136,6 +136,7 @@ TEST(LedgerOfARun, ClosesForEveryCombination) {
 TEST(LedgerOfARun, ClosesInEveryGeometry) {
   for (const scenes::Combination& c : scenes::working_combinations()) {
     for (scenes::Space space : scenes::spaces) {
+      if (!scenes::runs_in(c, space)) continue;
       for (const IdealGas& gas : {scenes::rough_law(), scenes::inviscid_law()}) {
         SCOPED_TRACE(testing::Message() << space << ", " << c);
         const scenes::Place gravity{3, -9, space == scenes::Space::solid ? 5.0 : 0.0};
