@@ -111,10 +111,11 @@ std::vector<Json> scale_targets(const Json& kernels) {
   std::vector<Json> targets;
   for (const auto& [threads, costs] : by_threads) {
     if (costs.largest == costs.smallest) continue;
-    targets.push_back(target_entry(fmt::format("max over min cost of a particle-step, {:.0e} to {:.0e} points, {} thread{}",
-                                               static_cast<double>(costs.smallest), static_cast<double>(costs.largest),
-                                               threads, threads == 1 ? "" : "s"),
-                                   "1", costs.most / costs.least, {}, 1.5));
+    targets.push_back(
+        target_entry(fmt::format("max over min cost of a particle-step, {:.0e} to {:.0e} points, {} thread{}",
+                                 static_cast<double>(costs.smallest), static_cast<double>(costs.largest), threads,
+                                 threads == 1 ? "" : "s"),
+                     "1", costs.most / costs.least, {}, 1.5));
   }
   return targets;
 }
