@@ -6,8 +6,8 @@
 // so that each part of the piston's velocity runs into the body at a speed of its own,
 //   v = v_e(t - x/c_e) + v_p(t - x/c_p),  v_e = min(V, s_H/(rho c_e)),  v_p = V - v_e,
 //   stress = -(rho c_e v_e + rho c_p v_p),  plastic strain = 2 G/(3 G + H) v_p/c_p.
-// Sources: D. S. Wood, J. Appl. Mech. 19 (1952) 521; Wang Li-Li, Foundations of Stress Waves, 2007. Exact until an unloading wave, as from a free end, meets these; x is the place of a particle in
-// the undeformed body, tension is positive.
+// Exact until an unloading wave, as from a free end, meets these; x is the place of a particle in the undeformed body,
+// tension is positive. Sources: D. S. Wood, J. Appl. Mech. 19 (1952) 521; Wang Li-Li, Foundations of Stress Waves, 2007.
 #include "reference/bounded.hpp"
 
 namespace plumbline::reference {

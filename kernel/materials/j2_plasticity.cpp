@@ -134,12 +134,7 @@ J2Law J2Plasticity::law() const {
 
 void J2Plasticity::add_columns(Columns& points, int dim) const {
   check();
-  const int components = points.components(column::stress);
-  points.add(column::deformation, components);
-  for (int k = 0; k < components; ++k) {
-    const bool diagonal = k == dim * dim || k % (dim + 1) == 0;
-    if (diagonal) std::fill_n(points(column::deformation, k), points.points(), 1.0);
-  }
+  add_deformation(points, dim);
   constexpr int strains[] = {3, 4, 6};
   points.add(column::elastic_strain, strains[dim - 1]);
   for (const ColumnId* id : {&column::plastic_strain, &column::heat, &column::pressure, &column::viscous_pressure}) {

@@ -161,14 +161,7 @@ auto with_loops(const Columns& points, Visit&& visit) {
 
 }  // namespace
 
-void NeoHookean::add_columns(Columns& points, int dim) const {
-  const int components = points.components(column::stress);
-  points.add(column::deformation, components);
-  for (int k = 0; k < components; ++k) {
-    const bool diagonal = k == dim * dim || k % (dim + 1) == 0;
-    if (diagonal) std::fill_n(points(column::deformation, k), points.points(), 1.0);
-  }
-}
+void NeoHookean::add_columns(Columns& points, int dim) const { add_deformation(points, dim); }
 
 std::vector<const ColumnId*> NeoHookean::internal_variables(const MaterialContext&) const {
   return {&column::deformation};

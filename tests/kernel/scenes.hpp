@@ -257,6 +257,9 @@ inline std::vector<Combination> working_combinations() {
   return all;
 }
 
+// How often a point adds to a node that it reaches, at most: a bound of rounding grows with the number of terms.
+inline int terms(const std::string& shape, int dim) { return shape == "cpdi" ? 1 << dim : 1; }
+
 // Whether a test of all combinations is to run one in a space. Listing the corners of domains in space takes seconds a scene: there one
 // integrator and transfer stand for all.
 inline bool runs_in(const Combination& c, Space space) {

@@ -83,7 +83,7 @@ std::vector<CaseGate> of_every(const std::string& study) {
            at_most(1e-12),
            identity("the return ends on the surface; roundings of the stresses, some 1e-16 of four times Y")),
       gate(study + "/heat", largest("heat_off", "internal energy less Y alpha and heat by viscosity, over the work"),
-           at_most(1e-12), identity("each joule of plastic flow and of viscosity is heat; roundings of sums")),
+           at_most(1e-12), identity("what plastic flow and viscosity dissipate is heat; roundings of sums")),
       gate(study + "/energy", largest("energy_off", "energy that no flow accounts for, over the piston's work"),
            at_most(1e-12), identity("work, stores and losses are booked one by one; roundings of sums"))};
 }

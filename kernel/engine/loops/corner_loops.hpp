@@ -54,11 +54,6 @@ class CornerLoops final : public ListLoops<Geometry> {
            this->transfer().keep == 0;
   }
   static double affine_square(const Square& c, const Square& inertia) { return (c * inertia).dot(c); }
-  // What C is multiplied by for its energy to be the same with the inertia of another place. [CPDI 5]
-  static double kept_share(const Square& c, const Square& here, const Square& there) {
-    const double before = affine_square(c, here), after = affine_square(c, there);
-    return before > 0 && after > 0 ? std::sqrt(before / after) : 1;
-  }
   static Square outer(const Two& a, const Two& b) { return {a.x * b.x, a.x * b.y, a.y * b.x, a.y * b.y}; }
   static void add_spin(double m, const Square& s, Turn& turn) {
     if (rotations > 0) turn[about] += m * (s.yx - s.xy);

@@ -86,7 +86,8 @@ MotionSums CornerLoops<G>::gather_motion(Body& body, const At& at, const Chunk& 
         to.x[1][p] += step.y;
         // With the inertia of the new place the energy of the affine part stays, its spin does not.
         const Square there = inertia_of(x, edges, p);
-        const Square twist = taken.times(kept_share(taken, here, there));
+        const double share = Lists::kept_share(affine_square(taken, here), affine_square(taken, there));  // [CPDI 5]
+        const Square twist = taken.times(share);
         to.c[0][p] = twist.xx;
         to.c[1][p] = twist.xy;
         to.c[2][p] = twist.yx;

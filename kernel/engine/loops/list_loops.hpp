@@ -60,10 +60,8 @@ class ListLoops : public PointLoops<Geometry> {
     const StressMeasure measure = body.material->measure();
     return (measure == StressMeasure::full || measure == StressMeasure::symmetric) && !body.material->takes_heat();
   }
-  // tr(C D C^T), and what C is multiplied by for it to be the same with D of another place. [CPDI 5]
-  static double affine_square(const Matrix& c, const Matrix& inertia) { return (c * inertia).cwiseProduct(c).sum(); }
-  static double kept_share(const Matrix& c, const Matrix& here, const Matrix& there) {
-    const double before = affine_square(c, here), after = affine_square(c, there);
+  // What C is multiplied by for tr(C D C^T) to be the same with D of another place, by both as they are. [CPDI 5]
+  static double kept_share(double before, double after) {
     return before > 0 && after > 0 ? std::sqrt(before / after) : 1;
   }
 

@@ -196,9 +196,11 @@ template <class G>
 void ListLoops<G>::settle_affine(Body& body, const Reach& here, const Reach& there, int p, Taken& taken,
                                  MotionSums& sums) const {
   const Matrix inertia = inertia_of(there, p);
-  if (shape_->keeps_affine_energy() && is_solid(body))
-    taken.twist *= kept_share(taken.twist, inertia_of(here, p), inertia);
-  taken.square -= (taken.twist * inertia * taken.twist.transpose()).trace();
+  const auto square = [&](const Matrix& d) { return (taken.twist * d * taken.twist.transpose()).trace(); };
+  if (shape_->keeps_affine_energy() && is_solid(body)) {
+    taken.twist *= kept_share(square(inertia_of(here, p)), square(inertia));
+  }
+  taken.square -= square(inertia);
   add_turn(-body.points(column::mass)[p], taken.twist * inertia, sums.torque);
   for (int k = 0; k < dim * dim; ++k) body.points(column::affine, k)[p] = taken.twist(k / dim, k % dim);
 }

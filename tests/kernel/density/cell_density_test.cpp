@@ -89,7 +89,7 @@ TEST(Density, ARampAwayFromTheEdges) {
             if (method != DensityMethod::grid) where[d] = (std::floor(where[d] / 0.25) + 0.5) * 0.25;
           }
           if (inside) {
-            EXPECT_NEAR(rho[p], ramp(where), shape.name == "cpdi" ? 4 * rounding : rounding) << shape.name;
+            EXPECT_NEAR(rho[p], ramp(where), scenes::terms(shape.name, dim) * rounding) << shape.name;
           }
         }
       }

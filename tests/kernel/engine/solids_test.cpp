@@ -228,8 +228,8 @@ TEST_P(Solids, SpinStrainsInSecondOrderOnly) {
 }
 
 // An even lattice of points, spacing `spacing` along each axis, each with the same stress; columns as the engine wants them.
-// Boxes or domains that tile the body: sum_p V_p grad N_ip = integral of grad N = 0 at inner nodes, exactly, wherever the lattice lies and
-// whatever its spacing. B-splines and uniform boxes have that on lattices of the grid's own spacing alone.
+// Boxes or domains that tile the body: sum_p V_p grad N_ip = integral of grad N = 0 at inner nodes, exactly, wherever the
+// lattice lies and whatever its spacing. B-splines and uniform boxes have that on lattices of the grid's own spacing alone.
 // [York 3.17] [GIMP 1, 2]
 double force_on_inner_points(Space space, Law law, const std::string& shape, const Vector& stretch, double shift) {
   const int dim = scenes::dim_of(space), filled = 9, per_cell = 2;

@@ -8,6 +8,7 @@
 
 #include "cases/harness/run/experiment.hpp"
 #include "reference/bar_vibration.hpp"
+#include "tests/cases/catalog/solid/ordered_profile.hpp"
 
 namespace plumbline {
 namespace {
@@ -69,10 +70,7 @@ TEST(ElasticBar, MeasuresAgainstTheReference) {
 TEST(ElasticBar, ProfilesAreInTheOrderOfThePoints) {
   const Case& entry = find_case("bar-riemann");
   const RunResult run = run_experiment(entry, "default", entry.settings("default", {}, {"cells=20"}));
-  const auto& x = run.profile.find("x")->values;
-  ASSERT_EQ(x.size(), 40u);
-  for (std::size_t k = 1; k < x.size(); ++k) EXPECT_GT(x[k], x[k - 1]);
-  for (const ProfileColumn& column : run.profile.columns) EXPECT_EQ(column.values.size(), x.size());
+  expect_ordered_profile(run, 40);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "cases/harness/run/experiment.hpp"
 #include "kernel/materials/j2_plasticity.hpp"
+#include "tests/cases/catalog/solid/ordered_profile.hpp"
 
 namespace plumbline {
 namespace {
@@ -57,10 +58,7 @@ TEST(ElasticPlasticBar, MeasuresAgainstTheReference) {
 
 TEST(ElasticPlasticBar, ProfilesAreInTheOrderOfTheParticles) {
   const RunResult run = run_with({"cells=20"});
-  const auto& x = run.profile.find("x")->values;
-  ASSERT_EQ(x.size(), 40u);
-  for (std::size_t k = 1; k < x.size(); ++k) EXPECT_GT(x[k], x[k - 1]);
-  for (const ProfileColumn& column : run.profile.columns) EXPECT_EQ(column.values.size(), x.size());
+  expect_ordered_profile(run, 40);
 }
 
 }  // namespace
