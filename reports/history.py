@@ -53,6 +53,7 @@ def entry(folder, tier):
         for measure, fit in (study.get("measures") or {}).items():
             name = " · ".join(str(part) for part in (*where, measure))
             if fit.get("asymptotic") and fit.get("order") is not None:
+                name = _untaken(name, found["orders"])
                 found["orders"][name] = [fit.get(key) for key in ("order", "order_low", "order_high")]
                 found["constants"][name] = fit.get("constant")
     for listed in folder.stability.get("known_limits") or []:
@@ -63,6 +64,11 @@ def entry(folder, tier):
         name = f"{run['case']} · {run['scheme']}"
         found["cost"][name] = found["cost"].get(name, 0.0) + statistics.median(run["wall_s"])
     return found
+
+
+def _untaken(name, taken):
+    """Studies that differ in settings alone are numbered, in the order of their files, which follows from the settings."""
+    return next(full for full in (name, *(f"{name} ({number})" for number in range(2, len(taken) + 3))) if full not in taken)
 
 
 def read(path):
