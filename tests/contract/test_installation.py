@@ -105,6 +105,15 @@ def test_installation_holds_no_path_of_the_build(prefix):
         assert str(ROOT) not in text and os.environ["PLUMBLINE_BUILD"] not in text, path
 
 
+def test_the_installed_package_runs_the_installed_executable(prefix, tmp_path):
+    (package,) = (path for path in prefix.glob("lib/**/plumbline") if (path / "execution.py").exists())
+    assert package.parent.name in ("dist-packages", "site-packages") and (package / "py.typed").exists()
+    environment = {"PATH": f"{prefix / 'bin'}{os.pathsep}{os.environ['PATH']}", "PYTHONPATH": str(package.parent)}
+    program = "import plumbline; run = plumbline.run('sod', cells=20); print(run.provenance['version'], len(run.profile['x']))"
+    version, points = call(sys.executable, "-B", "-c", program, cwd=tmp_path, env=environment).split()
+    assert version in call(prefix / "bin/plumbline", "--version") and int(points) > 20
+
+
 def test_plugin_runs_by_its_name_and_gives_the_same_bits(installed, plugin):
     result = installed("run", "sod", "--cells", 50, "--plugin", plugin, "--integrator", "mine", json=True)
     assert result.code == 0, result.err
