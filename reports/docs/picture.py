@@ -16,9 +16,9 @@ import matplotlib.pyplot as pyplot  # noqa: E402
 import numpy  # noqa: E402
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-import plumbline_results  # noqa: E402
+from plumbline import reader  # noqa: E402
 
-SCHEMES = {"default": ("default: leapfrog, cubic B-splines, APIC", "#0069b0", "o"), "york1997": ("York 1997: momentum form, linear shapes, FLIP", "#c4490a", "s")}
+SCHEMES = {"default": ("scheme default", "#0069b0", "o"), "york1997": ("scheme york1997", "#c4490a", "s")}
 CELLS = 100
 
 
@@ -46,8 +46,8 @@ def draw(folder):
         errors.loglog(h, norm, mark + "-", color=colour, markersize=4, label=f"{scheme}: {said}")
     fields.set(xlabel="x, m", ylabel="density, kg/m³", title=f"Sod's shock tube, {CELLS} cells, t = 0.143 s")
     errors.set(xlabel="cell size h, m", ylabel="L1 error of the density, kg/m³", title="Error and order, with its 95 % interval")
-    for axes in (fields, errors):
-        axes.legend(frameon=False, fontsize=8)
+    for axes, place in ((fields, "upper right"), (errors, "lower right")):
+        axes.legend(frameon=False, fontsize=8, loc=place)
         axes.grid(color="#e6e8e9", linewidth=0.6)
         axes.set_axisbelow(True)
     return figure
@@ -57,7 +57,7 @@ def main(arguments):
     if len(arguments) != 2:
         print(__doc__, file=sys.stderr)
         return 2
-    draw(plumbline_results.load_folder(arguments[0])).savefig(arguments[1], format="svg", metadata={"Date": None, "Creator": None})
+    draw(reader.load_folder(arguments[0])).savefig(arguments[1], format="svg", metadata={"Date": None, "Creator": None})
     return 0
 
 
