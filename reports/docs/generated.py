@@ -163,7 +163,7 @@ def kind(value):
     if not isinstance(value, dict):
         return "anything"
     if "$ref" in value:
-        name = value["$ref"].rpartition("/")[2]
+        name = value["$ref"].split("/")[2]
         return f"[{plain(name)}](#{name})"
     for several in ("oneOf", "anyOf", "allOf"):
         if several in value:
