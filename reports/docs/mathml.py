@@ -12,6 +12,8 @@ from sphinx.errors import ExtensionError
 
 KATEX = "/usr/share/javascript/katex/katex.js"  # of the package libjs-katex
 TAG = re.compile(r"\\tag\{([^}]*)\}")
+ACCENT = re.compile(r"<mover accent=\"true\"><mi>(.)</mi><mo[^>]*>([~˙ˉ])</mo></mover>")
+COMBINING = {"~": "\u0303", "˙": "\u0307", "ˉ": "\u0304"}  # over one letter these stand better than an operator above it, whatever the font
 TRANSLATE = """
 const katex = require(process.argv[1]);
 require("readline").createInterface({input: process.stdin}).on("line", line => {
@@ -36,7 +38,7 @@ class Translator:
         answer = json.loads(self._node.stdout.readline() or '{"error": "node has ended"}')
         if "error" in answer:
             raise ExtensionError(f"the equation {tex!r} is not understood: {answer['error']}")
-        return answer["mathml"]
+        return ACCENT.sub(lambda match: f"<mi>{match[1]}{COMBINING[match[2]]}</mi>", answer["mathml"])
 
     def end(self, *_):
         self._node.communicate()
