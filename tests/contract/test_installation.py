@@ -36,21 +36,6 @@ def plugin(prefix, tmp_path_factory):
     return built(source.replace('"usavg"', '"mine"'), prefix, tmp_path_factory.mktemp("plugin"))
 
 
-@pytest.fixture(scope="module")
-def tutorial():
-    return (ROOT / "kernel/integrators/README.md").read_text(encoding="utf-8")
-
-
-@pytest.fixture(scope="module")
-def tutorial_source(tutorial):
-    return re.search(r"```cpp\n(.*?)```", tutorial, re.DOTALL).group(1)
-
-
-@pytest.fixture(scope="module")
-def tutorial_plugin(tutorial_source, prefix, tmp_path_factory):
-    return built(tutorial_source, prefix, tmp_path_factory.mktemp("tutorial"))
-
-
 # Parts of a scheme, each of one file: its kind, what runs it, and what it is called there.
 EXAMPLES = {
     "bardenhagen": ("contacts", "two-disks", "contact=bardenhagen"),
@@ -211,28 +196,3 @@ def test_another_part_that_cannot_be_taken_in(installed, example, tmp_path):
 
 def test_without_the_plugin_its_name_is_unknown(installed):
     assert installed("run", "sod", "--integrator", "mine").code == 2
-
-
-def test_the_tutorial_prints_what_it_shows(tutorial, tutorial_plugin, installed):
-    """Every line that the tutorial shows below a command is one that the command prints."""
-    blocks = re.findall(r"```\n\$ plumbline (.*?)\n(.*?)```", tutorial, re.DOTALL)
-    assert len(blocks) == 3
-    for command, shown in blocks:
-        assert prints(installed, tutorial_plugin, command, shown) == 0
-
-
-def test_the_tutorials_broken_integrator_is_red(tutorial, tutorial_source, prefix, installed, tmp_path):
-    """The change that the tutorial makes gives the red verdict that it shows."""
-    section = tutorial[tutorial.index("## A red one"):tutorial.index("## Claims")]
-    broken, command, shown = re.search(r"`(mpm\..*?)`.*?```text\n\$ plumbline (.*?)\n(.*?)```", section, re.DOTALL).groups()
-    sound = broken.replace("0.999 * ", "")
-    assert sound != broken and tutorial_source.count(sound) == 1
-    assert prints(installed, built(tutorial_source.replace(sound, broken), prefix, tmp_path), command, shown) == 1
-
-
-def prints(installed, library, command, shown):
-    """Exit status of a command that must print all lines shown."""
-    result = installed(*[str(library) if word == "libmine.so" else word for word in command.split()])
-    printed = result.out.splitlines()
-    assert [line for line in shown.splitlines() if line not in printed] == [], command
-    return result.code

@@ -1,5 +1,6 @@
 """The Python package: what it gives of results, what it raises, where it looks for the executable, its types and its notebook."""
 
+import importlib.util
 import json
 import os
 import pathlib
@@ -220,6 +221,8 @@ def test_version_is_that_of_the_project():
 
 
 def test_it_installs_without_network(tmp_path):
+    if missing := [name for name in ("pip", "setuptools", "wheel") if importlib.util.find_spec(name) is None]:
+        pytest.skip(f"not installed: {', '.join(missing)}")
     source = tmp_path / "source"
     shutil.copytree(REPORTS / "plumbline", source / "plumbline", ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copy(REPORTS / "pyproject.toml", source)
@@ -236,6 +239,8 @@ def test_it_installs_without_network(tmp_path):
 
 
 def test_types_hold(tmp_path):
+    if importlib.util.find_spec("mypy") is None:
+        pytest.skip("not installed: mypy")
     ended = subprocess.run(
         [sys.executable, "-m", "mypy", "--cache-dir", tmp_path], cwd=REPORTS, capture_output=True, text=True, check=False
     )
@@ -244,14 +249,13 @@ def test_types_hold(tmp_path):
 
 def test_the_notebook_gives_what_it_shows(monkeypatch, tmp_path):
     """Executed anew, every cell prints the text that is stored, and draws where a figure is."""
-    import nbformat
-    from nbclient import NotebookClient
-
+    pytest.importorskip("ipykernel")
+    nbformat, nbclient = pytest.importorskip("nbformat"), pytest.importorskip("nbclient")
     monkeypatch.setenv("PYTHONPATH", str(REPORTS))
     monkeypatch.setenv("IPYTHONDIR", str(tmp_path))
     stored = nbformat.read(NOTEBOOK, as_version=4)
     fresh = nbformat.read(NOTEBOOK, as_version=4)
-    NotebookClient(fresh, timeout=120, kernel_name="python3", resources={"metadata": {"path": str(tmp_path)}}).execute()
+    nbclient.NotebookClient(fresh, timeout=120, kernel_name="python3", resources={"metadata": {"path": str(tmp_path)}}).execute()
     for before, after in zip(stored.cells, fresh.cells):
         assert shown(after) == shown(before), before.source
     assert any("image/png" in kinds for cell in stored.cells for kinds, _ in shown(cell))
