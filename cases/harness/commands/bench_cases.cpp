@@ -30,15 +30,15 @@ void add_plan(const Case& entry, const StudyPlan& plan, Tier tier, std::vector<C
   }
 }
 
-// What makes the problem of the study `default` another one than the case's keys by default do: what is compared with it must
-// solve the same.
+// The problem that the study `default` solves: what is compared with it must solve the same.
 std::vector<Override> problem_of_default(const Case& entry) {
-  std::vector<Override> problem;
+  std::vector<Override> chosen, problem;
   for (const StudyPlan& plan : entry.studies) {
-    if (plan.id != "default") continue;
-    for (const Override& choice : plan.overrides) {
-      if (!is_numerical(entry, choice.first)) problem.push_back(choice);
-    }
+    if (plan.id == "default") chosen = plan.overrides;
+  }
+  const Settings settings = entry.settings("default", chosen);
+  for (const Key& key : entry.keys) {
+    if (!is_numerical(entry, key.name)) problem.emplace_back(key.name, settings[key.name]);
   }
   return problem;
 }
