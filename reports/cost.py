@@ -10,6 +10,7 @@ import statistics
 from dataclasses import dataclass, field
 
 import figures
+import reproduce
 import stability as stability_page
 import svg
 import text
@@ -336,6 +337,7 @@ def _case_figure(case, lines, measure, kind, prefix):
         _caption(measure, kind, rows, sticks),
         list(dict.fromkeys([COST_FILE] + [entry.file for entry, _ in sticks])),
         keys + [Key("Pareto front", "currentColor", "ring")],
+        [reproduce.costs(case.name)],
     )
 
 
@@ -574,5 +576,7 @@ def _limit(stability, row):
                     return text.MISSING
                 smallest = stability_page.smallest_in_words(entry.get("smallest_known"))
                 words = f"{text.number(high, 3)} {entry.get('unit') or ''} on {problem['problem']}"
-                return f"{words}; {smallest}" if smallest else words
+                if smallest.startswith("smallest known: "):
+                    return f"{smallest.removeprefix('smallest known: ')} (smallest known); {words}"
+                return f"{words} (smallest known)" if smallest else words
     return text.MISSING

@@ -10,6 +10,7 @@ import numpy
 from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullLocator
 
 import baseline
+import reproduce
 import svg
 import text
 
@@ -36,6 +37,7 @@ class Figure:
     caption: str
     files: list
     keys: list = field(default_factory=list)
+    commands: list = field(default_factory=list)  # that make its numbers again
 
 
 # --- axes -----------------------------------------------------------------------------------------
@@ -139,6 +141,10 @@ def _with_errors(case, vary, measure):
 
 def _files(series):
     return [name for entry in series for name in entry.files]
+
+
+def _commands(case, series):
+    return list(dict.fromkeys(command for entry in series if (command := reproduce.study(entry, case.name))))
 
 
 def theory(case, measure):
@@ -249,6 +255,7 @@ def convergence(case, measure, prefix):
         caption,
         _files(series),
         keys,
+        _commands(case, series),
     )
 
 
@@ -364,7 +371,7 @@ def level_by_level(case, measure, prefix):
         paint, prefix, f"Order of {measure} between neighbouring levels, and plateau of its error constant",
         height=3.2, nrows=2, sharex=True,
     )  # fmt: skip
-    return Figure(drawing, "Order and error constant, level by level", caption, _files(series), keys)
+    return Figure(drawing, "Order and error constant, level by level", caption, _files(series), keys, _commands(case, series))
 
 
 def _plateau_line(axes, entry, measure):
@@ -438,6 +445,7 @@ def variation(case, vary, measure, prefix):
         caption,
         _files(series),
         _keys(series),
+        _commands(case, series),
     )
 
 
@@ -552,4 +560,5 @@ def cost(case, measure, kind, prefix):
         caption,
         list(dict.fromkeys(_files(series) + [entry.file for entry in beside])),
         keys + [Key("Pareto front", "currentColor", "ring")],
+        _commands(case, series),
     )

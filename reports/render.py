@@ -108,7 +108,7 @@ def front_page(folder, cases):
         row["anchor"] = anchor(row["name"])
     parts = {
         "cost": cost_part(folder, cases),
-        "mutants": mutants.page(folder.mutants),
+        "mutants": mutants.page(folder.mutants, (tables.origin(folder) or {}).get("commit", "")),
         "integrators": scorecards.page(folder.scorecards, folder.judges),
         "expected_failures": expected_failures_part(cases),
     }
