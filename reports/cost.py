@@ -298,6 +298,8 @@ def _case_figure(case, lines, measure, kind, prefix):
             rows.append((line, points))
     if not rows:
         return None
+    further = figures.left_out(rows)
+    rows = sorted(rows, key=lambda row: not row[0].same_problem)[: figures.MOST_SERIES]
     rivals = [(cost, error) for line, points in rows if line.same_problem for cost, error, _ in points]
     best = [rivals[index] for index in front(rivals)]
     sticks = [(entry, entry.costs(column, measure)) for entry in case.comparators]
@@ -334,7 +336,7 @@ def _case_figure(case, lines, measure, kind, prefix):
     return Figure(
         svg.draw(paint, prefix, f"{measure}: {title}", height=2.9),
         title[0].upper() + title[1:],
-        _caption(measure, kind, rows, sticks),
+        _caption(measure, kind, rows, sticks) + further,
         list(dict.fromkeys([COST_FILE] + [entry.file for entry, _ in sticks])),
         keys + [Key("Pareto front", "currentColor", "ring")],
         [reproduce.costs(case.name)],
