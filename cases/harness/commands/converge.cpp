@@ -49,8 +49,8 @@ ChosenPlan plan_for(const Case& entry, const SchemeChoice& choice, Vary vary, co
                      fmt::format("{} names {} twice: each is wanted once", option, *twice));
   }
   if (vary == Vary::cells && !options.values.empty()) {
-    throw UsageError("--values", fmt::format("{}", options.values.front()), "with --vary dt, ppc or offset", {"--cells"},
-                     "--values is of --vary dt, ppc or offset: --cells names meshes");
+    throw UsageError("--values", fmt::format("{}", options.values.front()), "with --vary dt, ppc or offset",
+                     {"--cells"}, "--values is of --vary dt, ppc or offset: --cells names meshes");
   }
   if (vary == Vary::dt && sorted.front() <= 0) {
     throw UsageError("--values", fmt::format("{}", sorted.front()), "(0, inf)", {},

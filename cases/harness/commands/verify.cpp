@@ -198,8 +198,7 @@ void verify_cases(const CommonOptions& common, const VerifyOptions& options, Run
   refuse_unknown_gates(entries, selection, tier);
   for (const Case* entry : entries) {
     selection.by_name = std::find(asked.begin(), asked.end(), entry->name) != asked.end();
-    verify_case(*entry, tier, selection, common.threads, store,
-                terminal_progress(entry->name), verification);
+    verify_case(*entry, tier, selection, common.threads, store, terminal_progress(entry->name), verification);
     end_progress();
   }
 }

@@ -64,7 +64,8 @@ std::string chosen_scheme(const std::string& shown) { return shown.substr(0, sho
 
 // Those of a run; none of a case that is not registered.
 Json run_choices(const RunResult& run) {
-  const auto entry = std::find_if(cases().begin(), cases().end(), [&](const Case* c) { return c->name == run.case_name; });
+  const auto entry = std::find_if(cases().begin(), cases().end(),
+                                  [&](const Case* c) { return c->name == run.case_name; });
   return entry == cases().end() ? Json::object() : choices(**entry, chosen_scheme(run.scheme), run.settings);
 }
 
@@ -211,12 +212,8 @@ Json to_json(const OrderFit& fit) {
 
 Json run_document(const RunResult& run, const std::vector<JudgedGate>& gates, const Provenance& provenance) {
   const auto all = verdicts(gates);
-  Json document{{"case", run.case_name},
-                {"scheme", run.scheme},
-                {"settings", to_json(run.settings)},
-                {"choices", run_choices(run)},
-                {"verdict", name(overall(all))},
-                {"finished", run.finished}};
+  Json document{{"case", run.case_name},       {"scheme", run.scheme},          {"settings", to_json(run.settings)},
+                {"choices", run_choices(run)}, {"verdict", name(overall(all))}, {"finished", run.finished}};
   if (run.stop) {
     const Stop& s = *run.stop;
     document["stop"] = {{"reason", s.reason}, {"step", s.step},   {"time", number(s.time)},
@@ -249,16 +246,11 @@ Json study_document(const StudyResult& study, const std::vector<JudgedGate>& gat
   for (const auto& [measure, fit] : study.fits) fits[measure] = to_json(fit);
   const Settings shared = study.levels.empty() ? study.entry->settings(study.plan.scheme, study.plan.overrides)
                                                : study.levels.front().run.settings;
-  return {{"scheme", study.scheme},
-          {"vary", name(study.plan.vary)},
-          {"settings", to_json(shared)},
-          {"choices", shared_choices(study)},
-          {"id", study.plan.id},
-          {"title", study.plan.title},
-          {"why", study.plan.why},
-          {"levels", std::move(levels)},
-          {"measures", std::move(fits)},
-          {"gates", to_json(gates)}};
+  return {{"scheme", study.scheme},      {"vary", name(study.plan.vary)},
+          {"settings", to_json(shared)}, {"choices", shared_choices(study)},
+          {"id", study.plan.id},         {"title", study.plan.title},
+          {"why", study.plan.why},       {"levels", std::move(levels)},
+          {"measures", std::move(fits)}, {"gates", to_json(gates)}};
 }
 
 Json counts_document(const std::vector<JudgedGate>& gates) {

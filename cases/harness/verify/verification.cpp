@@ -326,7 +326,8 @@ void verify_case(const Case& entry, Tier tier, const Selection& selection, int t
     std::erase_if(judged, [&](const JudgedGate& gate) { return !takes_either(selection, gate.gate.id); });
     add_regressions(selection, tier, k < plans.own, judged, verification);
     std::erase_if(judged, [&](const JudgedGate& gate) { return !selection.takes(gate.gate.id); });
-    if (study.failure.empty() && selection.gates.empty()) store.folder().write_study(study, judged, store.provenance(entry));
+    if (study.failure.empty() && selection.gates.empty())
+      store.folder().write_study(study, judged, store.provenance(entry));
     verification.gates.insert(verification.gates.end(), judged.begin(), judged.end());
   }
   const auto lost = lost_gates(entry, tier, selection, declared, studies, executed);
