@@ -182,7 +182,8 @@ void refuse_unknown_gates(const std::vector<const Case*>& entries, const Selecti
     }
   }
   for (const std::string& pattern : selection.gates) {
-    const Selection one{.gates = {pattern}};
+    Selection one;
+    one.gates = {pattern};
     if (std::none_of(names.begin(), names.end(), [&](const std::string& name) { return one.takes(name); }))
       throw unknown_name("gate", pattern, names);
   }
