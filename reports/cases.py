@@ -28,6 +28,7 @@ class Series:
     title: str = ""
     why: str = ""
     study: str = ""  # identifier of a declared study
+    choices: dict = None  # what differs from the scheme; None in files that do not say it
     style: int = 0  # index into colours and marks
     baseline: "Series" = None  # the same line of an earlier folder
 
@@ -225,6 +226,7 @@ def _take_runs(cases, folder):
                 title,
                 study.get("why") or "",
                 declared,
+                study.get("choices"),
             )
         )
     for result in folder.runs:

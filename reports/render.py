@@ -110,7 +110,7 @@ def front_page(folder, cases):
         row["anchor"] = anchor(row["name"])
     parts = {
         "cost": cost_part(folder, cases),
-        "mutants": mutants.page(folder.mutants),
+        "mutants": mutants.page(folder.mutants, (tables.origin(folder) or {}).get("commit", "")),
         "integrators": scorecards.page(folder.scorecards, folder.judges),
         "expected_failures": expected_failures_part(cases),
     }
@@ -155,13 +155,14 @@ def glance(cases, parts):
             {"figure": str(counts["XFAIL"]), "target": "expected-failures", "look": "xfail",
              "words": f"of them are known failures, {of_default or 'none'} of the default scheme, each with its cause"}
         )  # fmt: skip
-    chosen = [row for row in (parts["cost"] or {}).get("jobs", ()) if row.get("chosen")]
-    if chosen:
-        schemes = collections.Counter(row["scheme"] for row in chosen)
-        name, times = schemes.most_common(1)[0]
+    chosen = [choice for choice in (parts["cost"] or {}).get("recommended", ()) if choice["scheme"]]
+    for name in dict.fromkeys(choice["scheme"] for choice in chosen):
+        own = [choice for choice in chosen if choice["scheme"] == name]
+        problems = sum(len(choice["problems"]) for choice in own)
         cards.append(
             {"figure": name, "target": "which-scheme", "look": "",
-             "words": f"is the scheme to take for {times} of {text.plural(len(chosen), 'kind')} of scene: which scheme for which job"}
+             "words": f"needs less time to 1 % error than each scheme it was compared with, for {text.listing(choice['job'] for choice in own)}: "
+             f"over {text.plural(problems, 'problem')}"}
         )  # fmt: skip
     integrators, mutated = parts["integrators"], parts["mutants"]
     if integrators and integrators["cards"]:
