@@ -283,7 +283,8 @@ std::vector<CaseGate> gates() {
       "cannot be seen there");
   const std::string torn =
       "after a whole swing the noise of its light points has torn the string: the bob falls to the floor from 1.3 s "
-      "on, and lies there with a velocity that no node sees; some of the runs whose masses differ by 1e-14 of "
+      "on, and lies there with a velocity in the null space of the maps; some of the runs whose masses differ by 1e-14 "
+      "of "
       "themselves stop there";
   // Once the string has torn, a run is as roundings will: these bands hold what ensembles of runs show (ci/ensembles).
   const StopBand on_20{125000, 175000, "velocity"}, on_40{270000, 350000, "position"};
