@@ -21,8 +21,9 @@ ELSEWHERE = {
     "python3-matplotlib": ("py-matplotlib", "matplotlib-base"), "python3-pil": ("py-pillow", "pillow"), "python3-jinja2": ("py-jinja2", "jinja2"),
     "python3-jsonschema": ("py-jsonschema", "jsonschema"), "python3-mpmath": ("py-mpmath", "mpmath"), "python3-pytest": ("py-pytest", "pytest"),
 }  # fmt: skip
-# Compilers come with every system that builds packages; the others serve the tests, or speed up repeated builds.
-NOT_NEEDED = {"g++", "ccache", "git", "locales", "libgtest-dev", "libgmock-dev", "python3-yaml", "node-d3-zoom"}
+# Compilers come with every system that builds packages; the others serve the tests and the documents, or speed up repeated builds.
+NOT_NEEDED = {"g++", "ccache", "git", "locales", "libgtest-dev", "libgmock-dev", "python3-yaml", "node-d3-zoom", "python3-sphinx", "python3-myst-parser",
+              "nodejs", "libjs-katex"}
 MODULES = {"numpy": "python3-numpy", "scipy": "python3-scipy", "h5py": "python3-h5py", "matplotlib": "python3-matplotlib", "PIL": "python3-pil",
            "jinja2": "python3-jinja2"}  # fmt: skip
 
