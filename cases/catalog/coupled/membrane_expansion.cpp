@@ -197,6 +197,18 @@ class MembraneExpansionRun final : public Problem {
   int count_ = 0, escaped_ = 0;
 };
 
+// Snapshots of a run, a tenth of a second apart: York's text speaks of 0.1 s.
+int every_tenth(double end) { return 1 + whole(std::round(10 * end)); }
+
+// A level of york1997 again, which is no second run.
+StudyPlan york_to_look_at(double cells) {
+  return study("york-shapes-" + to_text(cells), "york1997 on " + to_text(cells) + " cells",
+               "To look at: Figs. 52 and 54.", {cells})
+      .of_york()
+      .in(Tier::full)
+      .pictured(every_tenth(8.5));
+}
+
 std::vector<StudyPlan> studies() {
   const Override five_seconds{"t_end", 5.0}, accumulated{"membrane.strain", "accumulated"};
   return {study("default", "default, to 5 s",
@@ -205,13 +217,16 @@ std::vector<StudyPlan> studies() {
                 {4, 6, 8, 12, 16})
               .with({five_seconds})
               .in_full({4, 6, 8, 12, 16, 24, 32})
-              .pictured(25, 16),
+              .pictured(every_tenth(5), 16),
           study("unfolding", "the first half second of default", "To look at: two levels, no order.", {8, 16})
               .with({{"t_end", 0.5}})
               .pictured(25),
           study("york1997", "york1997, 64 points a cell: tables 5 and 6", "York's own four meshes.", {4, 8})
               .of_york()
-              .in_full({4, 8, 16, 32}),
+              .in_full({4, 8, 16, 32})
+              .pictured(every_tenth(8.5), 8),
+          york_to_look_at(16),
+          york_to_look_at(32),
           study("booked", "default, losses booked", "The end with less energy.", {8})
               .with({{"membrane.loss", "booked"}, five_seconds})
               .in_full({8, 16}),

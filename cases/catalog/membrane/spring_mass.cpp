@@ -122,6 +122,8 @@ class SpringMassRun final : public Problem {
 
 std::vector<StudyPlan> studies() {
   return {study("york1997", "York's ten points", "One mesh, as in Fig. 26.", {10}).of_york(),
+          study("york-load", "default under York's load", "One mesh, as in Fig. 26.", {10})
+              .with({{"reference", "massless"}}),
           study("default", "default, small stretch",
                 "The mass is smeared over its kernel. With the affine transfer the kernel moves as v (x - wall)/L and "
                 "adds the inertia m D/L^2, D = h^2/4: the period is too long by the share h^2/(8 L^2), order 2. "
