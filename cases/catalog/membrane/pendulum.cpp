@@ -113,6 +113,8 @@ class PendulumRun final : public Problem {
     kinetic_.push_back(simulation.ledger().stores.kinetic);
     elastic_.push_back(simulation.ledger().stores.elastic);
     if (frames_.size() < frames && simulation.time() >= frame(frames_.size())) keep_frame(points);
+    squares_.points += points.points();
+    squares_.aside += squared_distances_to_chord(points);
     if (points.has(column::tangent)) watch_stress(simulation.scene());
   }
   void history(Archive& archive) override {
@@ -149,6 +151,7 @@ class PendulumRun final : public Problem {
             measure("length_drift", mean_length() / exact_.length().value - 1, mean_exact_length(), "1"),
             share_measure("misalignment", misalignment_ / exact_.length().value),
             scalar_measure("from_fem", from_fem(), 0, 0, "m"),
+            share_measure("mean_misalignment", std::sqrt(squares_.aside / squares_.points) / exact_.length().value),
             share_measure("off_tangent", share_of(squares_.off_tangent)),
             share_measure("stress_spread", share_of(squares_.spread)),
             scalar_measure("least_strain", least_strain_ / static_strain(), 0, 0, "1"),
@@ -187,8 +190,10 @@ class PendulumRun final : public Problem {
 
   // What is summed over all points and steps.
   struct Squares {
-    double stress = 0, off_tangent = 0, spread = 0;
+    double points = 0, aside = 0, stress = 0, off_tangent = 0, spread = 0;
     void history(Archive& archive) {
+      archive("points", points);
+      archive("aside", aside);
       archive("stress", stress);
       archive("off_tangent", off_tangent);
       archive("spread", spread);
@@ -293,7 +298,7 @@ std::vector<StudyPlan> studies() {
           study("york-increments", "York's second mesh, strain increments rotated once",
                 "Section 5.4.2: what York's code did before it kept the total strain along the tangent.", {10})
               .of_york()
-              .with({{"strain", "increments"}}),
+              .with({{"strain", "increments"}, {"t_end", 0.05}}),
           study("york-layers", "York's second mesh, two layers of points through the thickness",
                 "Section 5.4.5: nothing makes their stresses equal.", {10})
               .of_york()
@@ -414,7 +419,8 @@ std::vector<CaseGate> gates() {
       "themselves stop there";
   const Because tangent = literature(
       "York, section 5.4.2: the stress is tangent where the total strain is kept along the tangent; to rounding");
-  const Because similar = literature("York, section 5.7.3: without the one-way law the results are similar; as near as Fig. 37 shows");
+  const Because similar = literature("York, section 5.7.3: without the one-way law the results are similar; as near to the finite elements "
+                                     "as is asked of those with it");
   const Because towards_fem = literature(
       "York, section 5.7: convergence towards the finite elements, whose frames Fig. 36 shows");
   const std::vector<CaseGate> sections{
@@ -424,10 +430,10 @@ std::vector<CaseGate> gates() {
       gate("default/frames-5-10", ratio_of("from_fem", 5, 10), at_least(1), towards_fem),
       gate("default/frames-10-20", ratio_of("from_fem", 10, 20), at_least(1), towards_fem),
       gate("york1997/frames-10-20", ratio_of("from_fem", 10, 20), at_least(1), towards_fem).in(Tier::full),
-      gate("york-free/misaligned", over_sibling("misalignment", "york1997"), at_least(1),
+      gate("york-free/misaligned", over_sibling("mean_misalignment", "york1997"), at_least(1),
            literature("York, section 5.7.3, Fig. 38: without the one-way law points are not aligned as well"))
           .beside({"york1997"}),
-      gate("york-free/period-10", error_at("period", 10), at_most(0.03 * heavy_period), similar),
+      gate("york-free/frames-10", value_at("from_fem", 10), at_most(0.03 * heavy_period * fastest_bob()), similar),
       gate("york-free/compressed", value_at("least_strain", 10), at_most(0),
            literature("York, section 5.7.3, Fig. 38: what may misalign points is that oscillations along the string compress some")),
       gate("york1997/tangent", value_at("off_tangent", 10), at_most(1e-12), tangent),

@@ -20,8 +20,10 @@ namespace {
 struct Spring : Parameters {
   reference::SpringProblem spring;
   // York's: the first point a third of a spacing below the support, whole points throughout.
-  bool york_points = one_of("layout", "ends", {"ends", "york"},
-                            "points at both ends with half a spacing's share, or York's ten whole points") == "york";
+  std::string layout = one_of("layout", "ends", {"ends", "york", "ten"},
+                              "points at both ends with half a spacing's share; York's whole points; or York's ten "
+                              "whatever the mesh");
+  bool york_points = layout != "ends";
   bool with_mass = one_of("reference", "distributed", {"distributed", "massless"}, "spring with or without mass") ==
                    "distributed";
   double end_time = positive("t_end", 0.1, "s", "end time");
@@ -99,7 +101,8 @@ class SpringMassRun final : public Problem {
     membrane->youngs_modulus = s.youngs_modulus;
     membrane->density = s.density;
     membrane->one_way = false;
-    const int segments = std::max(2, whole(std::round(s.length / h() * settings_.number("ppc"))));
+    const int by_cells = std::max(2, whole(std::round(s.length / h() * settings_.number("ppc"))));
+    const int segments = at_.layout == "ten" ? 9 : by_cells;
     const int points = segments + 1;
     Body body = make_body("spring", membrane, points, 1);
     const double spacing = s.length / segments;
@@ -140,7 +143,7 @@ std::vector<StudyPlan> studies() {
           study("york-apart", "York's ten points on a mesh finer than their spacing",
                 "One mesh: points one and a third cells apart.", {40})
               .of_york()
-              .with({{"ppc", 0.75}, {"t_end", 0.02}}),
+              .with({{"layout", "ten"}, {"t_end", 0.02}}),
           study("step", "default, step refined alone",
                 "Symplectic in time for an oscillator: the period's error is of second order in dt.",
                 {1, 0.5, 0.25, 0.125, 0.0625})
