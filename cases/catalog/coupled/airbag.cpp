@@ -13,7 +13,26 @@
 namespace plumbline {
 namespace {
 
-std::vector<StudyPlan> studies() {
+constexpr double narrow_crown = 0.318;  // m, of York's bag under the narrow probe York, A.4.8
+
+// York lets the tether go at impact and, with the narrow probe, kept it once; with the wide one he found that the shape
+// of the bag matters. York, sections 6.3.2, 6.3.3
+StudyPlan york_variation(bool narrow) {
+  const std::string one = "One mesh, York's.";
+  const Override gauge{"pressure", "york"};
+  if (narrow) {
+    return study("york-tether-kept", "York's run, his pressure, the tether kept", one, {25})
+        .of_york()
+        .with({gauge, {"tether", "kept"}})
+        .in(Tier::full);
+  }
+  return study("york-tall", "York's run, his pressure, in the bag of the narrow probe", one, {25})
+      .of_york()
+      .with({gauge, {"crown", narrow_crown}})
+      .in(Tier::full);
+}
+
+std::vector<StudyPlan> studies(bool narrow) {
   const std::string touch =
       "First order: what touches is known to a share of a cell, and the skin's pull is smeared over one.";
   const std::string one = "One mesh, York's.";
@@ -28,7 +47,8 @@ std::vector<StudyPlan> studies() {
           .of_york()
           .with({{"pressure", "york"}})
           .in(Tier::full)
-          .pictured(25)};
+          .pictured(25),
+      york_variation(narrow)};
 }
 
 // The largest of read(run) over the levels; NaN wins.
@@ -92,7 +112,43 @@ std::vector<CaseGate> bag_gates(const std::string& study, double speed) {
       closed_ledger_gate(study)};
 }
 
-std::vector<CaseGate> gates(double speed) {
+// What the text says of Figs. 60 and 63.
+std::vector<CaseGate> york_gates(bool narrow) {
+  const auto beside_york = [](const std::string& id, const std::string& quantity, auto number, Range expected,
+                              const char* says) {
+    return gate(id,
+                number_of(quantity,
+                          [=](const StudyResult& s) {
+                            return Measured::of(number(s.level(25)->run, s.sibling("york1997")->level(25)->run));
+                          },
+                          {25}),
+                expected, literature(says))
+        .beside({"york1997"})
+        .in(Tier::full);
+  };
+  const auto deeper = [](const RunResult& here, const RunResult& there) {
+    return value_of(here, "max_displacement") - value_of(there, "max_displacement");
+  };
+  if (!narrow) {
+    return {gate("york1997/turns", value_at("time_of_max", 25), at_most(0.04),
+                 literature("York: it rebounds, later than in the tests, in a run of 40 ms (section 6.3.3, A.4.9)"))
+                .in(Tier::full),
+            beside_york("york-tall/deeper", "max_displacement less that in the flatter bag", deeper, at_least(0),
+                        "York, section 6.3.3: in the bag of the narrow probe it goes deeper; a flatter one slows it sooner")};
+  }
+  return {gate("york1997/turns", value_at("time_of_max", 25), at_most(0.1),
+               literature("York: it stops and rebounds in a run of 100 ms (section 6.3.2, A.4.8)"))
+              .in(Tier::full),
+          beside_york("york-tether-kept/deeper", "max_displacement less that with the tether let go", deeper,
+                      between(0.015, 0.025), "York, section 6.3.2: about 20 mm farther with the tether kept; half a digit"),
+          beside_york("york-tether-kept/slower", "rebound velocity over that with the tether let go",
+                      [](const RunResult& here, const RunResult& there) {
+                        return value_of(here, "rebound_velocity") / value_of(there, "rebound_velocity");
+                      },
+                      at_most(1), "York, section 6.3.2: without the tether the rebound is more rapid than in the tests, with it as in them")};
+}
+
+std::vector<CaseGate> gates(double speed, bool narrow) {
   std::vector<CaseGate> all;
   for (const char* study : {"default", "york-pressure"}) {
     for (CaseGate& gate : bag_gates(study, speed)) all.push_back(std::move(gate));
@@ -113,10 +169,11 @@ std::vector<CaseGate> gates(double speed) {
                            "at the skin counts as thinner than it is",
                            {0.100, 0.126}, "2026-11-23 5825b24")
                     .in(Tier::full));
-  return all;
+  return joined({all, york_gates(narrow)});
 }
 
 Case airbag(const AirbagSpec& spec) {
+  const bool narrow = spec.crown == narrow_crown;
   return {.name = spec.name,
           .kind = Kind::coupled,
           .keys = AirbagParameters(spec).keys(),
@@ -124,13 +181,13 @@ Case airbag(const AirbagSpec& spec) {
           .york1997 = {{"ppc", 16.0}, {"membrane.strain", "segments"}},
           .york_step = step_over_cells(3.5e-6 * 25),  // at h = 20 mm York, A.4.8, A.4.9
           .problem = airbag_run(spec),
-          .studies = studies(),
-          .gates = gates(spec.speed),
+          .studies = studies(narrow),
+          .gates = gates(spec.speed, narrow),
           .levels = {12, 18, 25}};
 }
 
 std::vector<Case> airbags() {
-  return {airbag({.name = "airbag-200", .mass = 6.03, .radius = 0.1, .speed = 3.9, .crown = 0.318, .end_time = 0.13}),
+  return {airbag({.name = "airbag-200", .mass = 6.03, .radius = 0.1, .speed = 3.9, .crown = narrow_crown, .end_time = 0.13}),
           airbag({.name = "airbag-500", .mass = 8.05, .radius = 0.25, .speed = 4.7, .crown = 0.31, .end_time = 0.11})};
 }
 PLUMBLINE_CASE(airbags);

@@ -112,7 +112,9 @@ Case gas_expansion() {
           .york1997 = york_points,
           .york_step = courant_number(deck_courant),
           .problem = gas_run(expansion_flow),
-          .studies = {study("york1997", "York's points on his mesh", "One mesh, that of Figs. 16 to 18.", {40}).of_york(),
+          .studies = {study("york1997", "York's points on his mesh", "One mesh, that of Figs. 16 to 18.", {40})
+                          .of_york()
+                          .pictured(2),
                       study("default", "default, a quarter in the plane",
                             "The start is a jump to vacuum, the rarefaction's head a kink: order 1.",
                             {40, 56, 80, 112, 160})

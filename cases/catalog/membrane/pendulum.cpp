@@ -288,13 +288,15 @@ std::vector<StudyPlan> studies() {
   return {study("default", "default, the walls out of reach",
                 "Order 2: the bob's kernel adds the inertia m h^2/4 about the pivot.", {5, 10, 20})
               .in_full({5, 10, 20, 40})
-              .pictured(25),
+              .pictured(27, 20),
           study("york1997", "York's four meshes in his box", "Fig. 37: the loss shrinks with refinement.", {10})
               .of_york()
-              .in_full({5, 10, 20, 40}),
+              .in_full({5, 10, 20, 40})
+              .pictured(36, 10),
           study("york-free", "York's second mesh without the one-way law", "Fig. 38: points align less well.", {10})
               .of_york()
-              .with({{"one_way", "no"}}),
+              .with({{"one_way", "no"}})
+              .pictured(36),
           study("york-increments", "York's second mesh, strain increments rotated once",
                 "Section 5.4.2: what York's code did before it kept the total strain along the tangent.", {10})
               .of_york()

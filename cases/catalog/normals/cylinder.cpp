@@ -190,6 +190,7 @@ std::vector<StudyPlan> studies() {
           carried("york1997", "york-quadratic", quadratic),
           carried("york1997", "york-cubic", cubic),
           carried("york1997", "york-mass-matrix-quadratic", nine).in(Tier::full),
+          carried("york1997", "york-mass-matrix-kept", "York's mass matrix, normals of points alone kept").in(Tier::full),
           carried("york1997", "modern", circles).in(Tier::full)};
 }
 
@@ -252,6 +253,14 @@ std::vector<CaseGate> gates() {
   const std::vector<CaseGate> rows{
       held("york1997-connectivity"),
       mean_as_drawn("york1997-connectivity"),
+      held("york1997-york-mass-matrix-kept").in(Tier::full),
+      gate("york1997-york-mass-matrix-kept/as-ghost-cell",
+           growths("difference of the mean radius from that with a ghost cell for points alone", "york1997-york-mass-matrix",
+                   [](double here, double there) { return std::abs(here - there); }),
+           at_most(0.002),
+           literature("York, section 7.8, names both as answers to a point alone; as close as Fig. 73 shows"))
+          .beside({"york1997-york-mass-matrix"})
+          .in(Tier::full),
       bursts("york-quadratic", {0.52, 0.64}),
       bursts("york-cubic", {0.50, 0.61}),
       bursts("york1997-york-quadratic", {0.61, 0.74}),
