@@ -10,7 +10,8 @@ An entry of `pictures` has `figure`, its number, and either `why`, the reason fo
   or `times` at which the points of `bodies` are drawn, "end" the last, in `window` [x, x, y, y], with `apart` each run by itself;
   or `methods`, whose normals at the points of the first run are drawn;
   `says`     what the report's text says: {`page`, `words`}; with `value`, a number or [low, high], it is drawn too: along `axis` y
-             (if not given), x or r, a radius about the origin; in the panel of number `panel`, or in all.
+             (if not given), x or r, a radius about the origin; in the panel of number `panel`, or in all;
+  `note`     what else a reader must know, if anything.
 """
 
 import numpy
@@ -23,6 +24,7 @@ import svg
 import text
 from figures import Figure, Key
 
+PICTURED = (13, 14, 16, 17, 18, 26, 36, 37, 38, *range(49, 56), *range(58, 64), 86, 87, 96)  # need a picture, or a reason
 MOST_RUNS = 8
 KINDS = {"panels": "lines", "times": "points", "methods": "normals"}  # by the key that only its kind has
 _BUDGET = "energy."
@@ -36,7 +38,9 @@ class UnknownName(Exception):
 def faults(pictures, rows, studies):
     """What is wrong with the entries, as sentences: [] if nothing is. `studies`: {case: identifiers of its studies}."""
     kinds = {row["number"]: row for row in rows if row["series"] == "figure"}
-    found = [f"picture of figure {number} is there twice" for number in _twice(entry["figure"] for entry in pictures)]
+    numbers = [entry["figure"] for entry in pictures]
+    found = [f"figure {number} has neither a picture nor a reason" for number in PICTURED if number not in numbers]
+    found += [f"picture of figure {number} is there twice" for number in _twice(numbers)]
     for entry in pictures:
         name = f"picture of figure {entry['figure']}"
         if entry["figure"] not in kinds:
@@ -121,6 +125,8 @@ def drawing(entry, title, cases, results):
     drawn, keys = draw(entry, there, styles, anchor(entry["figure"]), title)
     said = "; ".join(f"{said['words']} (p.\u00a0{said['page']})" for said in entry.get("says", ()))
     words = [f"The report’s text: {said}."] if said else []
+    if "note" in entry:
+        words.append(f"{entry['note']}.")
     if missing:
         words.append(f"Not in these results: {_named(missing)}.")
     return Figure(drawn, title, " ".join(words), [result.name for _, result in there], keys), ""
