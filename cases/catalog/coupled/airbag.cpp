@@ -140,7 +140,7 @@ std::vector<CaseGate> york_gates(bool narrow) {
     return {beside_york("york-tall/deeper", "max_displacement less that in the flatter bag", deeper, at_least(0),
                         "York, section 6.3.3: in the bag of the narrow probe it goes deeper; a flatter one slows it sooner")};
   }
-  const std::string stamp = "DATE", slack =
+  const std::string stamp = "2026-11-26 05844c9", slack =
       "the tether has no mass here and the gas does not feel it: slack from impact until the bag stands as at first";
   return {gate("york1997/turns", value_at("time_of_max", 25), at_most(0.1),
                literature("York: it stops and rebounds in a run of 100 ms (section 6.3.2, A.4.8)"))
