@@ -112,6 +112,13 @@ std::vector<CaseGate> bag_gates(const std::string& study, double speed) {
       closed_ledger_gate(study)};
 }
 
+// The probe's velocity 25 ms past the peak, m/s.
+double late_velocity(const RunResult& run) {
+  const auto &time = run.profile.find("time")->values, &velocity = run.profile.find("probe_velocity")->values;
+  const auto row = std::lower_bound(time.begin(), time.end(), 0.08) - time.begin();
+  return velocity.at(static_cast<std::size_t>(row));
+}
+
 // What the text says of Figs. 60 and 63.
 std::vector<CaseGate> york_gates(bool narrow) {
   const auto beside_york = [](const std::string& id, const std::string& quantity, auto number, Range expected,
@@ -130,22 +137,24 @@ std::vector<CaseGate> york_gates(bool narrow) {
     return value_of(here, "max_displacement") - value_of(there, "max_displacement");
   };
   if (!narrow) {
-    return {gate("york1997/turns", value_at("time_of_max", 25), at_most(0.04),
-                 literature("York: it rebounds, later than in the tests, in a run of 40 ms (section 6.3.3, A.4.9)"))
-                .in(Tier::full),
-            beside_york("york-tall/deeper", "max_displacement less that in the flatter bag", deeper, at_least(0),
+    return {beside_york("york-tall/deeper", "max_displacement less that in the flatter bag", deeper, at_least(0),
                         "York, section 6.3.3: in the bag of the narrow probe it goes deeper; a flatter one slows it sooner")};
   }
+  const std::string stamp = "2026-11-26 05844c9", slack =
+      "the tether has no mass here and the gas does not feel it: slack from impact until the bag stands as at first";
   return {gate("york1997/turns", value_at("time_of_max", 25), at_most(0.1),
                literature("York: it stops and rebounds in a run of 100 ms (section 6.3.2, A.4.8)"))
               .in(Tier::full),
-          beside_york("york-tether-kept/deeper", "max_displacement less that with the tether let go", deeper,
-                      between(0.015, 0.025), "York, section 6.3.2: about 20 mm farther with the tether kept; half a digit"),
-          beside_york("york-tether-kept/slower", "rebound velocity over that with the tether let go",
-                      [](const RunResult& here, const RunResult& there) {
-                        return value_of(here, "rebound_velocity") / value_of(there, "rebound_velocity");
-                      },
-                      at_most(1), "York, section 6.3.2: without the tether the rebound is more rapid than in the tests, with it as in them")};
+          beside_york("york-tether-kept/deeper", "0.02 m less the growth of max_displacement by the tether",
+                      [deeper](const RunResult& here, const RunResult& there) { return 0.02 - deeper(here, there); },
+                      between(-0.005, 0.005),
+                      "York, section 6.3.2: about 20 mm farther with the tether kept; half a digit")
+              .fails(slack + "; he puts the 20 mm down to the cone that his tether was to the gas", {0.0185, 0.02}, stamp),
+          beside_york("york-tether-kept/slower", "the probe's velocity at 80 ms over that with the tether let go",
+                      [](const RunResult& here, const RunResult& there) { return late_velocity(here) / late_velocity(there); },
+                      at_most(1),
+                      "York, section 6.3.2: past the peak it comes back more slowly with the tether kept, as in the tests")
+              .fails(slack, {1.002, 1.02}, stamp)};
 }
 
 std::vector<CaseGate> gates(double speed, bool narrow) {

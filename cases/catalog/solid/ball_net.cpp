@@ -270,7 +270,7 @@ std::vector<CaseGate> gates() {
       gate("york-9.9/at-its-fastest", fastest_kept, at_least(0.95), at_fastest)
           .fails("fastest at 3.3 s, it is let go at 4.4 s: until then nodes with points of both hold it to the net, which "
                  "stands up to a cell away and has begun to swing back",
-                 {0.8, 0.945}, "DATE"),
+                 {0.8, 0.945}, "2026-11-26 05844c9"),
       gate("york-9.9/speed", speed, between(-0.8, -0.6), as_read),
       gate("york-9.9/energy", energy, at_most(1.001), theory("no energy is created"))
           .fails("the net's points cross cells, and with linear shapes each crossing throws them; most of what is "
@@ -286,7 +286,7 @@ std::vector<CaseGate> gates() {
            literature("York, section 5.9: constant at about -0.7 from 2.8 s on; half a digit of what he reads off"))
           .fails("it is let go at 4.4 s, not at 2.8 s: it flies back at up to 0.84, and the net takes the rest before it "
                  "leaves; York prints neither the thickness of this net nor where it stands",
-                 {0.125, 0.165}, "DATE")
+                 {0.125, 0.165}, "2026-11-26 05844c9")
           .in(Tier::full)};
 }
 

@@ -288,7 +288,7 @@ std::vector<CaseGate> york_gates() {
 
 // Energies of Fig. 96, of which the text gives the share lost.
 std::vector<CaseGate> energy_gates() {
-  const std::string stamp = "DATE";
+  const std::string stamp = "2026-11-26 05844c9";
   const auto lost_at = [](double level) {
     return number_at("share of the energy lost at " + to_text(level), "energy_kept", level,
                      [](const RunResult&, const Measure& kept) { return Measured::of(1 - *kept.value); });
