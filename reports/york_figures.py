@@ -26,6 +26,7 @@ from figures import Figure, Key
 
 PICTURED = (13, 14, 16, 17, 18, 26, 36, 37, 38, *range(49, 56), *range(58, 64), 86, 87, 96)  # need a picture, or a reason
 MOST_RUNS = 8
+MOST_DOTS = 600  # of a gas in a panel
 KINDS = {"panels": "lines", "times": "points", "methods": "normals"}  # by the key that only its kind has
 _BUDGET = "energy."
 _PANEL, _FRAME = 1.55, 0.55  # inches: height of a panel of lines, of all that is around them
@@ -333,13 +334,15 @@ def _bodies(result, names):
 
 
 def _body(axis, frames, frame, number, colour, label):
-    """A membrane as a line, a solid by its convex outline, a gas by its points."""
+    """A membrane as a line, a solid by its convex outline, a gas by its points or some of them."""
     places = frames.body(frame, number)["position"][:, :2].astype(float)
     if frames.bodies[number]["kind"] == "solid":
         outline = scipy.spatial.ConvexHull(places).vertices
         places = places[numpy.append(outline, outline[0])]
     if frames.bodies[number]["kind"] == "gas":
-        axis.plot(*places.T, ".", color=colour, markersize=1.4)
+        # Multiples of the golden section leave out points evenly.
+        kept = numpy.arange(len(places)) * 0.6180339887 % 1 < MOST_DOTS / max(len(places), 1)
+        axis.plot(*places[kept].T, ".", color=colour, markersize=1.6)
     else:
         axis.plot(*places.T, color=colour, linewidth=1.0, label=label)
 
