@@ -153,7 +153,9 @@ def _named(runs):
 
 def _styles(runs):
     """{label: colour}: the same for the default scheme and for York's in all pictures."""
-    labels = sorted((run["label"] for run in runs), key=lambda label: (label != "default", label != "york1997"))
+    schemes = ("default", "york1997")
+    labels = [run["label"] for run in runs]
+    labels.sort(key=lambda label: [label != scheme for scheme in schemes] + [not label.startswith(scheme) for scheme in schemes])
     return {label: svg.series_colour(number) for number, label in enumerate(labels)}
 
 

@@ -66,10 +66,10 @@ def test_a_gate_that_cites_a_figure_must_be_named_there(gates):
     assert found == ["two-bar york1997/surprise cites figure 95, which does not name it"]
 
 
-def pictures(figure, **values):
+def pictures(number, values):
     """The pictures with other values for one figure."""
     found = copy.deepcopy(york.load("pictures"))
-    next(entry for entry in found if entry["figure"] == figure).update(values)
+    next(entry for entry in found if entry["figure"] == number).update(values)
     return found
 
 
@@ -88,7 +88,7 @@ def test_each_figure_with_a_result_has_its_picture_of_studies_that_there_are(stu
     (14, {"figure": 13}, "picture of figure 13 is there twice"),
 ])
 def test_a_picture_of_what_there_is_not_is_an_error_that_names_it(studies, figure, values, fault):
-    found = york_figures.faults(pictures(figure, **values), york.load(), studies)
+    found = york_figures.faults(pictures(figure, values), york.load(), studies)
     assert [words for words in found if words.startswith(fault)], found
 
 
