@@ -317,6 +317,9 @@ std::vector<CaseGate> york_gates() {
   const std::string mean =
       "his mean over interior grid points is not one over the gas: it counts cells alike, and what little gas "
       "stands beside the membrane not at all; here energy over volume, the volumes too large";
+  const std::string torn_on = "2026-11-26 05844c9", torn =
+      "the bag tears at 3.3 s, before that its radius, 1.42, is 2 % above his: strains summed from rates let it grow, and "
+      "at one place the points drift apart until one flies off; gas and membrane then stand at the walls";
   // On 4 cells the second radius and the pressure are no property of the scheme: see the known limits.
   return {
       radius("radius_0", 4, 1.08)
@@ -332,12 +335,10 @@ std::vector<CaseGate> york_gates() {
       radius("radius_90", 16, 1.387),
       pressure(16, 27.0).fails(mean, around(28.6, 0.02), stamp),
       hoop(16, 417),
-      radius("radius_0", 32, 1.394),
-      radius("radius_90", 32, 1.396),
-      pressure(32, 29.0),
-      hoop(32, 447).fails("first law and virial allow a mean of 432 Pa with nothing lost; this run loses 2 % of "
-                          "the energy",
-                          {409, 426}, "2026-11-22 7c0a6a5"),
+      radius("radius_0", 32, 1.394).fails(torn, {1.5, 1.62}, torn_on),
+      radius("radius_90", 32, 1.396).fails(torn, {1.5, 1.62}, torn_on),
+      pressure(32, 29.0).fails(torn, {16, 20}, torn_on),
+      hoop(32, 447).fails(torn, {0, 150}, torn_on),
 
       judged("york1997", value_at, "hoop_scatter", 8, at_most(0.1),
              requirement("a tenth of the mean, as of the default scheme at h = 0.1"))
@@ -377,8 +378,8 @@ std::vector<CaseGate> york_energy_gates() {
           beyond_york(16, 0.012, "York, section 6.2.3: about 1.2 % lost; half a digit", "3 % of it, and 0.7 % is lost",
                       {-0.0062, -0.0046}),
           judged("york1997", value_at, "energy_lost", 32, at_most(0.01), literature("York, section 6.2.4: less than 1 % lost"))
-              .fails("what his maps, steps and strains give and take, each twice the energy there is, cancels to 2 %",
-                     {0.017, 0.0229}, stamp)
+              .fails("the bag tears at 3.3 s (radius_0-32), when 0.7 % is lost; gas that streams out takes the rest",
+                     {0.07, 0.092}, stamp)
               .in(Tier::full),
           gate("york1997/round-8", out_of_round, at_most(0.02),
                literature("York, section 6.2.2: radii approximately equal; 2 %, by which his bag breathes")),
