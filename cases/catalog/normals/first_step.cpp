@@ -131,8 +131,9 @@ std::vector<CaseGate> gates() {
   const std::string measured_on = "2026-11-23 5825b24";
   const std::string one_layer =
       "one layer of points has the same colour on both sides: its gradient is what the grid makes of it (York's Figs. ";
-  const std::string on_dog_bone = "2026-11-26 05844c9",
-                    corners = "where straight sides meet corners of 0.06 m, less than a cell, in an outline that is not York's";
+  const std::string
+      on_dog_bone = "2026-11-26 05844c9",
+      corners = "where straight sides meet corners of 0.06 m, less than a cell, in an outline that is not York's";
   const std::string further = "York: further with more points inside";
   const std::string better = "York: with points inside the cubic method is the better one";
   const std::string quadratic = "york-quadratic.mean_angle_error_deg", cubic = "york-cubic.mean_angle_error_deg";
