@@ -40,8 +40,10 @@ const std::vector<Choice>& normals_methods() {
       {"york-quadratic", "gradient of a colour smoothed to cell centres", "York 1997, (7.4, 7.5)"},
       {"york-cubic", "gradient of a colour smoothed by cubic splines", "York 1997, (7.6, 7.7)"},
       {"york-mass-matrix", "colours of a cell's nodes that are constant on its points", "York 1997, (7.8-7.12)"},
-      {"york-mass-matrix-kept", "the same; a point alone in its cell keeps the normal it had", "York 1997, section 7.8"},
-      {"york-mass-matrix-quadratic", "the mass matrix with nine colours and quadratic shapes", "York 1997, (7.18, 7.19)"},
+      {"york-mass-matrix-kept", "the same; a point alone in its cell keeps the normal it had",
+       "York 1997, section 7.8"},
+      {"york-mass-matrix-quadratic", "the mass matrix with nine colours and quadratic shapes",
+       "York 1997, (7.18, 7.19)"},
       {"modern", "circles fitted to the points nearby, whatever their order",
        "Pratt 1987, doi 10.1145/37401.37420; Guennebaud, Gross 2007, doi 10.1145/1276377.1276406"}};
   return all;

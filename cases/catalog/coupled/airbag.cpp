@@ -137,24 +137,28 @@ std::vector<CaseGate> york_gates(bool narrow) {
     return value_of(here, "max_displacement") - value_of(there, "max_displacement");
   };
   if (!narrow) {
-    return {beside_york("york-tall/deeper", "max_displacement less that in the flatter bag", deeper, at_least(0),
-                        "York, section 6.3.3: in the bag of the narrow probe it goes deeper; a flatter one slows it sooner")};
+    return {beside_york(
+        "york-tall/deeper", "max_displacement less that in the flatter bag", deeper, at_least(0),
+        "York, section 6.3.3: in the bag of the narrow probe it goes deeper; a flatter one slows it sooner")};
   }
   const std::string stamp = "2026-11-26 05844c9", slack =
-      "the tether has no mass here and the gas does not feel it: slack from impact until the bag stands as at first";
-  return {gate("york1997/turns", value_at("time_of_max", 25), at_most(0.1),
-               literature("York: it stops and rebounds in a run of 100 ms (section 6.3.2, A.4.8)"))
-              .in(Tier::full),
-          beside_york("york-tether-kept/deeper", "0.02 m less the growth of max_displacement by the tether",
-                      [deeper](const RunResult& here, const RunResult& there) { return 0.02 - deeper(here, there); },
-                      between(-0.005, 0.005),
-                      "York, section 6.3.2: about 20 mm farther with the tether kept; half a digit")
-              .fails(slack + "; he puts the 20 mm down to the cone that his tether was to the gas", {0.0185, 0.02}, stamp),
-          beside_york("york-tether-kept/slower", "the probe's velocity at 80 ms over that with the tether let go",
-                      [](const RunResult& here, const RunResult& there) { return late_velocity(here) / late_velocity(there); },
-                      at_most(1),
-                      "York, section 6.3.2: past the peak it comes back more slowly with the tether kept, as in the tests")
-              .fails(slack, {1.002, 1.02}, stamp)};
+                                                      "the tether has no mass here and the gas does not feel it: slack "
+                                                      "from impact until the bag stands as at first";
+  return {
+      gate("york1997/turns", value_at("time_of_max", 25), at_most(0.1),
+           literature("York: it stops and rebounds in a run of 100 ms (section 6.3.2, A.4.8)"))
+          .in(Tier::full),
+      beside_york(
+          "york-tether-kept/deeper", "0.02 m less the growth of max_displacement by the tether",
+          [deeper](const RunResult& here, const RunResult& there) { return 0.02 - deeper(here, there); },
+          between(-0.005, 0.005), "York, section 6.3.2: about 20 mm farther with the tether kept; half a digit")
+          .fails(slack + "; he puts the 20 mm down to the cone that his tether was to the gas", {0.0185, 0.02}, stamp),
+      beside_york(
+          "york-tether-kept/slower", "the probe's velocity at 80 ms over that with the tether let go",
+          [](const RunResult& here, const RunResult& there) { return late_velocity(here) / late_velocity(there); },
+          at_most(1),
+          "York, section 6.3.2: past the peak it comes back more slowly with the tether kept, as in the tests")
+          .fails(slack, {1.002, 1.02}, stamp)};
 }
 
 std::vector<CaseGate> gates(double speed, bool narrow) {
@@ -196,8 +200,10 @@ Case airbag(const AirbagSpec& spec) {
 }
 
 std::vector<Case> airbags() {
-  return {airbag({.name = "airbag-200", .mass = 6.03, .radius = 0.1, .speed = 3.9, .crown = narrow_crown, .end_time = 0.13}),
-          airbag({.name = "airbag-500", .mass = 8.05, .radius = 0.25, .speed = 4.7, .crown = 0.31, .end_time = 0.11})};
+  return {
+      airbag(
+          {.name = "airbag-200", .mass = 6.03, .radius = 0.1, .speed = 3.9, .crown = narrow_crown, .end_time = 0.13}),
+      airbag({.name = "airbag-500", .mass = 8.05, .radius = 0.25, .speed = 4.7, .crown = 0.31, .end_time = 0.11})};
 }
 PLUMBLINE_CASE(airbags);
 

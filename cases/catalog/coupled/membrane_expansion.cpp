@@ -226,36 +226,36 @@ StudyPlan first_second(std::string id, std::string title, const std::string& met
 
 std::vector<StudyPlan> studies() {
   const Override five_seconds{"t_end", 5.0}, accumulated{"membrane.strain", "accumulated"};
-  return {study("default", "default, to 5 s",
-                "Gas and membrane meet inside cells: order 1 at least. At 5 s all is as much at rest as at "
-                "York's 8.5 s.",
-                {4, 6, 8, 12, 16})
-              .with({five_seconds})
-              .in_full({4, 6, 8, 12, 16, 24, 32})
-              .pictured(every_tenth(5), 16),
-          study("unfolding", "the first half second of default", "To look at: two levels, no order.", {8, 16})
-              .with({{"t_end", 0.5}})
-              .pictured(25),
-          study("york1997", "york1997, 64 points a cell: tables 5 and 6", "York's own four meshes.", {4, 8})
-              .of_york()
-              .in_full({4, 8, 16, 32})
-              .pictured(every_tenth(8.5), 8),
-          york_to_look_at(16),
-          york_to_look_at(32),
-          first_second("york-connectivity", "York's run of Fig. 87, tangents by connectivity", "connectivity"),
-          first_second("york-mass-matrix-quadratic", "the same, his quadratic mass matrix",
-                       "york-mass-matrix-quadratic"),
-          first_second("york-mass-matrix", "the same, his mass matrix with linear shapes", "york-mass-matrix"),
-          study("booked", "default, losses booked", "The end with less energy.", {8})
-              .with({{"membrane.loss", "booked"}, five_seconds})
-              .in_full({8, 16}),
-          study("connectivity", "accumulated strain, tangents by connectivity", "For comparison with the next.", {8})
-              .with({accumulated})
-              .in_full({8, 16}),
-          study("modern", "accumulated strain, tangents without connectivity",
-                "York's open problem: no order of points is known.", {8})
-              .with({accumulated, {"normals", "modern"}})
-              .in_full({8, 16})};
+  return {
+      study("default", "default, to 5 s",
+            "Gas and membrane meet inside cells: order 1 at least. At 5 s all is as much at rest as at "
+            "York's 8.5 s.",
+            {4, 6, 8, 12, 16})
+          .with({five_seconds})
+          .in_full({4, 6, 8, 12, 16, 24, 32})
+          .pictured(every_tenth(5), 16),
+      study("unfolding", "the first half second of default", "To look at: two levels, no order.", {8, 16})
+          .with({{"t_end", 0.5}})
+          .pictured(25),
+      study("york1997", "york1997, 64 points a cell: tables 5 and 6", "York's own four meshes.", {4, 8})
+          .of_york()
+          .in_full({4, 8, 16, 32})
+          .pictured(every_tenth(8.5), 8),
+      york_to_look_at(16),
+      york_to_look_at(32),
+      first_second("york-connectivity", "York's run of Fig. 87, tangents by connectivity", "connectivity"),
+      first_second("york-mass-matrix-quadratic", "the same, his quadratic mass matrix", "york-mass-matrix-quadratic"),
+      first_second("york-mass-matrix", "the same, his mass matrix with linear shapes", "york-mass-matrix"),
+      study("booked", "default, losses booked", "The end with less energy.", {8})
+          .with({{"membrane.loss", "booked"}, five_seconds})
+          .in_full({8, 16}),
+      study("connectivity", "accumulated strain, tangents by connectivity", "For comparison with the next.", {8})
+          .with({accumulated})
+          .in_full({8, 16}),
+      study("modern", "accumulated strain, tangents without connectivity",
+            "York's open problem: no order of points is known.", {8})
+          .with({accumulated, {"normals", "modern"}})
+          .in_full({8, 16})};
 }
 
 Number relative_error_at(const std::string& measure, double level) {
@@ -332,6 +332,12 @@ std::vector<CaseGate> york_gates() {
   const std::string mean =
       "his mean over interior grid points is not one over the gas: it counts cells alike, and what little gas "
       "stands beside the membrane not at all; here energy over volume, the volumes too large";
+  const std::string
+      torn_on = "2026-11-26 05844c9",
+      torn =
+          "the bag tears at 3.3 s, before that its radius, 1.42, is 2 % above his: strains summed from rates let it "
+          "grow, and "
+          "at one place the points drift apart until one flies off; gas and membrane then stand at the walls";
   // On 4 cells the second radius and the pressure are no property of the scheme: see the known limits.
   return {
       radius("radius_0", 4, 1.08)
@@ -347,12 +353,15 @@ std::vector<CaseGate> york_gates() {
       radius("radius_90", 16, 1.387),
       pressure(16, 27.0).fails(mean, around(28.6, 0.02), stamp),
       hoop(16, 417),
-      radius("radius_0", 32, 1.394),
-      radius("radius_90", 32, 1.396),
-      pressure(32, 29.0),
-      hoop(32, 447).fails("first law and virial allow a mean of 432 Pa with nothing lost; this run loses 2 % of "
-                          "the energy",
-                          {409, 426}, "2026-11-22 7c0a6a5"),
+      radius("radius_0", 32, 1.394).fails(torn, {1.5, 1.62}, torn_on),
+      radius("radius_90", 32, 1.396).fails(torn, {1.5, 1.62}, torn_on),
+      pressure(32, 29.0).fails(torn, {15.5, 18.5}, torn_on),
+      gate("york1997/hoop_stress-32",
+           number_at("hoop_stress at 32 less York's 447 Pa", "hoop_stress", 32,
+                     [](const RunResult&, const Measure& hoop) { return Measured::of(*hoop.value - 447); }),
+           between(-0.05 * 447, 0.05 * 447), literature("table 6"))
+          .fails(torn, {-447, -400}, torn_on)
+          .in(Tier::full),
 
       judged("york1997", value_at, "hoop_scatter", 8, at_most(0.1),
              requirement("a tenth of the mean, as of the default scheme at h = 0.1"))
@@ -371,29 +380,30 @@ std::vector<CaseGate> york_gates() {
 // Energies of Figs. 49, 51, 53 and 55, of which the text gives what is lost, and what it says of the end.
 std::vector<CaseGate> york_energy_gates() {
   const std::string stamp = "2026-11-26 05844c9";
-  const std::string noise =
-      "much that viscosity should have brought to rest is still in motion at the end: ";
+  const std::string noise = "much that viscosity should have brought to rest is still in motion at the end: ";
   const auto beyond_york = [&](double cells, double york, const char* says, const char* cause, Range band) {
     return gate("york1997/energy_lost-" + to_text(cells),
-                number_at("share of the energy lost, less York's " + to_text(york) + ", at " + to_text(cells), "energy_lost",
-                          cells, [york](const RunResult&, const Measure& lost) { return Measured::of(*lost.value - york); }),
+                number_at("share of the energy lost, less York's " + to_text(york) + ", at " + to_text(cells),
+                          "energy_lost", cells,
+                          [york](const RunResult&, const Measure& lost) { return Measured::of(*lost.value - york); }),
                 between(-5e-4, 5e-4), literature(says))
         .fails(noise + cause, band, stamp)
         .in(cells > 8 ? Tier::full : Tier::quick);
   };
-  const Number out_of_round = number_at("difference of the radii at 0 and 90 degrees over the one at 90, at 8", "radius_0",
-                                        8, [](const RunResult& run, const Measure& at_0) {
+  const Number out_of_round = number_at("difference of the radii at 0 and 90 degrees over the one at 90, at 8",
+                                        "radius_0", 8, [](const RunResult& run, const Measure& at_0) {
                                           return Measured::of(std::abs(*at_0.value / value_of(run, "radius_90") - 1));
                                         });
-  return {beyond_york(4, 0.036, "York, section 6.2.1: about 3.6 % lost; half a digit", "10 % of the energy, and 0.4 % is lost",
-                      {-0.0345, -0.031}),
+  return {beyond_york(4, 0.036, "York, section 6.2.1: about 3.6 % lost; half a digit",
+                      "10 % of the energy, and 0.4 % is lost", {-0.0345, -0.031}),
           beyond_york(8, 0.034, "York, section 6.2.2: about 3.4 % lost; half a digit", "6 % of it, and 0.5 % is lost",
                       {-0.031, -0.027}),
           beyond_york(16, 0.012, "York, section 6.2.3: about 1.2 % lost; half a digit", "3 % of it, and 0.7 % is lost",
                       {-0.0062, -0.0046}),
-          judged("york1997", value_at, "energy_lost", 32, at_most(0.01), literature("York, section 6.2.4: less than 1 % lost"))
-              .fails("what his maps, steps and strains give and take, each twice the energy there is, cancels to 2 %",
-                     {0.017, 0.0229}, stamp)
+          judged("york1997", value_at, "energy_lost", 32, at_most(0.01),
+                 literature("York, section 6.2.4: less than 1 % lost"))
+              .fails("the bag tears at 3.3 s (radius_0-32), when 0.7 % is lost; gas that streams out takes the rest",
+                     {0.07, 0.092}, stamp)
               .in(Tier::full),
           gate("york1997/round-8", out_of_round, at_most(0.02),
                literature("York, section 6.2.2: radii approximately equal; 2 %, by which his bag breathes")),
@@ -405,7 +415,9 @@ std::vector<CaseGate> york_energy_gates() {
 
 // Fig. 87: normals by York's mass matrices beside those by connectivity.
 std::vector<CaseGate> mass_matrix_gates() {
-  const auto radius = [](const RunResult& run) { return 0.5 * (value_of(run, "radius_0") + value_of(run, "radius_90")); };
+  const auto radius = [](const RunResult& run) {
+    return 0.5 * (value_of(run, "radius_0") + value_of(run, "radius_90"));
+  };
   const auto over = [radius](const char* study, const char* name, const char* other, const char* says) {
     return gate(std::string(study) + "/" + name,
                 number_of(std::string("mean radius at the end over that of ") + other,
@@ -431,16 +443,17 @@ std::vector<CaseGate> mass_matrix_gates() {
     }
     return Measured::of(most);
   };
-  return {gate("york-mass-matrix-quadratic/early",
-               number_of("largest difference of the radii from those with connectivity at 0.05 s", apart_at_first, {16}),
-               at_most(0.056),
-               literature("York, p. 124: positions are similar at early times; a fiftieth of his picture, 2.8 m wide"))
-              .beside({"york-connectivity"})
-              .in(Tier::full),
-          over("york-mass-matrix-quadratic", "later", "york-connectivity",
-               "York, p. 124: the radius grows larger with the mass matrix than with connectivity"),
-          over("york-mass-matrix", "expands-more", "york-mass-matrix-quadratic",
-               "York, p. 123: linear shapes let it expand too much; quadratic ones do better")};
+  return {
+      gate("york-mass-matrix-quadratic/early",
+           number_of("largest difference of the radii from those with connectivity at 0.05 s", apart_at_first, {16}),
+           at_most(0.056),
+           literature("York, p. 124: positions are similar at early times; a fiftieth of his picture, 2.8 m wide"))
+          .beside({"york-connectivity"})
+          .in(Tier::full),
+      over("york-mass-matrix-quadratic", "later", "york-connectivity",
+           "York, p. 124: the radius grows larger with the mass matrix than with connectivity"),
+      over("york-mass-matrix", "expands-more", "york-mass-matrix-quadratic",
+           "York, p. 123: linear shapes let it expand too much; quadratic ones do better")};
 }
 
 // Tangents without connectivity beside those with it.

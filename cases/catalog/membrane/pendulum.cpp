@@ -184,8 +184,8 @@ class PendulumRun final : public Problem {
   // reaches ten times as deep, which leaves out 1e-7 of the amplitude.
   static constexpr double angle_noise = 5e-5;
 
-  static constexpr double thickness = 0.1;                  // t of York's Table 1, m
-  static constexpr std::size_t frames = 5;                  // of his pictures, those of the first swing
+  static constexpr double thickness = 0.1;  // t of York's Table 1, m
+  static constexpr std::size_t frames = 5;  // of his pictures, those of the first swing
   static double frame(std::size_t k) { return 0.25 * (static_cast<double>(k) + 1); }  // s, Figs. 32-36
 
   // What is summed over all points and steps.
@@ -421,13 +421,15 @@ std::vector<CaseGate> gates() {
       "themselves stop there";
   const Because tangent = literature(
       "York, section 5.4.2: the stress is tangent where the total strain is kept along the tangent; to rounding");
-  const Because similar = literature("York, section 5.7.3: without the one-way law the results are similar; as near to the finite elements "
-                                     "as is asked of those with it");
+  const Because similar = literature(
+      "York, section 5.7.3: without the one-way law the results are similar; as near to the finite elements "
+      "as is asked of those with it");
   const Because towards_fem = literature(
       "York, section 5.7: convergence towards the finite elements, whose frames Fig. 36 shows");
   const std::vector<CaseGate> sections{
       gate("york1997/frames-10", value_at("from_fem", 10), at_most(0.03 * heavy_period * fastest_bob()),
-           literature("Fig. 36 beside Fig. 33, frames until 1.25 s: York sees reasonable agreement; 3 % of a period, which can be told in "
+           literature("Fig. 36 beside Fig. 33, frames until 1.25 s: York sees reasonable agreement; 3 % of a period, "
+                      "which can be told in "
                       "Fig. 37, at the bob's greatest speed")),
       gate("default/frames-5-10", ratio_of("from_fem", 5, 10), at_least(1), towards_fem),
       gate("default/frames-10-20", ratio_of("from_fem", 10, 20), at_least(1), towards_fem),
@@ -437,7 +439,8 @@ std::vector<CaseGate> gates() {
           .beside({"york1997"}),
       gate("york-free/frames-10", value_at("from_fem", 10), at_most(0.03 * heavy_period * fastest_bob()), similar),
       gate("york-free/compressed", value_at("least_strain", 10), at_most(0),
-           literature("York, section 5.7.3, Fig. 38: what may misalign points is that oscillations along the string compress some")),
+           literature("York, section 5.7.3, Fig. 38: what may misalign points is that oscillations along the string "
+                      "compress some")),
       gate("york1997/tangent", value_at("off_tangent", 10), at_most(1e-12), tangent),
       gate("york-increments/tangent", value_at("off_tangent", 10), at_most(1e-12), tangent),
       gate("york-layers/constant-stress", value_at("stress_spread", 10), at_most(0.1),

@@ -65,11 +65,12 @@ class SpringMassRun final : public Problem {
     const double period = mean_period(extremes).value_or(std::nan("")), largest = largest_maximum(extremes);
     const reference::Bounded exact_period = heavy_ ? heavy_->period() : massless_.period();
     const reference::Bounded exact_largest = heavy_ ? heavy_->max_displacement() : massless_.max_displacement();
-    return {scalar_measure("period", period, exact_period.value, exact_period.bound, "s"),
-            scalar_measure("max_displacement", largest, exact_largest.value, exact_largest.bound, "m"),
-            scalar_measure("fallen", watch_.displacement.back() / (0.5 * at_.spring.gravity * at_.end_time * at_.end_time),
-                           0, 0, "1"),
-            drift_measure(simulation)};
+    return {
+        scalar_measure("period", period, exact_period.value, exact_period.bound, "s"),
+        scalar_measure("max_displacement", largest, exact_largest.value, exact_largest.bound, "m"),
+        scalar_measure("fallen", watch_.displacement.back() / (0.5 * at_.spring.gravity * at_.end_time * at_.end_time),
+                       0, 0, "1"),
+        drift_measure(simulation)};
   }
 
   Profile profile(const Simulation&) const override {

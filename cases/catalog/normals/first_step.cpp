@@ -131,6 +131,9 @@ std::vector<CaseGate> gates() {
   const std::string measured_on = "2026-11-23 5825b24";
   const std::string one_layer =
       "one layer of points has the same colour on both sides: its gradient is what the grid makes of it (York's Figs. ";
+  const std::string
+      on_dog_bone = "2026-11-26 05844c9",
+      corners = "where straight sides meet corners of 0.06 m, less than a cell, in an outline that is not York's";
   const std::string further = "York: further with more points inside";
   const std::string better = "York: with points inside the cubic method is the better one";
   const std::string quadratic = "york-quadratic.mean_angle_error_deg", cubic = "york-cubic.mean_angle_error_deg";
@@ -156,10 +159,13 @@ std::vector<CaseGate> gates() {
             literature("York: only a small difference from connectivity (Fig. 72), less than a drawn arrow shows")),
       angle("empty", "york-mass-matrix-quadratic", drawn,
             literature("York: accurate (Fig. 86), as far as a drawn arrow shows")),
-      angle("dog-bone", "york-mass-matrix-quadratic", drawn,
-            literature("York, p. 123: accurate (Fig. 86), as far as a drawn arrow shows")),
+      angle_gate("dog-bone", "york-mass-matrix-quadratic", york_cells, drawn,
+                 literature("York, p. 123: accurate (Fig. 86), as far as a drawn arrow shows"), "mean"),
+      angle("dog-bone", "york-mass-matrix-quadratic", drawn, literature("as of the mean (Fig. 86), at every point"))
+          .fails(corners, {3.0, 3.4}, on_dog_bone),
       angle("dog-bone", "connectivity", drawn, literature("York, Fig. 86: what the mass matrix is compared with")),
-      angle("dog-bone", "modern", drawn, literature("as York's, Fig. 86")),
+      angle("dog-bone", "modern", drawn, literature("as of York's (Fig. 86), at every point"))
+          .fails(corners, {6.3, 8.3}, on_dog_bone),
 
       angle("empty", "york-simple", drawn, literature(as_drawn)).fails(one_layer + "67 (a))", {74, 90}, measured_on),
       angle("four", "york-simple", drawn, literature(as_drawn))

@@ -219,9 +219,9 @@ const Number fastest_kept = number_at("speed at the end over the largest one to 
                                         return Measured::of(*last.value / *run.find("fastest_back")->value);
                                       });
 
-const Number turn_over_reference =
-    number_at("turn_time at 40 over that of the net without mass", "turn_time", 40,
-              [](const RunResult&, const Measure& turn) { return Measured::of(*turn.value / *turn.reference); });
+const Number turn_over_reference = number_at(
+    "turn_time at 40 over that of the net without mass", "turn_time", 40,
+    [](const RunResult&, const Measure& turn) { return Measured::of(*turn.value / *turn.reference); });
 
 // How far the ball's velocity is from York's -0.7 where his Fig. 42 shows it constant: from 2.8 s to the end of his run.
 const Number off_constant = number_at(
@@ -268,9 +268,10 @@ std::vector<CaseGate> gates() {
            literature("York, p. 166: it does not release when it is fastest, but sticks to the net, which slows it")),
       gate("york-9.9/leaves", apart, at_least(cell), leaves),
       gate("york-9.9/at-its-fastest", fastest_kept, at_least(0.95), at_fastest)
-          .fails("fastest at 3.3 s, it is let go at 4.4 s: until then nodes with points of both hold it to the net, which "
-                 "stands up to a cell away and has begun to swing back",
-                 {0.8, 0.945}, "2026-11-26 05844c9"),
+          .fails(
+              "fastest at 3.3 s, it is let go at 4.4 s: until then nodes with points of both hold it to the net, which "
+              "stands up to a cell away and has begun to swing back",
+              {0.8, 0.945}, "2026-11-26 05844c9"),
       gate("york-9.9/speed", speed, between(-0.8, -0.6), as_read),
       gate("york-9.9/energy", energy, at_most(1.001), theory("no energy is created"))
           .fails("the net's points cross cells, and with linear shapes each crossing throws them; most of what is "
@@ -284,9 +285,10 @@ std::vector<CaseGate> gates() {
       gate("york-5.9/speed", speed, between(-0.8, -0.6), as_read).in(Tier::full),
       gate("york-5.9/constant", off_constant, at_most(0.1),
            literature("York, section 5.9: constant at about -0.7 from 2.8 s on; half a digit of what he reads off"))
-          .fails("it is let go at 4.4 s, not at 2.8 s: it flies back at up to 0.84, and the net takes the rest before it "
-                 "leaves; York prints neither the thickness of this net nor where it stands",
-                 {0.125, 0.165}, "2026-11-26 05844c9")
+          .fails(
+              "it is let go at 4.4 s, not at 2.8 s: it flies back at up to 0.84, and the net takes the rest before it "
+              "leaves; York prints neither the thickness of this net nor where it stands",
+              {0.125, 0.165}, "2026-11-26 05844c9")
           .in(Tier::full)};
 }
 
