@@ -92,6 +92,19 @@ def test_a_picture_of_what_there_is_not_is_an_error_that_names_it(studies, figur
     assert [words for words in found if words.startswith(fault)], found
 
 
+@pytest.mark.parametrize("case, cells, end", [
+    ("sod", 20, 0.01), ("spring-mass", 10, 0.001), ("pendulum", 10, 0.01), ("two-bar", 20, 0.01), ("membrane-expansion", 8, 0.01),
+])
+def test_quantities_and_bodies_of_the_pictures_are_those_of_runs(tmp_path, case, cells, end):
+    from contract import Plumbline
+    plumbline = Plumbline(tmp_path)
+    plumbline("run", case, "--scheme", "york1997", "--cells", cells, "--set", f"t_end={end}", "--frames", 2)
+    result = importlib.import_module("plumbline.reader").load(next((tmp_path / "results").glob("*.h5")))
+    for entry in york.load("pictures"):
+        if entry.get("case") == case:
+            york_figures.check_result(entry, result)
+
+
 @pytest.mark.parametrize("words, numbers", [
     ("Fig. 37: the loss", [37]), ("Figs. 93-96", [93, 94, 95, 96]), ("tables 5 and 6", [5, 6]), ("Figs. 102 to 104", [102, 103, 104]),
     ("Figs. 79, 83)", [79, 83]), ("(Fig. 80 b)", [80]), ("figure of merit 3", []),
