@@ -93,7 +93,7 @@ class Splitter {
   }
 
  private:
-  static constexpr int most_halvings = 3;  // kernel/README.md, "Points that outgrow the kernel", says why
+  static constexpr int most_halvings = 3;  // reports/docs/theory/gases.md, "Points that outgrow the kernel", says why
 
   // By id: how often a point, and what it comes from, was split.
   std::vector<int> halvings() const {

@@ -39,7 +39,7 @@ std::vector<Member> limited() {
   std::vector<Member> all;
   for (const char* name : {"usf", "usl", "musl"}) all.push_back(member(name, OscillatorMethod::symplectic_euler));
   for (const char* name : {"usavg", "leapfrog"}) all.push_back(member(name, OscillatorMethod::leapfrog));
-  all.push_back({"midpoint", {{"integrator", "midpoint"}}, 2, 2, 2});  // kernel/README.md, "Midpoint"
+  all.push_back({"midpoint", {{"integrator", "midpoint"}}, 2, 2, 2});  // reports/docs/theory/step.md, "Midpoint"
   all.push_back(member("ssp-rk3", OscillatorMethod::ssp_rk3));
   all.push_back(member("rk4", OscillatorMethod::rk4));
   all.push_back(member("central-difference", OscillatorMethod::leapfrog));

@@ -69,7 +69,7 @@ std::string scheme_title(const std::string& scheme) {
 }
 
 std::string scheme_source(const std::string& scheme) {
-  return scheme == "york1997" ? "York 1997, SAND97-1893" : "kernel/README.md";
+  return scheme == "york1997" ? "York 1997, SAND97-1893" : "reports/docs/theory";
 }
 
 namespace {
