@@ -23,7 +23,7 @@ YORK = "york1997"
 LEAST_PROBLEMS = 2  # that a recommended scheme must have been compared on
 MEANINGLESS = 10  # relative errors above this on the finest mesh compare with a value that is zero
 _PLAIN = (
-    "case", "kind", "scheme", "study", "vary", "value", "cells", "h", "dt", "points", "steps", "point_steps", "source", "finished",
+    "case", "kind", "scheme", "study", "vary", "value", "cells", "h", "dt", "points", "steps", "particle_steps", "source", "finished",
 )  # fmt: skip
 CSV_COLUMNS = (*_PLAIN, "samples", "wall_median", "wall_least", "wall_most", "measure", "error", "relative_error")
 
@@ -64,7 +64,7 @@ class Compared:
     problem: str = ""  # in what it differs from that of the study `default`
     york: object = None  # Line
     reaches: dict = field(default_factory=dict)  # by label
-    stick: object = None  # Reach of another method
+    comparator: object = None  # Reach of another method
 
     def ratio(self, line):
         return ratio(self.reaches[line.label], self.reaches[self.york.label]) if self.york else None
@@ -125,8 +125,8 @@ def slowest(level):
     return max(level["wall_s"])
 
 
-def point_steps(level):
-    return level["point_steps"]
+def particle_steps(level):
+    return level["particle_steps"]
 
 
 def csv_rows(document):
@@ -244,7 +244,7 @@ def _compared(case, measure, lines, problem):
     york = [line for line in lines if line.scheme == YORK and line.plain]
     compared.york = max(york, key=lambda line: len(line.levels), default=None)
     compared.reaches = {line.label: line.reach(measure) for line in lines}
-    compared.stick = None if problem else _stick_reach(case, lines, measure)
+    compared.comparator = None if problem else _comparator_reach(case, lines, measure)
     return compared
 
 
@@ -256,7 +256,7 @@ def _problem_words(case, problem, leading):
     return ", ".join(f"{key}={text.exact(own.get(key, values.get(key)))}" for key in sorted(keys))
 
 
-def _stick_reach(case, lines, measure):
+def _comparator_reach(case, lines, measure):
     """The time of another method to the target; its errors become relative by the scale of this case's."""
     scales = [
         level["errors"][measure]["error"] / level["errors"][measure]["relative_error"]
@@ -275,7 +275,7 @@ def _stick_reach(case, lines, measure):
 
 PRICES = {
     "time": (wall_time, "wall_s", "wall time in s, one thread", "error against wall time"),
-    "work": (point_steps, "cell_steps", "particle-steps (points × steps)", "error against particle-steps"),
+    "work": (particle_steps, "cell_steps", "particle-steps (points × steps)", "error against particle-steps"),
 }
 
 
@@ -302,15 +302,15 @@ def _case_figure(case, lines, measure, kind, prefix):
     rows = sorted(rows, key=lambda row: not row[0].same_problem)[: figures.MOST_SERIES]
     rivals = [(cost, error) for line, points in rows if line.same_problem for cost, error, _ in points]
     best = [rivals[index] for index in front(rivals)]
-    sticks = [(entry, entry.costs(column, measure)) for entry in case.comparators]
-    sticks = [(entry, points) for entry, points in sticks if points]
+    others = [(entry, entry.costs(column, measure)) for entry in case.comparators]
+    others = [(entry, points) for entry, points in others if points]
 
     def paint(axes):
         if best:
             axes.plot(*zip(*best), color=svg.INK, linewidth=3.2, alpha=0.16, solid_capstyle="round")
         for line, points in rows:
             _paint_line(axes, line, points, kind)
-        for entry, points in sticks:
+        for entry, points in others:
             axes.plot(
                 *zip(*points), svg.series_mark(entry.style), color=svg.series_colour(entry.style), linestyle=(0, (5, 3)),
                 linewidth=0.9, label=entry.title,
@@ -320,8 +320,8 @@ def _case_figure(case, lines, measure, kind, prefix):
                 *zip(*best), "o", markersize=9, color=svg.INK, markerfacecolor="none", markeredgewidth=0.8, linestyle="none"
             )
         axes.set(xscale="log", yscale="log", xlabel=axis, ylabel=figures.error_label(case, measure))
-        costs = [cost for _, points in rows for cost, _, _ in points] + [c for _, points in sticks for c, _ in points]
-        errors = [error for _, points in rows for _, error, _ in points] + [e for _, points in sticks for _, e in points]
+        costs = [cost for _, points in rows for cost, _, _ in points] + [c for _, points in others for c, _ in points]
+        errors = [error for _, points in rows for _, error, _ in points] + [e for _, points in others for _, e in points]
         axes.set_xlim(min(costs) / 1.8, max(costs) * 1.8)
         axes.set_ylim(min(errors) / 1.8, max(errors) * 1.8)
         log_axis(axes.xaxis, *axes.get_xlim())
@@ -331,13 +331,13 @@ def _case_figure(case, lines, measure, kind, prefix):
         Key(line.label, f"var(--s{line.style % len(svg.SERIES) + 1})", svg.series_mark(line.style)) for line, _ in rows
     ] + [
         Key(entry.title, f"var(--s{entry.style % len(svg.SERIES) + 1})", svg.series_mark(entry.style), dash=True)
-        for entry, _ in sticks
+        for entry, _ in others
     ]
     return Figure(
         svg.draw(paint, prefix, f"{measure}: {title}", height=2.9),
         title[0].upper() + title[1:],
-        _caption(measure, kind, rows, sticks) + further,
-        list(dict.fromkeys([COST_FILE] + [entry.file for entry, _ in sticks])),
+        _caption(measure, kind, rows, others) + further,
+        list(dict.fromkeys([COST_FILE] + [entry.file for entry, _ in others])),
         keys + [Key("Pareto front", "currentColor", "ring")],
         [reproduce.costs(case.name)],
     )
@@ -359,7 +359,7 @@ def _paint_line(axes, line, points, kind):
             svg.belongs(bar, line.label)
 
 
-def _caption(measure, kind, rows, sticks):
+def _caption(measure, kind, rows, others):
     samples = [len(level["wall_s"]) for _, points in rows for _, _, level in points]
     single = sum(1 for count in samples if count == 1)
     words = ""
@@ -368,10 +368,10 @@ def _caption(measure, kind, rows, sticks):
             f"; {single} of {len(samples)} marks {'is' if single == 1 else 'are'} one run only. " if single else ". "
         )
     if any(not line.same_problem for line, _ in rows):
-        words += "Pale: another problem, not in the front. "
-    if sticks:
+        words += "Pale: another problem, not in the Pareto front. "
+    if others:
         words += (
-            f"Broken: another method, {text.listing(entry.title for entry, _ in sticks)}; not judged, and not in the front" + ("." if kind == "time" else "; its work is cells × steps.")
+            f"Broken: another method, {text.listing(entry.title for entry, _ in others)}; not judged, and not in the Pareto front" + ("." if kind == "time" else "; its work is cells × steps.")
         )
     return words.strip()
 
@@ -446,7 +446,7 @@ def _time_row(entry):
         "york_levels": len(entry.york.levels) if entry.york else 0,
         "ratio": ratio_words(entry.ratio(default)) if default and entry.york else text.MISSING,
         "best": f"{best.label}, {reach_words(reaches[best.label])}" if best else "none reaches it",
-        "stick": reach_words(entry.stick),
+        "comparator": reach_words(entry.comparator),
     }
 
 

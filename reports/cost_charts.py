@@ -72,9 +72,9 @@ def absolute(found):
                 reached = entry.reaches[line.label]
                 if math.isfinite(reached.cost):
                     _mark(axes, reached.cost, place, reached.kind, _is_default(line))
-            if entry.stick and math.isfinite(entry.stick.cost):
-                mark = {"at": "D"}.get(entry.stick.kind, _MARK[entry.stick.kind])
-                axes.plot(entry.stick.cost, place, mark, color=svg.series_colour(3), markersize=4, markerfacecolor="none")
+            if entry.comparator and math.isfinite(entry.comparator.cost):
+                mark = {"at": "D"}.get(entry.comparator.kind, _MARK[entry.comparator.kind])
+                axes.plot(entry.comparator.cost, place, mark, color=svg.series_colour(3), markersize=4, markerfacecolor="none")
         axes.set(xscale="log", xlim=(min(costs) / 2.5, max(costs) * 2.5), xlabel="time to 1 % error in s, one thread")
         _row_labels(axes, [entry.name for entry in reversed(rows)])
 

@@ -469,7 +469,7 @@ def wall_time(level):
     return level.get("wall_s")
 
 
-def point_steps(level):
+def particle_steps(level):
     return level["points"] * level["steps"] if level.get("points") and level.get("steps") else None
 
 
@@ -481,7 +481,7 @@ COSTS = {
         "error against wall time",
     ),
     "work": (
-        point_steps,
+        particle_steps,
         "cell_steps",
         "particle-steps (points × steps)",
         "error against particle-steps",
@@ -518,8 +518,8 @@ def cost(case, measure, kind, prefix):
         id(entry): [level_note(level) for level, error in entry.errors(measure) if price(level) and error > 0]
         for entry, _ in rows
     }
-    sticks = [(entry, entry.costs(column, measure)) for entry in case.comparators]
-    sticks = [(entry, points) for entry, points in sticks if points]
+    others = [(entry, entry.costs(column, measure)) for entry in case.comparators]
+    others = [(entry, points) for entry, points in others if points]
 
     def paint(axes):
         best = front([point for _, points in rows for point in points])
@@ -527,7 +527,7 @@ def cost(case, measure, kind, prefix):
         for entry, points in rows:
             line = marked_line(axes, entry, *zip(*points))
             svg.note(line, notes[id(entry)])
-        for entry, points in sticks:
+        for entry, points in others:
             axes.plot(
                 *zip(*points),
                 svg.series_mark(entry.style),
@@ -546,17 +546,17 @@ def cost(case, measure, kind, prefix):
             linestyle="none",
         )
         axes.set(xscale="log", yscale="log", xlabel=axis, ylabel=error_label(case, measure))
-        axes.set_ylim(*_margins([error for _, points in rows + sticks for _, error in points], 1.8))
-        axes.set_xlim(*_margins([value for _, points in rows + sticks for value, _ in points], 1.8))
+        axes.set_ylim(*_margins([error for _, points in rows + others for _, error in points], 1.8))
+        axes.set_xlim(*_margins([value for _, points in rows + others for value, _ in points], 1.8))
         log_axis(axes.xaxis, *axes.get_xlim())
         log_axis(axes.yaxis, *axes.get_ylim())
 
     series = [entry for entry, _ in rows]
-    beside = [entry for entry, _ in sticks]
-    caption = "One mark per run; ringed marks on the broad line are the front, which no other run beats in both."
+    beside = [entry for entry, _ in others]
+    caption = "One mark per run; ringed marks on the broad line are the Pareto front, which no other run beats in both."
     if beside:
         caption += (
-            f" Broken: another method on the same problem, {text.listing(stick.title for stick in beside)}, as a measuring stick"
+            f" Broken: another method on the same problem, {text.listing(entry.title for entry in beside)}, as a comparator"
             + ("; its work is cells × steps." if kind == "work" else ".")
         )
     keys = _keys(series) + [

@@ -467,7 +467,7 @@ def level_rows(case, measure):
             "points": text.count(level.get("points")),
             "steps": text.count(level.get("steps")),
             "wall": text.seconds(level.get("wall_s")),
-            "speed": text.number(level.get("point_steps_per_s")),
+            "speed": text.number(level.get("particle_steps_per_s")),
             "error": text.number(_error(level, measure)),
             "relative": text.number(_error(level, measure, "relative_error"), 3),
             "file": (level.get("file") or "").rpartition("-")[2],

@@ -3,7 +3,7 @@
 namespace plumbline {
 namespace {
 
-// Two force passes: the second with the stress of the midpoint, as the first foretells it. Points strain and move with the
+// Two force passes: the second with the stress of the midpoint, as the first predicts it. Points strain and move with the
 // midpoint velocity. Of linear elasticity no step raises the energy below w dt = 2, contact included.
 // Equations: reports/docs/theory/step.md, "Midpoint".
 class Midpoint final : public TimeIntegrator {

@@ -66,7 +66,7 @@ LEVEL_COLUMNS = (
     "points",
     "steps",
     "wall_s",
-    "point_steps_per_s",
+    "particle_steps_per_s",
     "verdict",
     "finished",
     "file",
@@ -369,7 +369,7 @@ def load_cost(path):
 
 _COST_PARTS: dict[str, Any] = {
     **dict.fromkeys(("case", "scheme", "study", "kind", "vary", "source"), str),
-    **dict.fromkeys(("value", "cells", "points", "steps", "point_steps"), (int, float)),
+    **dict.fromkeys(("value", "cells", "points", "steps", "particle_steps"), (int, float)),
     **dict.fromkeys(("differs", "errors"), dict),
     "wall_s": list,
     "finished": bool,
@@ -811,13 +811,20 @@ def _parsed(words):
     return json.loads(words, parse_constant=_refuse_constant, object_hook=_renamed)
 
 
-_FORMER_ORIGINS = {"frozen": "regression", "target": "requirement"}
+_FORMER_KEYS = {f"point_{name}": f"particle_{name}" for name in ("steps", "steps_per_s")}
+_FORMER_VALUES = {
+    "origin": {"frozen": "regression", "target": "requirement"},
+    "unit": {"point" + "-steps/s": "particle-steps/s"},
+}
 
 
 def _renamed(entry):
-    """Until 0.8: what files of the previous version call the origins `regression` and `requirement`."""
-    was = entry.get("origin")
-    return {**entry, "origin": _FORMER_ORIGINS[was]} if isinstance(was, str) and was in _FORMER_ORIGINS else entry
+    """Until 0.8: names that files of the previous version have for what has another name now."""
+    entry = {_FORMER_KEYS.get(key, key): value for key, value in entry.items()}
+    for key, names in _FORMER_VALUES.items():
+        if isinstance(entry.get(key), str):
+            entry[key] = names.get(entry[key], entry[key])
+    return entry
 
 
 def _refuse_constant(name):

@@ -75,7 +75,7 @@ def entry(scheme, study, cells, error, wall, case="sod", **more):
     relative = None if error is None else error
     return {
         "case": case, "scheme": scheme, "study": study, "kind": "gas", "differs": {}, "vary": "cells", "value": cells,
-        "cells": cells, "h": 1 / cells, "dt": 1e-3, "points": 4 * cells, "steps": cells, "point_steps": 4 * cells**2,
+        "cells": cells, "h": 1 / cells, "dt": 1e-3, "points": 4 * cells, "steps": cells, "particle_steps": 4 * cells**2,
         "finished": error is not None, "source": "timed", "wall_s": [0.9 * wall, wall, 1.2 * wall], "instructions": None,
         "errors": {} if error is None else {"density.L1": {"error": error, "relative_error": relative}}, **more,
     }  # fmt: skip

@@ -417,7 +417,8 @@ std::vector<CaseGate> gates() {
       "cannot be seen there");
   const std::string torn =
       "after a whole swing the noise of its light points has torn the string: the bob falls to the floor from 1.3 s "
-      "on, and lies there with a velocity that no node sees; some of the runs whose masses differ by 1e-14 of "
+      "on, and lies there with a velocity in the null space of the maps; some of the runs whose masses differ by 1e-14 "
+      "of "
       "themselves stop there";
   const Because tangent = literature(
       "York, section 5.4.2: the stress is tangent where the total strain is kept along the tangent; to rounding");

@@ -92,7 +92,7 @@ CaseGate missed_order(const std::string& study, const std::vector<double>& level
               number_of(fmt::format("fitted order of {} from {} to {} cells", worst, levels.front(), levels.back()),
                         fit, levels),
               at_least(order),
-              requirement("second order, as with points that stay in their cells; what is missing to 2 is room for "
+              requirement("second order, as with points that stay in their cells; what is missing to 2 allows for "
                           "coarse meshes"))
       .fails(cause, band, "2026-11-23 5825b24");
 }

@@ -182,7 +182,7 @@ std::vector<CaseGate> gates() {
              theory("predicted limits equal the closed form; 1e-6 for finding the step at which a radius leaves 1")));
     all.push_back(gate("runs/" + m.label, error_of(m.label + ".observed"), at_most(0.01),
                        requirement("observed limits within 1 % of the predicted ones, all of which are above 1, a "
-                                   "tenth of the room that cfl=auto leaves below a limit")));
+                                   "tenth of the margin that cfl=auto leaves below a limit")));
   }
   const std::string keeps = "the implicit midpoint rule keeps the energy of an oscillator";
   is_true("limits", "implicit-midpoint.always_stable", keeps);

@@ -228,7 +228,7 @@ Json cost_entry(const CostRun& run, const CostSample& sample) {
                 {"dt", time / static_cast<double>(steps)},
                 {"points", points},
                 {"steps", steps},
-                {"point_steps", points * steps},
+                {"particle_steps", points * steps},
                 {"finished", document["finished"]},
                 {"source", is_timed ? "timed" : "stored"},
                 {"wall_s", is_timed ? Json(sample.wall_s) : Json::array({document["wall_s"]})},

@@ -226,7 +226,7 @@ Json run_document(const RunResult& run, const std::vector<JudgedGate>& gates, co
   document["h"] = number(run.h);
   document["time"] = number(run.end_time);
   document["wall_s"] = number(run.wall_s);
-  document["point_steps_per_s"] = number(run.point_steps_per_s());
+  document["particle_steps_per_s"] = number(run.particle_steps_per_s());
   document["measures"] = to_json(run.measures);
   document["ledger"] = to_json(run.ledger, run.dim, run.axisymmetric);
   document["gates"] = to_json(gates);
