@@ -132,7 +132,7 @@ def front_page(folder, cases):
         "trust": trust_part(folder, cases),
         "speed": speed_part(folder.bench),
         "stability": stability_part(folder.stability, cases),
-        "york": york_part(cases),
+        "york": york_part(cases, {result.name: result for result in folder.runs}),
         "compared": baseline.section(folder.diff, {name: anchor(name) for name in cases}),
         "file_count": len(folder.runs) + len(folder.studies) + len(folder.verdicts),
     }
@@ -215,11 +215,13 @@ def trust_part(folder, cases):
     }
 
 
-def york_part(cases):
-    """What answers for York's figures and tables; None where none of his cases is there."""
-    part = york.page(cases)
-    for row in part["rows"] if part else ():
-        row["cases"] = _anchored({**case, "case": case["name"]} for case in row["cases"])
+def york_part(cases, results):
+    """What answers for York's figures and tables, and our pictures of them; None where none of his cases is there."""
+    part = york.page(cases, results)
+    if part:
+        for row in part["rows"]:
+            row["cases"] = _anchored({**case, "case": case["name"]} for case in row["cases"])
+        part["pictures"] = frame.ready(part["pictures"])
     return part
 
 
