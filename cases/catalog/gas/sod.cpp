@@ -117,7 +117,8 @@ double variation_at_shock(const StudyResult& study) {
 const Number oscillation_left = number_of(
     "variation of the velocity at the shock beyond its jump, over that without artificial viscosity",
     [](const StudyResult& s) {
-      return Measured::of((variation_at_shock(s) - 1) / (variation_at_shock(*s.sibling("york-inviscid-quadratic")) - 1));
+      return Measured::of((variation_at_shock(s) - 1) /
+                          (variation_at_shock(*s.sibling("york-inviscid-quadratic")) - 1));
     },
     {100});
 const Number apart_from_continuity = number_of(
