@@ -436,8 +436,9 @@ std::vector<CaseGate> gates() {
                       "Fig. 37, at the bob's greatest speed")),
       gate("default/frames-5-10", ratio_of("from_fem", 5, 10), at_least(1), towards_fem),
       gate("default/frames-10-20", ratio_of("from_fem", 10, 20), at_least(1), towards_fem),
-      gate("york-free/misaligned", over_sibling("mean_misalignment", "york1997"), at_least(1),
-           literature("York, section 5.7.3, Fig. 38: without the one-way law points are not aligned as well"))
+      gate("york-free/misaligned", over_sibling("mean_misalignment", "york1997"), at_least(1.01),
+           literature("York, section 5.7.3, Fig. 38: without the one-way law points are not aligned as well; a "
+                      "hundredth, for a law without any effect"))
           .beside({"york1997"}),
       gate("york-free/frames-10", value_at("from_fem", 10), at_most(0.03 * heavy_period * fastest_bob()), similar),
       gate("york-free/compressed", value_at("least_strain", 10), at_most(0),
