@@ -26,7 +26,9 @@ struct Shapes {
 class Flip {
  public:
   Flip(const FlipGas& gas, std::vector<FlipPoint> points)
-      : gas_(gas), side_(static_cast<std::size_t>(gas.cells)), points_(std::move(points)) {}
+      : gas_(gas),
+        side_(static_cast<std::size_t>(gas.cells)),
+        points_(std::move(points)) {}
 
   FlipState run() {
     for (double time = 0; gas_.end_time - time > 1e-12 * gas_.end_time;) {
@@ -233,8 +235,8 @@ class Flip {
   FlipGas gas_;
   std::size_t side_;
   std::vector<FlipPoint> points_;
-  Field mass_, velocity_;                  // of vertices
-  Field cell_mass_, energy_, pressure_;    // of cells
+  Field mass_, velocity_;                // of vertices
+  Field cell_mass_, energy_, pressure_;  // of cells
 };
 
 }  // namespace

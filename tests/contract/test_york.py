@@ -58,7 +58,7 @@ def test_a_gate_that_is_not_declared_is_found(gates):
 
 
 def test_a_result_without_gate_or_reason_is_found(gates):
-    assert "figure 36: a result that no gate answers for, without a reason" in york.faults(changed(36, why=""), gates)
+    assert "figure 36: a result that no gate answers for, without a reason" in york.faults(changed(36, gates=[], why=""), gates)
 
 
 def test_a_gate_that_cites_a_figure_must_be_named_there(gates):

@@ -117,7 +117,8 @@ double variation_at_shock(const StudyResult& study) {
 const Number oscillation_left = number_of(
     "variation of the velocity at the shock beyond its jump, over that without artificial viscosity",
     [](const StudyResult& s) {
-      return Measured::of((variation_at_shock(s) - 1) / (variation_at_shock(*s.sibling("york-inviscid-quadratic")) - 1));
+      return Measured::of((variation_at_shock(s) - 1) /
+                          (variation_at_shock(*s.sibling("york-inviscid-quadratic")) - 1));
     },
     {100});
 const Number apart_from_continuity = number_of(
@@ -170,90 +171,93 @@ std::vector<CaseGate> gates() {
       "volumes of all points against the tube's; a kernel of three cells blurs each of three waves by less "
       "than 0.3 % of the tube at 100 cells");
   const std::string density = "density.L1", velocity = "velocity.L1";
-  return {gate("default/density-100", error_at(density, 100), at_most(0.0050), requirement(near_finite_volumes)),
-          gate("default/velocity-100", error_at(velocity, 100), at_most(0.0112), requirement(near_finite_volumes)),
-          gate("default/density-1600", error_at(density, 1600), at_most(0.00042),
-               requirement("what is left of the 0.0050 required at 100 cells at order 0.9, the least that the "
-                           "interval of the order may hold")),
-          gate("default/order", fitted_order_of(density), at_least(0.95),
-               requirement("shock and contact allow 1; 0.95 leaves a twentieth for coarse meshes and nothing for "
-                           "what else may limit")),
-          gate("default/order-interval", order_of(density), at_least(0.90), requirement(low_end)),
-          gate("default/velocity-order", order_of(velocity), at_least(0.85),
-               theory("shock and head of the rarefaction allow 1; the corner at the head approaches it from below "
-                      "on coarse meshes")),
-          energy_gate("default"), gate("default/coverage-100", value_at("coverage", 100), between(0.99, 1.01), covered),
-          gate("default/coverage-1600", value_at("coverage", 1600), between(0.99, 1.01), covered),
-          as_it_was("default/density-400", error_at(density, 400), 0.00117261, at_rate),
-          as_it_was("default/velocity-400", error_at(velocity, 400), 0.00253222, at_rate),
-          as_it_was("default/energy-400", error_at("energy.L1", 400), 0.00379940, at_rate),
-          as_it_was("default/viscous-heat-400", viscous_heat(400), 0.000619985, at_rate),
-          same_numbers_gate("plane", "default", 100),
-          gate("equal-volume/order", fitted_order_of(density), at_least(0.90),
-               theory("shock and contact allow 1; a tenth for the contact, where the mass of a point jumps")),
+  return {
+      gate("default/density-100", error_at(density, 100), at_most(0.0050), requirement(near_finite_volumes)),
+      gate("default/velocity-100", error_at(velocity, 100), at_most(0.0112), requirement(near_finite_volumes)),
+      gate("default/density-1600", error_at(density, 1600), at_most(0.00042),
+           requirement("what is left of the 0.0050 required at 100 cells at order 0.9, the least that the "
+                       "interval of the order may hold")),
+      gate("default/order", fitted_order_of(density), at_least(0.95),
+           requirement("shock and contact allow 1; 0.95 leaves a twentieth for coarse meshes and nothing for "
+                       "what else may limit")),
+      gate("default/order-interval", order_of(density), at_least(0.90), requirement(low_end)),
+      gate("default/velocity-order", order_of(velocity), at_least(0.85),
+           theory("shock and head of the rarefaction allow 1; the corner at the head approaches it from below "
+                  "on coarse meshes")),
+      energy_gate("default"), gate("default/coverage-100", value_at("coverage", 100), between(0.99, 1.01), covered),
+      gate("default/coverage-1600", value_at("coverage", 1600), between(0.99, 1.01), covered),
+      as_it_was("default/density-400", error_at(density, 400), 0.00117261, at_rate),
+      as_it_was("default/velocity-400", error_at(velocity, 400), 0.00253222, at_rate),
+      as_it_was("default/energy-400", error_at("energy.L1", 400), 0.00379940, at_rate),
+      as_it_was("default/viscous-heat-400", viscous_heat(400), 0.000619985, at_rate),
+      same_numbers_gate("plane", "default", 100),
+      gate("equal-volume/order", fitted_order_of(density), at_least(0.90),
+           theory("shock and contact allow 1; a tenth for the contact, where the mass of a point jumps")),
 
-          // What a gas dynamicist's scheme reaches on the same mesh.
-          gate("default/comparator-density-100", error_at(density, 100), at_most(0.0041), requirement(finite_volumes))
-              .fails(width, {0.0045, 0.0050}, at_rate),
-          gate("default/comparator-velocity-100", error_at(velocity, 100), at_most(0.0080), requirement(finite_volumes))
-              .fails(width, {0.0098, 0.0108}, at_rate),
+      // What a gas dynamicist's scheme reaches on the same mesh.
+      gate("default/comparator-density-100", error_at(density, 100), at_most(0.0041), requirement(finite_volumes))
+          .fails(width, {0.0045, 0.0050}, at_rate),
+      gate("default/comparator-velocity-100", error_at(velocity, 100), at_most(0.0080), requirement(finite_volumes))
+          .fails(width, {0.0098, 0.0108}, at_rate),
 
-          // The quick study has the diaphragm on a node line; here it stands anywhere.
-          gate("offsets-8/order", fitted_order_of(density), at_least(0.95), requirement(anywhere)).in(Tier::full),
-          gate("offsets-16/order", fitted_order_of(density), at_least(0.95), requirement(anywhere)).in(Tier::full),
-          gate("offsets-16/order-interval", order_of(density), at_least(0.90), requirement(low_end)).in(Tier::full),
+      // The quick study has the diaphragm on a node line; here it stands anywhere.
+      gate("offsets-8/order", fitted_order_of(density), at_least(0.95), requirement(anywhere)).in(Tier::full),
+      gate("offsets-16/order", fitted_order_of(density), at_least(0.95), requirement(anywhere)).in(Tier::full),
+      gate("offsets-16/order-interval", order_of(density), at_least(0.90), requirement(low_end)).in(Tier::full),
 
-          gate("york1997/density-100", error_at(density, 100), between(0.009, 0.011),
-               literature("York, Fig. 14, quadratic density with viscosity: 0.010, within 10 %")),
-          gate("york1997/coverage-100", value_at("coverage", 100), between(0.99, 1.01), covered),
-          gate("york1997/density-200", error_at(density, 200), at_most(0.0050), theory(converging))
-              .fails(crossing, {0.0060, 0.0074}, bands),
-          gate("york1997/density-400", error_at(density, 400), at_most(0.0025), theory(converging))
-              .fails(crossing, {0.0059, 0.0073}, bands),
-          gate("york1997/converges", ratio_of(density, 800, 400), at_most(0.6), theory("first order gives 0.5"))
-              .fails(crossing, {1.03, 1.15}, bands),
-          gate("york1997/grows", ratio_of(density, 800, 400), at_least(1.3), requirement(grows))
-              .fails("quadratic density sums the masses anew each step, so what crossings spoil does not "
-                     "accumulate in it; with the continuity density it does, and the same ratio is above 1.3",
-                     {1.03, 1.15}, bands),
-          gate("york-continuity/grows", ratio_of(density, 800, 400), at_least(1.3), requirement(grows)),
-          gate("york-cell/density", error_at(density, 100), between(0.041, 0.051),
-               requirement("cell density: about 0.046, within 10 %, four to five times the 0.010 of quadratic "
-                           "density; Fig. 13 shows it very noisy")),
-          as_it_was("york1997/density-100-frozen", error_at(density, 100), 0.00982444, york),
-          as_it_was("york-continuity/density-100", error_at(density, 100), 0.0113644, york),
-          as_it_was("york1997/viscous-heat-100", viscous_heat(100), 0.00691660, york),
-          gate("york-cell/worst", worse_than_others, at_least(2.0),
-               literature("Fig. 13 shows cell density very noisy beside the other two: at least twice their error"))
-              .beside({"york1997", "york-continuity"}),
-          gate("york-inviscid/cell-worst", inviscid_worse_than_others, at_least(1),
-               literature("York, p. 38: quadratic interpolation and continuity improve the results of Fig. 13 "
-                          "significantly over cell density"))
-              .on("york-inviscid-cell")
-              .beside({"york-inviscid-quadratic", "york-inviscid-continuity"}),
-          gate("york1997/viscosity-smooths", oscillation_left, at_most(1),
-               literature("York, p. 38: artificial viscosity smooths the oscillations at the shock front of Fig. 14"))
-              .beside({"york-inviscid-quadratic"}),
-          gate("york-inviscid/agree", apart_from_continuity, at_most(0.005),
-               literature("York, below Fig. 13: continuity and quadratic differ by less than 0.005"))
-              .on("york-inviscid-quadratic")
-              .beside({"york-inviscid-continuity"}),
+      gate("york1997/density-100", error_at(density, 100), between(0.009, 0.011),
+           literature("York, Fig. 14, quadratic density with viscosity: 0.010, within 10 %")),
+      gate("york1997/coverage-100", value_at("coverage", 100), between(0.99, 1.01), covered),
+      gate("york1997/density-200", error_at(density, 200), at_most(0.0050), theory(converging))
+          .fails(crossing, {0.0060, 0.0074}, bands),
+      gate("york1997/density-400", error_at(density, 400), at_most(0.0025), theory(converging))
+          .fails(crossing, {0.0059, 0.0073}, bands),
+      gate("york1997/converges", ratio_of(density, 800, 400), at_most(0.6), theory("first order gives 0.5"))
+          .fails(crossing, {1.03, 1.15}, bands),
+      gate("york1997/grows", ratio_of(density, 800, 400), at_least(1.3), requirement(grows))
+          .fails("quadratic density sums the masses anew each step, so what crossings spoil does not "
+                 "accumulate in it; with the continuity density it does, and the same ratio is above 1.3",
+                 {1.03, 1.15}, bands),
+      gate("york-continuity/grows", ratio_of(density, 800, 400), at_least(1.3), requirement(grows)),
+      gate("york-cell/density", error_at(density, 100), between(0.041, 0.051),
+           requirement("cell density: about 0.046, within 10 %, four to five times the 0.010 of quadratic "
+                       "density; Fig. 13 shows it very noisy")),
+      as_it_was("york1997/density-100-frozen", error_at(density, 100), 0.00982444, york),
+      as_it_was("york-continuity/density-100", error_at(density, 100), 0.0113644, york),
+      as_it_was("york1997/viscous-heat-100", viscous_heat(100), 0.00691660, york),
+      gate("york-cell/worst", worse_than_others, at_least(2.0),
+           literature("Fig. 13 shows cell density very noisy beside the other two: at least twice their error"))
+          .beside({"york1997", "york-continuity"}),
+      gate("york-inviscid/cell-worst", inviscid_worse_than_others, at_least(1),
+           literature("York, p. 38: quadratic interpolation and continuity improve the results of Fig. 13 "
+                      "significantly over cell density"))
+          .on("york-inviscid-cell")
+          .beside({"york-inviscid-quadratic", "york-inviscid-continuity"}),
+      gate("york1997/viscosity-smooths", oscillation_left, at_most(0.99),
+           literature(
+               "York, p. 38: artificial viscosity smooths the oscillations at the shock front of Fig. 14; a hundredth, "
+               "for one without any effect"))
+          .beside({"york-inviscid-quadratic"}),
+      gate("york-inviscid/agree", apart_from_continuity, at_most(0.005),
+           literature("York, below Fig. 13: continuity and quadratic differ by less than 0.005"))
+          .on("york-inviscid-quadratic")
+          .beside({"york-inviscid-continuity"}),
 
-          gate("step/order", fitted_order_of("density.step"), at_least(0.8),
-               theory("the leapfrog is of second order in dt, a shock leaves one")),
-          gate("short-steps/density", error_over(density, "default", "the default's steps", 200), at_most(1.15),
-               requirement(long_steps + ", within 15 %"))
-              .beside({"default"}),
-          gate("short-steps/velocity", error_over(velocity, "default", "the default's steps", 200), at_most(1.25),
-               requirement(long_steps + ", within 25 %"))
-              .beside({"default"}),
-          gate("york-step/order", fitted_order_of("density.step"), between(0.75, 1.35),
-               theory("explicit in time: order 1; FLIP filters nothing, and a quarter is left to points that "
-                      "change cells at another step")),
-          gate("offset/spread", spread, at_most(1.10),
-               theory("the error is that of jumps spread over several cells; where they fall within a cell is a "
-                      "detail of less than a tenth")),
-          restart_gate("default", "runs of a gas")};
+      gate("step/order", fitted_order_of("density.step"), at_least(0.8),
+           theory("the leapfrog is of second order in dt, a shock leaves one")),
+      gate("short-steps/density", error_over(density, "default", "the default's steps", 200), at_most(1.15),
+           requirement(long_steps + ", within 15 %"))
+          .beside({"default"}),
+      gate("short-steps/velocity", error_over(velocity, "default", "the default's steps", 200), at_most(1.25),
+           requirement(long_steps + ", within 25 %"))
+          .beside({"default"}),
+      gate("york-step/order", fitted_order_of("density.step"), between(0.75, 1.35),
+           theory("explicit in time: order 1; FLIP filters nothing, and a quarter is left to points that "
+                  "change cells at another step")),
+      gate("offset/spread", spread, at_most(1.10),
+           theory("the error is that of jumps spread over several cells; where they fall within a cell is a "
+                  "detail of less than a tenth")),
+      restart_gate("default", "runs of a gas")};
 }
 
 Case sod() {

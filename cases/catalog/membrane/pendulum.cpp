@@ -145,17 +145,22 @@ class PendulumRun final : public Problem {
       if (m.unit == "1") m.scale = 1;
       return m;
     };
-    return {measure("period", turns.size() < 2 ? none : turns[1].time, exact_.heavy_period(), "s"),
-            measure("amplitude_loss", loss(2), exact_loss(2), "1"),
-            measure("half_loss", loss(1), exact_loss(1), "1"),
-            measure("length_drift", mean_length() / exact_.length().value - 1, mean_exact_length(), "1"),
-            share_measure("misalignment", misalignment_ / exact_.length().value),
-            scalar_measure("from_fem", from_fem(), 0, 0, "m"),
-            share_measure("mean_misalignment", std::sqrt(squares_.aside / squares_.points) / exact_.length().value),
-            share_measure("off_tangent", share_of(squares_.off_tangent)),
-            share_measure("stress_spread", share_of(squares_.spread)),
-            scalar_measure("least_strain", least_strain_ / static_strain(), 0, 0, "1"),
-            drift_measure(simulation)};
+    std::vector<Measure> all;
+    if (at_.end_time > exact_.heavy_period().value) {
+      all = {measure("period", turns.size() < 2 ? none : turns[1].time, exact_.heavy_period(), "s"),
+             measure("amplitude_loss", loss(2), exact_loss(2), "1"), measure("half_loss", loss(1), exact_loss(1), "1")};
+    }
+    for (const Measure& m :
+         {measure("length_drift", mean_length() / exact_.length().value - 1, mean_exact_length(), "1"),
+          share_measure("misalignment", misalignment_ / exact_.length().value),
+          share_measure("mean_misalignment", std::sqrt(squares_.aside / squares_.points) / exact_.length().value),
+          share_measure("off_tangent", share_of(squares_.off_tangent)),
+          share_measure("stress_spread", share_of(squares_.spread)),
+          scalar_measure("least_strain", least_strain_ / static_strain(), 0, 0, "1"), drift_measure(simulation)}) {
+      all.push_back(m);
+    }
+    if (!frames_.empty()) all.push_back(scalar_measure("from_fem", from_fem(), 0, 0, "m"));
+    return all;
   }
 
   Profile profile(const Simulation&) const override {
@@ -251,7 +256,7 @@ class PendulumRun final : public Problem {
         ++count;
       }
     }
-    return count > 0 ? std::sqrt(square / count) : std::nan("");
+    return std::sqrt(square / count);
   }
   static constexpr int fem_elements = 39;  // between as many nodes as York's second mesh has points
 
@@ -304,7 +309,7 @@ std::vector<StudyPlan> studies() {
           study("york-layers", "York's second mesh, two layers of points through the thickness",
                 "Section 5.4.5: nothing makes their stresses equal.", {10})
               .of_york()
-              .with({{"layers", 2.0}}),
+              .with({{"layers", 2.0}, {"t_end", 0.25}}),
           study("free", "default without the one-way law",
                 "The bounce on the string is too fast to matter to the swing.", {10})
               .with({{"one_way", "no"}})
@@ -434,18 +439,27 @@ std::vector<CaseGate> gates() {
                       "Fig. 37, at the bob's greatest speed")),
       gate("default/frames-5-10", ratio_of("from_fem", 5, 10), at_least(1), towards_fem),
       gate("default/frames-10-20", ratio_of("from_fem", 10, 20), at_least(1), towards_fem),
-      gate("york1997/frames-10-20", ratio_of("from_fem", 10, 20), at_least(1), towards_fem).in(Tier::full),
-      gate("york-free/misaligned", over_sibling("mean_misalignment", "york1997"), at_least(1),
-           literature("York, section 5.7.3, Fig. 38: without the one-way law points are not aligned as well"))
+      gate("york-free/misaligned", over_sibling("mean_misalignment", "york1997"), at_least(1.01),
+           literature("York, section 5.7.3, Fig. 38: without the one-way law points are not aligned as well; a "
+                      "hundredth, for a law without any effect"))
           .beside({"york1997"}),
       gate("york-free/frames-10", value_at("from_fem", 10), at_most(0.03 * heavy_period * fastest_bob()), similar),
       gate("york-free/compressed", value_at("least_strain", 10), at_most(0),
            literature("York, section 5.7.3, Fig. 38: what may misalign points is that oscillations along the string "
                       "compress some")),
       gate("york1997/tangent", value_at("off_tangent", 10), at_most(1e-12), tangent),
-      gate("york-increments/tangent", value_at("off_tangent", 10), at_most(1e-12), tangent),
+      gate("york-increments/tangent", value_at("off_tangent", 10), at_most(1e-12), tangent)
+          .fails("what was summed stays where it was as the string turns: a twentieth of a second on, its forces push "
+                 "the points "
+                 "2.5 % of the length off the chord, and soon after out of the grid",
+                 {0.080, 0.105}, "2026-11-26 efaf9f4"),
       gate("york-layers/constant-stress", value_at("stress_spread", 10), at_most(0.1),
-           literature("York, section 5.4.5: stress must be constant through the thickness, a tenth of it left"))};
+           literature("York, section 5.4.5: stress must be constant through the thickness, a tenth of it left"))
+          .fails("each layer hangs from the wall by itself and has a tangential strain of its own: as the string turns "
+                 "about its end "
+                 "one is stretched and the other is let go, as in a bent plate; by 0.1 s the difference is 0.43 of the "
+                 "stress",
+                 {0.52, 0.69}, "2026-11-26 efaf9f4")};
 
   // Once the string has torn, a run is as roundings will: these bands hold what ensembles of runs show (ci/ensembles).
   const StopBand on_20{125000, 175000, "velocity"}, on_40{270000, 350000, "position"};

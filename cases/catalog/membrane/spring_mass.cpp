@@ -65,12 +65,13 @@ class SpringMassRun final : public Problem {
     const double period = mean_period(extremes).value_or(std::nan("")), largest = largest_maximum(extremes);
     const reference::Bounded exact_period = heavy_ ? heavy_->period() : massless_.period();
     const reference::Bounded exact_largest = heavy_ ? heavy_->max_displacement() : massless_.max_displacement();
-    return {
-        scalar_measure("period", period, exact_period.value, exact_period.bound, "s"),
-        scalar_measure("max_displacement", largest, exact_largest.value, exact_largest.bound, "m"),
-        scalar_measure("fallen", watch_.displacement.back() / (0.5 * at_.spring.gravity * at_.end_time * at_.end_time),
-                       0, 0, "1"),
-        drift_measure(simulation)};
+    const double free_fall = 0.5 * at_.spring.gravity * at_.end_time * at_.end_time;
+    std::vector<Measure> all{scalar_measure("fallen", watch_.displacement.back() / free_fall, 0, 0, "1"),
+                             drift_measure(simulation)};
+    if (at_.end_time < exact_period.value) return all;
+    all.push_back(scalar_measure("period", period, exact_period.value, exact_period.bound, "s"));
+    all.push_back(scalar_measure("max_displacement", largest, exact_largest.value, exact_largest.bound, "m"));
+    return all;
   }
 
   Profile profile(const Simulation&) const override {
@@ -146,7 +147,7 @@ std::vector<StudyPlan> studies() {
           study("york-apart", "York's ten points on a mesh finer than their spacing",
                 "One mesh: points one and a third cells apart.", {40})
               .of_york()
-              .with({{"layout", "ten"}, {"t_end", 0.02}}),
+              .with({{"layout", "ten"}, {"t_end", 0.015}}),
           study("step", "default, step refined alone",
                 "Symplectic in time for an oscillator: the period's error is of second order in dt.",
                 {1, 0.5, 0.25, 0.125, 0.0625})
@@ -179,8 +180,8 @@ std::vector<CaseGate> gates() {
       spacing_gate(3), spacing_gate(5), spacing_gate(10),
       gate("york-apart/falls", value_at("fallen", 40), at_least(0.9),
            literature("York, section 5.4.4: membrane points further than a cell apart break the membrane. A mass on a "
-                      "broken spring falls freely, g t^2/2; on a whole one it would stand at a fourth of that. A tenth "
-                      "for what the last whole piece carries")),
+                      "broken spring falls freely, g t^2/2, 28 mm; a whole one holds it within 5 mm. A tenth for what "
+                      "the last whole piece carries")),
       recorded("york1997/period-frozen", value_at("period", 10), 0.0198624785, 2e-5, stamp, smooth),
       recorded("york1997/drift-frozen", value_at("energy_drift", 10), -0.0022352659, 0.02, stamp, smooth),
       gate("default/period-order", order_of("period"), at_least(1.8),

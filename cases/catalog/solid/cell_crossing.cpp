@@ -350,8 +350,8 @@ std::vector<StudyPlan> studies() {
       study("spring", "York's spring, default", one, {10}).with({spring}),
       study("spring-quadratic", "York's spring, quadratic B-splines", one, {10}).with({spring, {"shape", "quadratic"}}),
       study("default", "drift, contiguous-gimp", noise, {10})};
-  all.push_back(study("points", "drift, york1997, more points a cell", "Not an order: a point's share of a force falls.",
-                      {2, 4, 8})
+  all.push_back(study("points", "drift, york1997, more points a cell",
+                      "Not an order: a point's share of a force falls.", {2, 4, 8})
                     .of_york()
                     .over(Vary::ppc));
   for (const std::string shape : {"gimp", "linear", "quadratic", "cubic"}) {
@@ -377,9 +377,10 @@ CaseGate as_printed(const std::string& force, double printed) {
 }
 
 CaseGate fewer_noise_gate(double points, double than) {
-  return gate("points/noise-" + to_text(points), ratio_of("noise_rms", points, than), at_most(1),
-              literature("York, section 5.4.3: more points a cell overwhelm the noise of the one that crosses; so twice "
-                         "as many make less of it"));
+  return gate(
+      "points/noise-" + to_text(points), ratio_of("noise_rms", points, than), at_most(1),
+      literature("York, section 5.4.3: more points a cell overwhelm the noise of the one that crosses; so twice "
+                 "as many make less of it"));
 }
 
 std::vector<CaseGate> gates() {
@@ -389,7 +390,8 @@ std::vector<CaseGate> gates() {
           gate("york1997/cell-stress", value_at("jump_of_cell_stresses", 10), at_most(1),
                literature("York, section 5.4.3: forces from cell-centred stresses were somewhat successful against the "
                           "noise: the force on the middle node jumps less")),
-          fewer_noise_gate(4, 2), fewer_noise_gate(8, 4),
+          fewer_noise_gate(4, 2),
+          fewer_noise_gate(8, 4),
           gate("default/noise-ratio", noise_over_linear, at_most(0.01),
                requirement("at least 100 times below that of linear shapes: boxes are used to be rid of that noise"))
               .beside({"linear"}),
