@@ -14,7 +14,7 @@ import svg
 import text
 from cost_estimates import AT, MORE, MOST, NONE, front, ratio, reach, spread
 from figures import Figure, Key, log_axis
-from plumbline_results import COST_FILE
+from plumbline.reader import COST_FILE
 
 TARGET = 0.01  # relative error that the costs on the front page are read off at
 YORK = "york1997"

@@ -12,7 +12,7 @@ import text
 from cost import MORE, MOST, TARGET, YORK, wall_time
 from cost_estimates import AT
 from figures import Figure, Key, log_axis, tick
-from plumbline_results import COST_FILE
+from plumbline.reader import COST_FILE
 
 _MARK = {"": "o", "<": "<", ">": ">", AT: "o", MOST: "<", MORE: ">"}
 ROW = 0.17  # inches of a row

@@ -30,7 +30,7 @@ import frame
 import mutants
 import normals
 import pictures
-import plumbline_results
+from plumbline import reader
 import profiles
 import scorecards
 import speed
@@ -444,15 +444,15 @@ def main(arguments=None):
     )
     options = parser.parse_args(arguments)
     try:
-        folder = plumbline_results.load_folder(options.results)
-        earlier = plumbline_results.load_folder(options.baseline) if options.baseline else None
+        folder = reader.load_folder(options.results)
+        earlier = reader.load_folder(options.baseline) if options.baseline else None
         if options.diff:
             folder.diff = load_diff(options.diff)
         page = render(folder, earlier)
         frame.write_whole(pathlib.Path(options.output), page)
         if options.csv:
             write_tables(folder, gathering.gather(folder), pathlib.Path(options.csv))
-    except (OSError, plumbline_results.ResultsError) as error:
+    except (OSError, reader.ResultsError) as error:
         print(f"render: {error}", file=sys.stderr)
         return 4
     except concurrent.futures.BrokenExecutor:
@@ -477,14 +477,14 @@ def write_tables(folder, cases, target):
         more["cost"] = cost.CSV_COLUMNS, cost.csv_rows(folder.cost)
     more |= scorecards.csv_tables(folder.scorecards)
     for name, (columns, rows) in more.items():
-        plumbline_results.write_csv(columns, rows, target / f"{name}.csv")
+        reader.write_csv(columns, rows, target / f"{name}.csv")
 
 
 def load_diff(path):
     try:
-        return plumbline_results.load_diff(path)
-    except plumbline_results.ResultsError as error:
-        raise plumbline_results.ResultsError(f"{path}: {error}") from error
+        return reader.load_diff(path)
+    except reader.ResultsError as error:
+        raise reader.ResultsError(f"{path}: {error}") from error
 
 
 if __name__ == "__main__":

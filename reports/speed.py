@@ -5,7 +5,7 @@ import statistics
 import svg
 import text
 from figures import Figure, Key, log_axis, plain_axis
-from plumbline_results import BENCH_FILE
+from plumbline.reader import BENCH_FILE
 
 CSV_COLUMNS = (
     "part",

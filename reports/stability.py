@@ -16,7 +16,7 @@ import maps
 import svg
 import text
 from figures import Figure, Key, plain_axis, tick
-from plumbline_results import STABILITY_FILE
+from plumbline.reader import STABILITY_FILE
 
 CASE_PREFIX = "stability-"
 MOST_ROWS = 24  # of a table of configurations that is shown unfolded

@@ -5,7 +5,7 @@ import pathlib
 from collections import Counter
 
 import figures
-import plumbline_results
+from plumbline import reader
 import speed
 import stability
 import text
@@ -666,21 +666,21 @@ def write_folder(folder, cases, target):
     """Every table of every file, of speed and stability, and over all files, as CSV; returns how many were written."""
     target = pathlib.Path(target)
     target.mkdir(parents=True, exist_ok=True)
-    gates = [plumbline_results.gate_row(gate) for case in cases.values() for gate in case.all_gates]
+    gates = [reader.gate_row(gate) for case in cases.values() for gate in case.all_gates]
     summary = [
         [case.name, case.catalog.get("title"), case.verdict, *(case.counts[name] for name in VERDICTS)]
         for case in cases.values()
     ]
-    plumbline_results.write_csv(plumbline_results.GATE_COLUMNS, gates, target / "gates.csv")
-    plumbline_results.write_csv(["case", "title", "verdict", *VERDICTS], summary, target / "cases.csv")
-    plumbline_results.write_csv(["file", "reason"], folder.damaged, target / "damaged.csv")
+    reader.write_csv(reader.GATE_COLUMNS, gates, target / "gates.csv")
+    reader.write_csv(["case", "title", "verdict", *VERDICTS], summary, target / "cases.csv")
+    reader.write_csv(["file", "reason"], folder.damaged, target / "damaged.csv")
     written = 3
     if folder.bench:
-        plumbline_results.write_csv(speed.CSV_COLUMNS, speed.csv_rows(folder.bench), target / "bench.csv")
+        reader.write_csv(speed.CSV_COLUMNS, speed.csv_rows(folder.bench), target / "bench.csv")
         written += 1
     if folder.stability:
         for name, (columns, rows) in stability.csv_tables(folder.stability).items():
-            plumbline_results.write_csv(columns, rows, target / f"{name}.csv")
+            reader.write_csv(columns, rows, target / f"{name}.csv")
             written += 1
     for result in folder.runs + folder.studies + folder.verdicts:
         for name in result.table_names():

@@ -7,7 +7,7 @@ import re
 from html.parser import HTMLParser
 
 import numpy
-import plumbline_results
+from plumbline import reader
 import render
 from PIL import Image
 
@@ -130,7 +130,7 @@ class Page(HTMLParser):
 
 
 def source_of(folder):
-    return render.render(plumbline_results.load_folder(folder))
+    return render.render(reader.load_folder(folder))
 
 
 def shown(folder):

@@ -5,7 +5,7 @@ import math
 
 import cost
 import cost_charts
-import plumbline_results
+from plumbline import reader
 import pytest
 import render
 from cases import Case
@@ -203,7 +203,7 @@ def test_charts_and_figures_of_a_case_are_drawn():
 def test_page_with_costs(tmp_path):
     runs = first_order("default", "default", 1) + first_order("york1997", "york1997", 2)
     (tmp_path / "cost.json").write_text(json.dumps(document(runs)))
-    folder = plumbline_results.load_folder(tmp_path)
+    folder = reader.load_folder(tmp_path)
     assert not folder.damaged and render.cost_part(folder, {"sod": OneCase("sod")})["jobs"][0]["scheme"] == "default"
 
 
@@ -216,5 +216,5 @@ def test_damaged_document_is_listed(tmp_path, change):
     doc = document([entry("default", "default", 100, 0.01, 0.1)])
     change(doc)
     (tmp_path / "cost.json").write_text(json.dumps(doc))
-    folder = plumbline_results.load_folder(tmp_path)
+    folder = reader.load_folder(tmp_path)
     assert folder.cost == {} and [name for name, _ in folder.damaged] == ["cost.json"]

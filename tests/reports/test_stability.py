@@ -10,7 +10,7 @@ import pytest
 
 import cost
 import maps
-import plumbline_results
+from plumbline import reader
 import stability
 import synthetic_results
 import text
@@ -36,7 +36,7 @@ def parsed(source):
 
 def loaded(tmp_path, document):
     write_stability(tmp_path, document)
-    return plumbline_results.load_stability(tmp_path / "stability.json")
+    return reader.load_stability(tmp_path / "stability.json")
 
 
 def rows_of(parsed, section):
@@ -348,7 +348,7 @@ def test_null_everywhere_it_may_stand(tmp_path):
     optional = 0
     for broken in each_without(document, 8):
         write_stability(tmp_path, broken)
-        folder = plumbline_results.load_folder(tmp_path)
+        folder = reader.load_folder(tmp_path)
         if not folder.damaged:
             optional += 1
             stability_page(folder)
@@ -395,7 +395,7 @@ def stability_page(folder):
 def test_a_document_of_another_form_is_damaged(tmp_path, change):
     document = stability_document()
     change(document)
-    with pytest.raises(plumbline_results.DamagedFile):
+    with pytest.raises(reader.DamagedFile):
         loaded(tmp_path, document)
 
 

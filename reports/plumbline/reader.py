@@ -1,10 +1,10 @@
 """Reads the result files of Plumbline: one run, one refinement study or one set of verdicts per HDF5 file.
 
-    import plumbline_results
-    run = plumbline_results.load("results/sod-default-100-0123456789ab.h5")
+    from plumbline import reader
+    run = reader.load("results/sod-default-100-0123456789ab.h5")
     run.measures["density.L1"]["error"], run.profile["density"], run.ledger["energy"]["residual"]
 
-    python plumbline_results.py FILE --csv gates > gates.csv
+    python -m plumbline FILE --csv gates > gates.csv
 
 Needs numpy and h5py. Numbers keep the units the file states; non-finite numbers are None in the JSON parts.
 Exit status: 0; 2 the file has no such table; 4 the file is damaged, missing or of a newer format.
@@ -946,6 +946,7 @@ _TABLES = {
 
 def main(arguments=None):
     parser = argparse.ArgumentParser(
+        prog="python -m plumbline",
         description="Shows what a result file holds, or writes one of its tables as CSV."
     )
     parser.add_argument("file", metavar="FILE")
@@ -972,9 +973,6 @@ def main(arguments=None):
 
 
 def _complain(message, status):
-    print(f"plumbline_results: {message}", file=sys.stderr)
+    print(f"plumbline: {message}", file=sys.stderr)
     return status
 
-
-if __name__ == "__main__":
-    sys.exit(main())
