@@ -1,6 +1,6 @@
 """Makes one self-contained HTML page from a folder of result files.
 
-    python render.py RESULTS_DIR OUTPUT.html [--csv DIR] [--baseline DIR] [--diff FILE]
+    python render.py RESULTS_DIR OUTPUT.html [--csv DIR] [--baseline DIR] [--diff FILE] [--history FILE]
 
 Verdicts, orders and intervals are shown as the files state them; nothing is judged again. The same files
 give the same bytes. Exit status: 0; 1 the page is written and larger than five megabytes; 2 wrong call; 4 the folder or
@@ -27,6 +27,7 @@ import cost_charts
 import distributions
 import figures
 import frame
+import history
 import mutants
 import normals
 import pictures
@@ -52,14 +53,15 @@ MOST_BUDGETS = 2  # lines of a case whose budgets are shown in full; those of al
 MOST_TOLERANCES = 200  # in the ledger of the page; all are in its CSV
 
 
-def render(folder, earlier=None):
-    """The whole page as text; `earlier`: the folder of a baseline, whose curves are drawn along."""
+def render(folder, earlier=None, kept=None):
+    """The whole page as text; `earlier`: the folder of a baseline, whose curves are drawn along; `kept`: the file of the history."""
     cases = gathering.gather(folder)
     if earlier:
         baseline.attach(cases, gathering.gather(earlier))
     results = {result.name: result for result in folder.runs}
     pages = case_pages(cases, results, folder.cost)
     front = front_page(folder, cases)
+    front["changed"] = history.section(kept) if kept else None
     return frame.page("page.html", front["stability"].get("style", ""), pages=pages, **front)
 
 
@@ -108,7 +110,7 @@ def front_page(folder, cases):
         row["anchor"] = anchor(row["name"])
     parts = {
         "cost": cost_part(folder, cases),
-        "mutants": mutants.page(folder.mutants),
+        "mutants": mutants.page(folder.mutants, (tables.origin(folder) or {}).get("commit", "")),
         "integrators": scorecards.page(folder.scorecards, folder.judges),
         "expected_failures": expected_failures_part(cases),
     }
@@ -130,7 +132,7 @@ def front_page(folder, cases):
         "trust": trust_part(folder, cases),
         "speed": speed_part(folder.bench),
         "stability": stability_part(folder.stability, cases),
-        "york": york_part(cases),
+        "york": york_part(cases, {result.name: result for result in folder.runs}),
         "compared": baseline.section(folder.diff, {name: anchor(name) for name in cases}),
         "file_count": len(folder.runs) + len(folder.studies) + len(folder.verdicts),
     }
@@ -153,13 +155,14 @@ def glance(cases, parts):
             {"figure": str(counts["XFAIL"]), "target": "expected-failures", "look": "xfail",
              "words": f"of them are known failures, {of_default or 'none'} of the default scheme, each with its cause"}
         )  # fmt: skip
-    chosen = [row for row in (parts["cost"] or {}).get("jobs", ()) if row.get("chosen")]
-    if chosen:
-        schemes = collections.Counter(row["scheme"] for row in chosen)
-        name, times = schemes.most_common(1)[0]
+    chosen = [choice for choice in (parts["cost"] or {}).get("recommended", ()) if choice["scheme"]]
+    for name in dict.fromkeys(choice["scheme"] for choice in chosen):
+        own = [choice for choice in chosen if choice["scheme"] == name]
+        problems = sum(len(choice["problems"]) for choice in own)
         cards.append(
             {"figure": name, "target": "which-scheme", "look": "",
-             "words": f"is the scheme to take for {times} of {text.plural(len(chosen), 'kind')} of scene: which scheme for which job"}
+             "words": f"needs less time to 1 % error than each scheme it was compared with, for {text.listing(choice['job'] for choice in own)}: "
+             f"over {text.plural(problems, 'problem')}"}
         )  # fmt: skip
     integrators, mutated = parts["integrators"], parts["mutants"]
     if integrators and integrators["cards"]:
@@ -212,11 +215,13 @@ def trust_part(folder, cases):
     }
 
 
-def york_part(cases):
-    """What answers for York's figures and tables; None where none of his cases is there."""
-    part = york.page(cases)
-    for row in part["rows"] if part else ():
-        row["cases"] = _anchored({**case, "case": case["name"]} for case in row["cases"])
+def york_part(cases, results):
+    """What answers for York's figures and tables, and our pictures of them; None where none of his cases is there."""
+    part = york.page(cases, results)
+    if part:
+        for row in part["rows"]:
+            row["cases"] = _anchored({**case, "case": case["name"]} for case in row["cases"])
+        part["pictures"] = frame.ready(part["pictures"])
     return part
 
 
@@ -442,13 +447,16 @@ def main(arguments=None):
     parser.add_argument(
         "--diff", metavar="FILE", help="document of `plumbline diff --json` (default: diff.json in the results folder)"
     )
+    parser.add_argument(
+        "--history", metavar="FILE", help=f"what earlier results were (default: {history.HISTORY_FILE} in the results folder)"
+    )
     options = parser.parse_args(arguments)
     try:
         folder = reader.load_folder(options.results)
         earlier = reader.load_folder(options.baseline) if options.baseline else None
         if options.diff:
             folder.diff = load_diff(options.diff)
-        page = render(folder, earlier)
+        page = render(folder, earlier, options.history or pathlib.Path(options.results) / history.HISTORY_FILE)
         frame.write_whole(pathlib.Path(options.output), page)
         if options.csv:
             write_tables(folder, gathering.gather(folder), pathlib.Path(options.csv))

@@ -1,4 +1,4 @@
-"""Killed at any moment, no room, no right to write, two at once, files of the previous version: nothing is lost or half there."""
+"""Killed at any moment, no space, no right to write, two at once, files of the previous version: nothing is lost or half there."""
 import base64
 import contextlib
 import gzip
@@ -147,7 +147,7 @@ def test_report_clears_away_what_a_killed_one_left(two_cases):
     assert "bar-riemann" in (two_cases / "page/index.html").read_text(encoding="utf-8")
 
 
-# --- no room --------------------------------------------------------------------------------------
+# --- no space --------------------------------------------------------------------------------------
 
 
 def no_room(size):
@@ -200,7 +200,7 @@ def test_disk_that_fills_up(plumbline):
 
 @pytest.mark.parametrize("jobs", [1, 2])
 def test_no_room_for_a_sweep(plumbline, jobs):
-    """Each run that found no room is told; with room, the next call makes them."""
+    """Each run that found no space is told; with space, the next call makes them."""
     plan = {"sweep": {"case": "sod", "cells": [10, 20], "ppc": [4, 8]}}
     (plumbline.folder / "plan.json").write_text(json.dumps(plan), encoding="utf-8")
     call = ("sweep", "--from", "plan.json", "--jobs", jobs)

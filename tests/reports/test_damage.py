@@ -70,7 +70,7 @@ def test_no_damage_goes_unnoticed(folder, tmp_path, kind, damage):
         path.unlink(missing_ok=True)  # writing over a file waits for the disk
         path.write_bytes(content)
         if content.rstrip(b"\0")[512:] == whole.rstrip(b"\0")[512:] and len(content) == len(whole):
-            continue  # in the room behind the seal
+            continue  # in the space behind the seal
         with pytest.raises(reader.DamagedFile):
             reader.load(path)
 

@@ -65,6 +65,16 @@ def test_the_origin_name_of_the_previous_version_is_read(tmp_path, was, name):
     assert f'"{was}"' in path.read_text(encoding="utf-8") and reader.load_mutants(path) == matrix
 
 
+def test_keys_and_units_of_the_previous_version_are_read(tmp_path):
+    """Until 0.8: particle-steps had another name."""
+    bench = synthetic_results.bench_document()
+    now = json.dumps(bench)
+    before = now.replace("particle_steps_per_s", "point_steps_per_s").replace("particle-steps/s", "point" + "-steps/s")
+    path = tmp_path / "bench.json"
+    path.write_text(before, encoding="utf-8")
+    assert before != now and reader.load_bench(path) == json.loads(now)
+
+
 def test_comparator_of_a_study(results):
     folder, names = results
     (columns,) = reader.load(folder / names["study"]).comparators.values()

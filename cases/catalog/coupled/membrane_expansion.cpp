@@ -203,6 +203,18 @@ class MembraneExpansionRun final : public Problem {
   int count_ = 0, escaped_ = 0;
 };
 
+// Snapshots of a run, a tenth of a second apart: York's text speaks of 0.1 s.
+int every_tenth(double end) { return 1 + whole(std::round(10 * end)); }
+
+// A level of york1997 again, which is no second run.
+StudyPlan york_to_look_at(double cells) {
+  return study("york-shapes-" + to_text(cells), "york1997 on " + to_text(cells) + " cells",
+               "To look at: Figs. 52 and 54.", {cells})
+      .of_york()
+      .in(Tier::full)
+      .pictured(every_tenth(8.5));
+}
+
 // Fig. 87: to 0.8 s. York does not say on which mesh.
 StudyPlan first_second(std::string id, std::string title, const std::string& method) {
   return study(std::move(id), std::move(title), "One mesh, that of his simulation 3.", {16})
@@ -221,13 +233,16 @@ std::vector<StudyPlan> studies() {
             {4, 6, 8, 12, 16})
           .with({five_seconds})
           .in_full({4, 6, 8, 12, 16, 24, 32})
-          .pictured(25, 16),
+          .pictured(every_tenth(5), 16),
       study("unfolding", "the first half second of default", "To look at: two levels, no order.", {8, 16})
           .with({{"t_end", 0.5}})
           .pictured(25),
       study("york1997", "york1997, 64 points a cell: tables 5 and 6", "York's own four meshes.", {4, 8})
           .of_york()
-          .in_full({4, 8, 16, 32}),
+          .in_full({4, 8, 16, 32})
+          .pictured(every_tenth(8.5), 8),
+      york_to_look_at(16),
+      york_to_look_at(32),
       first_second("york-connectivity", "York's run of Fig. 87, tangents by connectivity", "connectivity"),
       first_second("york-mass-matrix-quadratic", "the same, his quadratic mass matrix", "york-mass-matrix-quadratic"),
       first_second("york-mass-matrix", "the same, his mass matrix with linear shapes", "york-mass-matrix"),
@@ -280,7 +295,7 @@ std::vector<CaseGate> gates_at(double level) {
       relative("radius_0", 1e-3, thousandth),
       relative("radius_90", 1e-3, thousandth),
       relative("pressure", 0.015, required("1.5 % at h = 0.1, where York's pressure is 13 % low")),
-      relative("hoop_stress", 0.015, required("1.5 % at h = 0.1, as of the pressure that it bears")),
+      relative("hoop_stress", 0.015, required("1.5 % at h = 0.1, as of the pressure that it carries")),
       value("hoop_scatter", at_most(share * 0.1),
             required("a tenth of the mean at h = 0.1; without relaxation single stresses scatter by more than "
                      "their mean")),
@@ -351,7 +366,8 @@ std::vector<CaseGate> york_gates() {
 
       judged("york1997", value_at, "hoop_scatter", 8, at_most(0.1),
              requirement("a tenth of the mean, as of the default scheme at h = 0.1"))
-          .fails("strains that no node sees are frozen in as the bag unfolds: single stresses mean nothing, and "
+          .fails("strains in null-space modes of the maps are frozen in as the bag unfolds: single stresses mean "
+                 "nothing, and "
                  "scatter as roundings will (seventeen runs in cases/ensembles.json)",
                  {1.0, 11.0}, "2026-11-23 5825b24"),
       judged("york1997", value_at, "volume_ratio", 8, between(0.99, 1.01),

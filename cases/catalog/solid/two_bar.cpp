@@ -215,14 +215,14 @@ std::vector<CaseGate> duration_gates() {
 
 // Every refinement brings the bars to part faster, and none faster than the reference.
 CaseGate rising_gate(const std::string& study) {
-  const auto rise_or_room = [](const StudyResult& s) {
+  const auto rise_or_margin = [](const StudyResult& s) {
     const reference::Bounded limit = reference_bars().restitution();
     const std::vector<double> restitutions = values_of(s, "restitution");
     return Measured::of(smaller(least_rise(restitutions), limit.value + limit.bound - restitutions.back()));
   };
   return gate(
       study + "/restitution-rises",
-      number_of("least rise of the restitution from level to level, and what is left to the reference", rise_or_room),
+      number_of("least rise of the restitution from level to level, and what is left to the reference", rise_or_margin),
       at_least(0),
       theory("maps only take energy, and less on finer meshes: restitution rises with refinement, and stays below the "
              "reference"));
