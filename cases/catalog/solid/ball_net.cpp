@@ -203,7 +203,7 @@ std::vector<StudyPlan> studies() {
               .in_full({20, 40, 80})
               .pictured(25),
           one_mesh("thin", "default with the thickness that York prints for A.1.6",
-                   {uniaxial, {"thickness", 0.0125}, {"t_end", 5.5}}),
+                   {uniaxial, {"thickness", 0.0125}, {"t_end", 6.5}}),
           one_mesh("none", "one velocity for both", {none}),
           one_mesh("york-none", "York's run without release", {none, uniaxial}).of_york(),
           one_mesh("york-9.9", "York's run with his criterion 9.9", {released, uniaxial}).of_york(),
