@@ -37,10 +37,10 @@ def figures_of(case, results, prefix):
 
 
 def groups(case, results):
-    """[[(series, level, profile)]]: at most MOST_LINES of one problem each, on the finest mesh that all of them have."""
+    """[[(series, level, profile)]]: at most MOST_LINES of one problem each, on the finest mesh that the first lines share."""
     problems = []  # [lines of one problem]
-    for entry in sorted(case.series, key=lambda entry: (entry.scheme not in FIRST, FIRST.index(entry.scheme) if entry.scheme in FIRST else 0)):
-        levels = _levels(entry, results) if entry.vary in ("cells", "") else []
+    for entry in _chosen_first(case.series):
+        levels = _levels(entry, results)
         if not levels:
             continue
         same = next((lines for lines in problems if _same_problem(levels[-1][1], lines[0][1][-1][1])), None)
@@ -50,9 +50,17 @@ def groups(case, results):
             same.append((entry, levels))
     found = []
     for lines in problems:
-        lines = [(entry, *_level(levels, lines)) for entry, levels in lines]
+        most = _common_mesh([levels for _, levels in lines[: len(FIRST)]])
+        lines = [(entry, *_level(levels, most)) for entry, levels in lines]
         found += [lines[start : start + MOST_LINES] for start in range(0, len(lines), MOST_LINES)]
     return found
+
+
+def _chosen_first(series):
+    """Lines of refinements and single runs: one of the default scheme, one of York's, then other refinements, then the rest."""
+    lines = [entry for entry in series if entry.vary in ("cells", "")]
+    first = [next((entry for entry in lines if entry.scheme == scheme), None) for scheme in FIRST]
+    return sorted(lines, key=lambda entry: (first.index(entry) if entry in first else len(FIRST), not entry.refined))
 
 
 def _levels(entry, results):
@@ -61,11 +69,15 @@ def _levels(entry, results):
     return [(level, columns) for level, columns in found if profiles.fields(columns) and columns.abscissa in columns]
 
 
-def _level(levels, lines):
-    """The finest level of a mesh that all lines have, else the finest."""
-    cells = set.intersection(*({_cells(level) for level, _ in other} for _, other in lines))
-    common = [pair for pair in levels if _cells(pair[0]) in cells]
-    return (common or levels)[-1]
+def _common_mesh(lines):
+    """Cells of the finest mesh that all these lines have; none where there is no such mesh."""
+    common = set.intersection(*({_cells(level) for level, _ in levels} for levels in lines)) - {None}
+    return max(common, default=None)
+
+
+def _level(levels, most):
+    """The finest level of at most so many cells, else the coarsest."""
+    return next((pair for pair in reversed(levels) if most is None or (_cells(pair[0]) or 0) <= most), levels[0])
 
 
 def _cells(level):
@@ -76,8 +88,8 @@ def _same_problem(one, other):
     names = profiles.fields(one)
     if names != profiles.fields(other) or one.abscissa != other.abscissa:
         return False
-    low, high = (limit(columns[columns.abscissa]) for limit in (numpy.nanmin, numpy.nanmax) for columns in (one,))
-    if not numpy.allclose([low, high], [numpy.nanmin(other[other.abscissa]), numpy.nanmax(other[other.abscissa])], atol=0.1 * (high - low)):
+    low, high = _range(one)
+    if not numpy.allclose((low, high), _range(other), rtol=0, atol=0.1 * (high - low)):
         return False
     at = numpy.linspace(low, high, _PLACES + 2)[1:-1]
     for name in names:
@@ -86,6 +98,10 @@ def _same_problem(one, other):
         if numpy.median(numpy.abs(first - second)) > _SAME * (numpy.ptp(first) or abs(first).max() or 1):
             return False
     return True
+
+
+def _range(columns):
+    return numpy.nanmin(columns[columns.abscissa]), numpy.nanmax(columns[columns.abscissa])
 
 
 def _exact(columns, name, at):
@@ -103,7 +119,7 @@ def _figure(lines, name, prefix, with_keys):
     def paint(axes):
         x, y = profiles.envelope(finest[finest.abscissa], finest[name + profiles.REFERENCE])
         axes.plot(x, y, color=svg.INK, linewidth=3.4, alpha=0.22, solid_capstyle="round", label="exact")
-        for entry, _, columns in lines:
+        for entry, _, columns in reversed(lines):
             x, y = profiles.envelope(columns[columns.abscissa], columns[name])
             axes.plot(x, y, color=svg.series_colour(entry.style), linewidth=1.1, label=entry.label, dashes=_dashes(entry, lines))
         axes.set(xlabel=profiles.axis_label(finest, finest.abscissa), ylabel=profiles.axis_label(finest, name))
@@ -112,10 +128,11 @@ def _figure(lines, name, prefix, with_keys):
 
     keys = [Key("exact", "currentColor", band=True)]
     keys += [Key(entry.label, f"var(--s{entry.style % len(svg.SERIES) + 1})", dash=_dashes(entry, lines) != (None, None)) for entry, _, _ in lines]
-    sizes = {cells for _, level, _ in lines if isinstance(cells := _cells(level), (int, float))}
-    where = f", {text.count(max(sizes))} cells" if len(sizes) == 1 else ""
+    sizes = [_cells(level) for _, level, _ in lines]
+    where = f", {text.count(sizes[0])} cells" if isinstance(sizes[0], (int, float)) else ""
     drawing = svg.draw(paint, prefix, f"{field} of {text.listing(entry.label for entry, _, _ in lines)} over the exact solution{where}", height=2.2)
-    caption = "" if len(sizes) < 2 else "Each on its finest mesh: " + ", ".join(f"{entry.label} {text.count(_cells(level))} cells" for entry, level, _ in lines) + "."
+    others = [f"{entry.label} with {text.count(cells)}" for (entry, _, _), cells in zip(lines, sizes) if cells != sizes[0] and isinstance(cells, (int, float))]
+    caption = f"Other numbers of cells: {text.listing(others)}." if others else ""
     files = [level.get("file") for _, level, _ in lines]
     names = text.listing(entry.label for entry, _, _ in lines)
     return Solution(drawing, f"{field[0].upper() + field[1:]}{where}", caption if with_keys else "", files, keys if with_keys else [], names)

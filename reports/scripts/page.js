@@ -1,4 +1,4 @@
-// Filters, links to everything, the dark page and printing. The page is whole without this script.
+// Filters, links to everything, and the dark page. The page is whole without this script.
 'use strict';
 (() => {
   const all = (selector, part = document) => [...part.querySelectorAll(selector)];
@@ -135,7 +135,7 @@
           part.setAttribute('role', roles[part.tagName] || { col: 'columnheader' }[part.scope] || 'rowheader');
   }
 
-  // --- dark page, printing ---------------------------------------------------------------------------
+  // --- dark page -------------------------------------------------------------------------------------
 
   function addThemeSwitch() {
     const button = document.getElementById('theme');
@@ -154,16 +154,6 @@
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', label);
     label();
   }
-
-  let closed = [];
-  addEventListener('beforeprint', () => {
-    closed = all('details:not([open])');
-    for (const part of closed) part.open = true;
-  });
-  addEventListener('afterprint', () => {
-    for (const part of closed) part.open = false;
-    closed = [];
-  });
 
   document.addEventListener('DOMContentLoaded', () => {
     for (const part of all('[data-needs-script]')) part.hidden = false;
