@@ -196,7 +196,7 @@ def test_report_sets_up_builds_verifies_and_renders(tree, tmp_path):
     assert [call for call in without_threads(tree.calls())[3:] if call != VERSION] == [
         "plumbline sweep --tier quick --results results", "plumbline verify --reuse --tier quick --results results",
         bench("quick", "1e5"), stability("quick"), cost("quick"), "plumbline list --json -", scorecard("musl"), scorecard("rk4"),
-        "chosen-python reports/render.py results report/index.html"]
+        "chosen-python reports/render.py results report"]
     assert result.stdout.splitlines()[-1].endswith(f"{tree.root}/report/index.html")
 
 
