@@ -44,7 +44,7 @@ DOORS = (
      "Against earlier results: what is better, worse and new."),
 )  # fmt: skip
 SECTIONS = (
-    ("gates.html", "All gates", ("verdicts", "gates")),
+    ("gates.html", "All gates", ("verdicts", "gates"), "What was expected, what was measured, and how near it came to its bound."),
     ("failures.html", "Expected failures", ("failures",)),
     ("york.html", "York's figures", ("york",)),
     ("trust.html", "Trust", ("trust",)),
@@ -59,7 +59,8 @@ def all_pages(report):
     """The pages of a report; `report`: what the sections show."""
     found = [Page("index.html", "Overview", "index", shown={"doors": doors()})]
     found += [Page(path, title, sections=sections, lead=lead if len(sections) > 1 else "") for path, title, sections, lead in DOORS]
-    found += [Page(path, title, sections=sections) for path, title, sections in SECTIONS if sections != ("york",) or report["york"]]
+    empty = {name for name, part in (("york", report["york"]), ("failures", report["expected_failures"])) if not part}
+    found += [Page(path, title, sections=sections, lead=" ".join(lead)) for path, title, sections, *lead in SECTIONS if not empty & set(sections)]
     found += [
         Page(f"integrators/{card['anchor'].removeprefix('scorecard-')}.html", card["name"], "integrator", group="integrators",
              shown={"card": card}, verdict=card["verdict"])

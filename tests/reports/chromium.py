@@ -141,9 +141,19 @@ class Chromium:
 
     def _wait_for_file(self):
         deadline = time.monotonic() + self.timeout
-        while self.evaluate("document.readyState + location.protocol") != "completefile:":
+        while not self._is_loaded():
             if time.monotonic() > deadline:
                 raise TimeoutError("the page does not finish loading")
+
+    def _is_loaded(self):
+        try:
+            return self.evaluate("document.readyState + location.protocol") == "completefile:"
+        except RuntimeError:  # one page leads to another
+            return False
+
+    def is_there(self, name):
+        """Whether the page, once it is loaded, has a part of this identifier."""
+        return self._is_loaded() and self.evaluate(f"Boolean(document.getElementById({json.dumps(name)}))")
 
     def allow_scripts(self, allowed):
         """Whether scripts of pages opened from now on run; evaluate() works either way."""

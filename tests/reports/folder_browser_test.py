@@ -5,6 +5,7 @@ import pathlib
 import re
 import shutil
 import subprocess
+import time
 
 import pytest
 
@@ -104,9 +105,9 @@ def test_an_old_address_leads_to_the_page_of_its_part(browser, folder):
             continue
         browser.open(folder / "index.html", *SIZES["desk"], hash=f"#{name}")
         for _ in range(40):
-            if browser.evaluate(f"Boolean(document.getElementById('{name}'))"):
+            if browser.is_there(name):
                 break
-            browser.evaluate(WAIT)
+            time.sleep(0.1)
         assert browser.evaluate("location.hash") == f"#{name}" and browser.evaluate(f"Boolean(document.getElementById('{name}'))")
 
 
@@ -116,7 +117,7 @@ def test_pages_are_whole_without_scripts(browser, folder):
         for path in ("index.html", "cases/sod.html"):
             browser.open(folder / path, *SIZES["desk"])
             assert browser.evaluate("[...document.querySelectorAll('[data-needs-script], #theme')].filter(part => part.getClientRects().length).length") == 0
-            assert browser.evaluate("[...document.querySelectorAll('main svg')].filter(part => part.getBoundingClientRect().height > 4).length") >= 2
+            assert browser.evaluate("[...document.querySelectorAll('main svg')].filter(part => part.getBoundingClientRect().height > 4).length") >= 1
             assert browser.evaluate("document.documentElement.scrollWidth") <= SIZES["desk"][0]
     finally:
         browser.allow_scripts(True)
@@ -173,7 +174,7 @@ def test_which_step_is_the_largest_stable_one(index, results):
     follow(index, "Choose a step")
     document = results[0] / "stability.json"
     if document.exists():
-        assert all(problem["name"] in words(index) for problem in json.loads(document.read_text(encoding="utf-8"))["problems"])
+        assert all(problem["problem"] in words(index) for problem in json.loads(document.read_text(encoding="utf-8"))["problems"])
 
 
 def test_what_changed(index):
