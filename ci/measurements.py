@@ -17,7 +17,7 @@ from collections import Counter
 from xml.sax.saxutils import escape, quoteattr
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "reports"))
-import plumbline_results  # noqa: E402
+from plumbline import reader  # noqa: E402
 
 
 def main(arguments=None):
@@ -54,8 +54,8 @@ def written_since(start, folder, case):
 def _loaded(path):
     """A file that cannot be used was named by whoever judged it."""
     try:
-        return plumbline_results.load(path)
-    except (plumbline_results.ResultsError, OSError) as error:
+        return reader.load(path)
+    except (reader.ResultsError, OSError) as error:
         print(f"{path.name}: {error}")
         return None
 

@@ -1,4 +1,4 @@
-// The ledger: mass, momentum, angular momentum and every joule of a run. Identity, for each quantity and step:
+// The ledger: mass, momentum, angular momentum and energy of a run. Identity, for each quantity and step:
 //   stores(now) - stores(initial) = sum of flows + residual.
 // Stores are summed from the points alone; flows are booked by their own local formulas where they arise.
 #pragma once

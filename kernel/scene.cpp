@@ -5,10 +5,11 @@
 namespace plumbline {
 
 const std::vector<Choice>& densities() {
-  static const std::vector<Choice> all{{"cell", "mass of the cell over its volume", "York 1997, (4.5)"},
-                                       {"quadratic", "quadratic weights about the cell centre", "York 1997, (4.6)"},
-                                       {"continuity", "continuity equation at the point", "York 1997, (4.7)"},
-                                       {"grid", "nodal mass over nodal volume, interpolated", "kernel/README.md"}};
+  static const std::vector<Choice> all{
+      {"cell", "mass of the cell over its volume", "York 1997, (4.5)"},
+      {"quadratic", "quadratic weights about the cell centre", "York 1997, (4.6)"},
+      {"continuity", "continuity equation at the point", "York 1997, (4.7)"},
+      {"grid", "nodal mass over nodal volume, interpolated", "reports/docs/theory/step.md"}};
   return all;
 }
 

@@ -93,7 +93,7 @@ class Splitter {
   }
 
  private:
-  static constexpr int most_halvings = 3;  // kernel/README.md, "Points that outgrow the kernel", says why
+  static constexpr int most_halvings = 3;  // reports/docs/theory/gases.md, "Points that outgrow the kernel", says why
 
   // By id: how often a point, and what it comes from, was split.
   std::vector<int> halvings() const {
@@ -136,8 +136,8 @@ class Splitter {
     double* x = points(column::position, n);
     double volume = points(column::volume)[p];
     if (grid_.axisymmetric) volume /= std::max(points(column::position)[p], grid_.h / 2);
-    const double room = std::max(0.0, std::min(x[p] - low_[n], high_[n] - x[p]));
-    const double d = std::min({std::pow(volume, 1.0 / grid_.dim) / 4, std::sqrt(inertia_), room});
+    const double distance = std::max(0.0, std::min(x[p] - low_[n], high_[n] - x[p]));
+    const double d = std::min({std::pow(volume, 1.0 / grid_.dim) / 4, std::sqrt(inertia_), distance});
     const double s = std::sqrt(std::max(0.0, 1 - d * d / inertia_));
     for (const ColumnId* id : {&column::mass, &column::volume}) {
       points(*id)[p] /= 2;

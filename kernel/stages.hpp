@@ -71,7 +71,7 @@ class Stages {
   // Densities by the scene's method, then stresses, with strain rates from a nodal velocity. [York 4.1] [EC-APIC 2, 3]
   virtual void evaluate_stress(NodalVelocity velocity = NodalVelocity::current) = 0;
 
-  // The same `ahead` seconds later, as the strain rates of a nodal velocity foretell it; nothing is advanced.
+  // The same `ahead` seconds later, as the strain rates of a nodal velocity predict it; nothing is advanced.
   virtual void predict_stress(double ahead, NodalVelocity velocity = NodalVelocity::start) = 0;
 
   // strain_points, then evaluate_stress.

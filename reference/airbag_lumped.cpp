@@ -93,8 +93,8 @@ void AirbagLumped::find_turn() {
 }
 
 AirbagState AirbagLumped::at_displacement(Bounded displacement) const {
-  const double room = turn_.bound + rounding::unit * turn_.value;
-  if (!(displacement.value >= 0) || (turn_.value > 0 && !(displacement.value <= turn_.value + room)))
+  const double margin = turn_.bound + rounding::unit * turn_.value;
+  if (!(displacement.value >= 0) || (turn_.value > 0 && !(displacement.value <= turn_.value + margin)))
     throw ParameterError("displacement", displacement.value, "from 0 to max_displacement()");
   const BagShape shape = bag_.at(start_height_ - displacement);
   Bounded out = start_volume_ - shape.volume;

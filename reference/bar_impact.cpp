@@ -74,8 +74,8 @@ BarState BarImpact::state(ImpactBar bar, double x, double time) const {
   const double L = problem_.length, least = bar == ImpactBar::left ? 0 : L;
   Bounded place = Bounded(x) - problem_.left;
   if (bar == ImpactBar::right) place = place - problem_.gap;
-  const double room = place.bound + 4 * rounding::unit * (std::abs(problem_.left) + problem_.gap + L);
-  if (!(place.value >= least - room && place.value <= least + L + room)) {
+  const double margin = place.bound + 4 * rounding::unit * (std::abs(problem_.left) + problem_.gap + L);
+  if (!(place.value >= least - margin && place.value <= least + L + margin)) {
     throw ParameterError("position", x, "inside the bar");
   }
   return at(bar, place, time);
@@ -101,9 +101,9 @@ BarState BarImpact::at(ImpactBar bar, Bounded place, double time) const {
 Bounded BarImpact::strain_energy(double time) const {
   check_not_negative("time", time);
   const Bounded since = Bounded(time) - touch_, left = lasts_ - since;
-  const double spent = std::min(since.value, left.value), room = std::max(since.bound, left.bound);
-  if (!(spent + room > 0)) return 0.0;
-  const Bounded running(std::max(0.0, spent), room);  // the fronts run out and back
+  const double spent = std::min(since.value, left.value), margin = std::max(since.bound, left.bound);
+  if (!(spent + margin > 0)) return 0.0;
+  const Bounded running(std::max(0.0, spent), margin);  // the fronts run out and back
   const Bounded volume = Bounded(2) * problem_.area * wave_speed() * running;
   return Bounded(0.5) * contact_stress() * contact_stress() / problem_.youngs_modulus * volume;
 }

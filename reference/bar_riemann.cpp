@@ -68,8 +68,9 @@ BarRiemann::BarRiemann(const BarRiemannProblem& problem) : problem_(problem) {
 BarState BarRiemann::state(Bounded x, Bounded time) const {
   const double L = problem_.length;
   const Bounded place = x - problem_.left, mirrored = Bounded(L) - place;
-  const double room = place.bound + 4 * rounding::unit * (std::abs(problem_.left) + L);
-  if (!(place.value >= -room && place.value <= L + room)) throw ParameterError("position", x.value, "inside the bar");
+  const double margin = place.bound + 4 * rounding::unit * (std::abs(problem_.left) + L);
+  if (!(place.value >= -margin && place.value <= L + margin))
+    throw ParameterError("position", x.value, "inside the bar");
   check_finite("time", time.value);
   if (highest(time) < 0) throw ParameterError("time", time.value, "[0, inf)");
   if (time.value == 0 && time.bound == 0 && x.bound == 0) {

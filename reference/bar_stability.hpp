@@ -1,5 +1,5 @@
 #pragma once
-// How large a step the material-point method bears on a linear elastic bar: closed forms. One point a cell at the same
+// Stability limits of the material-point method on a linear elastic bar: closed forms. One point a cell at the same
 // place in every cell, its weight N on the node above and 1 - N below, tent shapes, increments of the nodal velocity
 // given to the points (FLIP), places held fixed, infinite or periodic. Steps are Courant numbers c dt/h.
 //

@@ -13,9 +13,9 @@ inline Bounded atan(Bounded x) { return rounding::result(std::atan(x.value), x.b
 /// |d angle| <= |d vector|/length; infinite bound where the vector may be zero.
 inline Bounded atan2(Bounded y, Bounded x) {
   const double length = std::hypot(x.value, y.value), spread = std::hypot(x.bound, y.bound);
-  const double room = length * (1 - 4 * rounding::unit) - spread;
-  if (!(room > 0)) return {std::atan2(y.value, x.value), rounding::infinity};
-  return rounding::result(std::atan2(y.value, x.value), spread / room * (1 + 4 * rounding::unit), 2);
+  const double margin = length * (1 - 4 * rounding::unit) - spread;
+  if (!(margin > 0)) return {std::atan2(y.value, x.value), rounding::infinity};
+  return rounding::result(std::atan2(y.value, x.value), spread / margin * (1 + 4 * rounding::unit), 2);
 }
 
 /// The derivative is 1/sqrt(1 + x^2), largest at the end of the interval next to zero.

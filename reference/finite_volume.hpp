@@ -1,6 +1,6 @@
 #pragma once
 // What a gas dynamicist would pick: a plain second-order finite-volume solver in one dimension, MUSCL-Hancock with
-// van Leer's limiter and the HLLC fluxes (Toro, 3rd ed., sections 14.4 and 10.4). The measuring stick beside which
+// van Leer's limiter and the HLLC fluxes (Toro, 3rd ed., sections 14.4 and 10.4). The comparator beside which
 // error and cost of other methods are shown; it is no reference for them.
 #include <cstdint>
 #include <functional>

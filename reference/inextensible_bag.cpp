@@ -149,9 +149,9 @@ BagShape InextensibleBag::at(Bounded height) const {
   // Bounds to first order, doubled: what is missed is rounding, its square nothing.
   const Slopes size{std::abs(slopes.meridian_square), -std::abs(slopes.meridian_length),
                     -std::abs(slopes.height_square), std::abs(slopes.height_length)};
-  const double room = 2 / std::abs(slopes.determinant()) * std::abs(size.determinant());
-  const Bounded b2(square, room * std::abs(size.square(S, H)));
-  const Bounded l(length, room * std::abs(size.length(S, H)));
+  const double margin = 2 / std::abs(slopes.determinant()) * std::abs(size.determinant());
+  const Bounded b2(square, margin * std::abs(size.square(S, H)));
+  const Bounded l(length, margin * std::abs(size.length(S, H)));
   BagShape shape;
   shape.height = height;
   shape.volume = {here.volume.value, here.volume.bound + 2 * pi.value * (length * length * S + square * H)};

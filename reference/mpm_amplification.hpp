@@ -1,5 +1,5 @@
 #pragma once
-// How large a step the material-point method bears on a linear elastic bar, for any places of the points, shapes,
+// Stability limits of the material-point method on a linear elastic bar, for any places of the points, shapes,
 // transfers and the four orders of straining: by linear algebra alone. Units c = h = rho = 1, so that a step is a
 // Courant number C; places of the points frozen, in cells.
 //
@@ -16,7 +16,7 @@
 // whose left side has an imaginary part of one sign on either half of the unit circle (or is the above, where
 // alpha = beta = 1): again only -1 is left. There
 //   1/C^2 = lambda_max(W K),  W = beta/(2 (1 + alpha)), or (1 + alpha - beta)/(2 (1 + alpha))       [Stability 5]
-// is the limit, the stable steps are an interval, and the first three orders of straining bear the same.
+// is the limit, the stable steps are an interval, and the first three orders of straining have the same.
 #include <vector>
 
 #include "reference/bar_stability.hpp"
@@ -66,7 +66,7 @@ struct WorstOffset {
   double offset = 0;
   Bounded limit;
 };
-/// The regular layout shifted as a whole, where it bears least: sampled, the lowest sample refined. The bound is that
+/// The regular layout shifted as a whole, where the limit is least: sampled, the lowest sample refined. The bound is that
 /// of the limit at this offset. Throws as above, key `per_cell`.
 WorstOffset worst_rigid_offset(const MapScheme& scheme, int per_cell);
 

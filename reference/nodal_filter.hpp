@@ -1,6 +1,6 @@
 #pragma once
 // What a transfer keeps of a nodal velocity and what it hands on of a nodal change, as functions of the eigenvalue b of
-// B in mpm_amplification.hpp, and how much stiffness each order of straining then bears.
+// B in mpm_amplification.hpp, and up to what stiffness each order of straining is then stable.
 #include "reference/mpm_amplification.hpp"
 
 namespace plumbline::reference {

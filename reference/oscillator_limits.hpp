@@ -1,5 +1,5 @@
 #pragma once
-// How large a step w dt time integrators bear on the linear oscillator u'' = -w^2 u, and their orders. One step is a
+// Largest stable steps w dt of time integrators on the linear oscillator u'' = -w^2 u, and their orders. One step is a
 // matrix, which is given, too: the limits are where its spectral radius passes 1.
 #include "reference/bounded.hpp"
 #include "reference/spectral_radius.hpp"

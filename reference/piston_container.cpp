@@ -100,7 +100,7 @@ Bounded PistonContainer::root(int n, Bounded below, Bounded above) const {
 
 // m/M_n; an interval, because both ends of 1/sin^2 are wanted where the sine may vanish.
 Bounded PistonContainer::share(Bounded w) const {
-  const double m = problem_.mass, room = 64 * rounding::unit;
+  const double m = problem_.mass, margin = 64 * rounding::unit;
   const Range gas = inverse_square_sine(w * gas_time_);
   const double r = gas_mass_.value / m;
   Range sum{1 + r * gas.low, 1 + r * gas.high};
@@ -113,7 +113,7 @@ Bounded PistonContainer::share(Bounded w) const {
     sum.low += lowest(ratio);
     sum.high += highest(ratio);
   }
-  const double low = 2 / sum.high * (1 - room), high = 2 / sum.low * (1 + room);
+  const double low = 2 / sum.high * (1 - margin), high = 2 / sum.low * (1 + margin);
   return {0.5 * (low + high), 0.5 * (high - low) * rounding::inflate};
 }
 

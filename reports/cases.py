@@ -5,16 +5,9 @@ import re
 from collections import Counter
 from dataclasses import dataclass, field
 
+from plumbline.reader import URGENCY, most_urgent, urgency
+
 VERDICTS = ("PASS", "FAIL", "INCONCLUSIVE", "XFAIL", "XPASS", "INVALID", "NONE")
-URGENCY = (
-    "INVALID",
-    "FAIL",
-    "XPASS",
-    "INCONCLUSIVE",
-    "XFAIL",
-    "PASS",
-    "NONE",
-)  # the order of lists: missed first
 GREEN = ("XFAIL", "PASS", "NONE")
 # What a study resolves level by level; two studies are told apart by the settings that remain.
 _VARY_ORDER = {"cells": 0, "": 1, "dt": 2, "ppc": 3, "offset": 4}
@@ -35,6 +28,7 @@ class Series:
     title: str = ""
     why: str = ""
     study: str = ""  # identifier of a declared study
+    choices: dict = None  # what differs from the scheme; None in files that do not say it
     style: int = 0  # index into colours and marks
     baseline: "Series" = None  # the same line of an earlier folder
 
@@ -96,7 +90,7 @@ class Case:
     @property
     def verdict(self):
         """The most urgent verdict among those stated; NONE where nothing was judged."""
-        return min((gate.get("verdict") for gate in self.all_gates), key=urgency, default="NONE")
+        return most_urgent(self.all_gates)
 
     @property
     def measure(self):
@@ -116,10 +110,6 @@ class Case:
             gate.get("quantity") or "" for gate in self.all_gates + (self.catalog.get("gates") or [])
         ]
         return [quantity for quantity in quantities if pattern.search(quantity) and words in quantity]
-
-
-def urgency(verdict):
-    return URGENCY.index(verdict) if verdict in URGENCY else -1
 
 
 def most_urgent_first(gates):
@@ -236,6 +226,7 @@ def _take_runs(cases, folder):
                 title,
                 study.get("why") or "",
                 declared,
+                study.get("choices"),
             )
         )
     for result in folder.runs:

@@ -4,25 +4,26 @@ table which scheme serves which kind of scene, and the surface over cell size an
 Times are medians of repeated runs on one thread; errors are those of the same runs. Nothing is judged.
 """
 
+import itertools
 import math
 import statistics
 from dataclasses import dataclass, field
 
 import figures
+import reproduce
 import stability as stability_page
 import svg
 import text
-from cost_estimates import AT, MORE, MOST, NONE, front, ratio, reach, spread
+from cost_estimates import AT, MORE, MOST, NONE, Ratio, front, ratio, reach, spread
 from figures import Figure, Key, log_axis
-from plumbline_results import COST_FILE
+from plumbline.reader import COST_FILE
 
 TARGET = 0.01  # relative error that the costs on the front page are read off at
 YORK = "york1997"
-# A case's own parameters that choose how it is computed, not what: lines that differ in these solve the same problem.
-NUMERICAL = frozenset("strain layout membrane_points net_ppc box t_end dimension".split())
+LEAST_PROBLEMS = 2  # that a recommended scheme must have been compared on
 MEANINGLESS = 10  # relative errors above this on the finest mesh compare with a value that is zero
 _PLAIN = (
-    "case", "kind", "scheme", "study", "vary", "value", "cells", "h", "dt", "points", "steps", "point_steps", "source", "finished",
+    "case", "kind", "scheme", "study", "vary", "value", "cells", "h", "dt", "points", "steps", "particle_steps", "source", "finished",
 )  # fmt: skip
 CSV_COLUMNS = (*_PLAIN, "samples", "wall_median", "wall_least", "wall_most", "measure", "error", "relative_error")
 
@@ -37,7 +38,9 @@ class Line:
     study: str
     label: str
     levels: list
-    same_problem: bool = True
+    problem: tuple = ()  # (key, value) of those keys that decide the problem and differ from the case's own values
+    same_problem: bool = True  # as the study `default` of the case
+    plain: bool = True  # made with the scheme's own choices
     style: int = 0
     file: str = COST_FILE
 
@@ -52,15 +55,16 @@ class Line:
 
 @dataclass
 class Compared:
-    """What one case says about cost: its lines that solve the same problem, and what each takes to the target."""
+    """What one problem of a case says about cost: the lines that solve it, and what each takes to the target."""
 
     case: object
     kind: str
     measure: str
     lines: list
+    problem: str = ""  # in what it differs from that of the study `default`
     york: object = None  # Line
     reaches: dict = field(default_factory=dict)  # by label
-    stick: object = None  # Reach of another method
+    comparator: object = None  # Reach of another method
 
     def ratio(self, line):
         return ratio(self.reaches[line.label], self.reaches[self.york.label]) if self.york else None
@@ -71,16 +75,58 @@ class Compared:
         there = [line for line in self.lines if self.reaches[line.label].kind in (AT, MOST)]
         return min(there, key=lambda line: self.reaches[line.label].cost, default=None)
 
+    @property
+    def name(self):
+        return f"{self.case.name}, {self.problem}" if self.problem else self.case.name
+
+    @property
+    def title(self):
+        title = self.case.catalog.get("title") or self.case.name
+        return f"{title}, {self.problem}" if self.problem else title
+
     def line(self, scheme):
         return next((line for line in self.lines if line.scheme == scheme), None)
+
+    def schemes(self):
+        """{scheme: line} of those run with their own choices; of several lines the one of most levels."""
+        found = {}
+        for line in self.lines:
+            if line.plain and len(line.levels) > len(found[line.scheme].levels if line.scheme in found else ()):
+                found[line.scheme] = line
+        return found
+
+    def at_equal_error(self, own, other, of_own=None, of_other=None):
+        """The time of one line over that of another at the smallest error that both come to."""
+        lines = (own, of_own or wall_time), (other, of_other or wall_time)
+        points = [line.points(self.measure, price, relative=True) for line, price in lines]
+        finest = [levels[-1][1] for levels in points]
+        if None in finest:
+            return Ratio()
+        return ratio(*(reach(levels, max(finest)) for levels in points))
+
+    def outcome(self, own, other):
+        """1 where a line certainly needs less time at equal error than another, by all repeats, -1 where more, else 0."""
+        return int(self._is_certainly_less(own, other)) - int(self._is_certainly_less(other, own))
+
+    def _is_certainly_less(self, own, other):
+        found = self.at_equal_error(own, other, slowest, fastest)
+        return found.sign in ("", "<") and found.value < 1
 
 
 def wall_time(level):
     return spread(level["wall_s"])[0]
 
 
-def point_steps(level):
-    return level["point_steps"]
+def fastest(level):
+    return min(level["wall_s"])
+
+
+def slowest(level):
+    return max(level["wall_s"])
+
+
+def particle_steps(level):
+    return level["particle_steps"]
 
 
 def csv_rows(document):
@@ -103,15 +149,18 @@ def lines_of(document, case):
     for run in runs:
         grouped.setdefault((run["study"], run["scheme"]), []).append(run)
     titles = {entry.get("id"): entry.get("title") for entry in case.catalog.get("studies") or []}
-    york = {key for run in runs if run["study"] == run["scheme"] == YORK for key in run["differs"]}
+    numerical = numerical_keys(case)
     lines = []
     for (study, scheme), levels in grouped.items():
         levels = sorted(levels, key=lambda level: level["cells"])
-        allowed = NUMERICAL | york if scheme == YORK else NUMERICAL
-        same = all(set(level["differs"]) <= allowed for level in levels)
-        line = Line(case.name, levels[0]["kind"], scheme, study, titles.get(study) or scheme, levels, same)
+        line = Line(case.name, levels[0]["kind"], scheme, study, titles.get(study) or scheme, levels)
+        line.problem = tuple(sorted((key, value) for key, value in levels[0]["differs"].items() if key not in numerical))
+        line.plain = _is_plain(line, numerical)
         if not _merged(line, lines):
             lines.append(line)
+    leading = next((line.problem for line in lines if line.study == "default"), lines[0].problem if lines else ())
+    for line in lines:
+        line.same_problem = line.problem == leading
     lines.sort(key=lambda line: (line.study != "default", line.scheme != "default", line.scheme != YORK, line.study != YORK))
     _name_apart(lines)
     known = {entry.study: entry.style for entry in case.series if entry.study}
@@ -119,6 +168,20 @@ def lines_of(document, case):
     for line in lines:
         line.style = known[line.study] if line.study in known else next(free)
     return lines
+
+
+def numerical_keys(case):
+    """The keys of a case that its text calls numerical: lines that differ in others solve different problems."""
+    return {entry.get("key") for entry in case.catalog.get("parameters") or [] if entry.get("numerical")}
+
+
+def _is_plain(line, numerical):
+    """Whether nothing but the problem and the integrator in the scheme's name differs from the scheme; by the study's name in
+    documents that do not list the choices."""
+    choices = line.levels[0].get("choices")
+    if choices is None or line.study.startswith("integrator/"):
+        return line.study in (line.scheme, f"levels/{line.scheme}") or line.study.startswith("integrator/")
+    return not set(choices) & numerical - ({"integrator"} if "+" in line.scheme else set())
 
 
 def _merged(line, lines):
@@ -129,7 +192,7 @@ def _merged(line, lines):
         shared = [
             (own, level) for own in line.levels for level in other.levels if own["cells"] == level["cells"]
         ]
-        if other.scheme == line.scheme and shared and all(_same_run(*pair) for pair in shared):
+        if (other.scheme, other.problem) == (line.scheme, line.problem) and shared and all(_same_run(*pair) for pair in shared):
             known = {level["cells"] for level in other.levels}
             more = [level for level in line.levels if level["cells"] not in known]
             other.levels = sorted(other.levels + more, key=lambda level: level["cells"])
@@ -158,24 +221,42 @@ def measure_of(case, lines):
 
 
 def compare(document, cases):
-    """A Compared for every case whose runs have an error against a reference."""
+    """A Compared for every case whose runs have an error against a reference, and for each other problem of it that two schemes
+    solve."""
     found = []
     for case in cases.values():
         lines = lines_of(document, case)
         measure = measure_of(case, lines) if lines else None
         if not measure:
             continue
-        lines = [line for line in lines if line.same_problem]
-        compared = Compared(case, lines[0].kind if lines else "", measure, lines)
-        compared.york = next((line for line in lines if line.scheme == YORK and line.study in (YORK, f"levels/{YORK}")), None)
-        compared.reaches = {line.label: line.reach(measure) for line in lines}
-        compared.stick = _stick_reach(case, lines, measure)
-        if lines:
-            found.append(compared)
+        by_problem = {}
+        for line in lines:
+            by_problem.setdefault(line.problem, []).append(line)
+        leading = next(line.problem for line in lines if line.same_problem)
+        for problem, own in by_problem.items():
+            if problem == leading or len({line.scheme for line in own}) > 1:
+                found.append(_compared(case, measure, own, "" if problem == leading else _problem_words(case, problem, leading)))
     return found
 
 
-def _stick_reach(case, lines, measure):
+def _compared(case, measure, lines, problem):
+    compared = Compared(case, lines[0].kind, measure, lines, problem)
+    york = [line for line in lines if line.scheme == YORK and line.plain]
+    compared.york = max(york, key=lambda line: len(line.levels), default=None)
+    compared.reaches = {line.label: line.reach(measure) for line in lines}
+    compared.comparator = None if problem else _comparator_reach(case, lines, measure)
+    return compared
+
+
+def _problem_words(case, problem, leading):
+    """'t_end=0.5' for what makes a problem another one than that of the study `default`."""
+    own, usual = dict(problem), dict(leading)
+    values = {entry.get("key"): entry.get("value") for entry in case.catalog.get("parameters") or []}
+    keys = [key for key in {**own, **usual} if own.get(key, values.get(key)) != usual.get(key, values.get(key))]
+    return ", ".join(f"{key}={text.exact(own.get(key, values.get(key)))}" for key in sorted(keys))
+
+
+def _comparator_reach(case, lines, measure):
     """The time of another method to the target; its errors become relative by the scale of this case's."""
     scales = [
         level["errors"][measure]["error"] / level["errors"][measure]["relative_error"]
@@ -194,7 +275,7 @@ def _stick_reach(case, lines, measure):
 
 PRICES = {
     "time": (wall_time, "wall_s", "wall time in s, one thread", "error against wall time"),
-    "work": (point_steps, "cell_steps", "particle-steps (points × steps)", "error against particle-steps"),
+    "work": (particle_steps, "cell_steps", "particle-steps (points × steps)", "error against particle-steps"),
 }
 
 
@@ -217,17 +298,19 @@ def _case_figure(case, lines, measure, kind, prefix):
             rows.append((line, points))
     if not rows:
         return None
+    further = figures.left_out(rows)
+    rows = sorted(rows, key=lambda row: not row[0].same_problem)[: figures.MOST_SERIES]
     rivals = [(cost, error) for line, points in rows if line.same_problem for cost, error, _ in points]
     best = [rivals[index] for index in front(rivals)]
-    sticks = [(entry, entry.costs(column, measure)) for entry in case.comparators]
-    sticks = [(entry, points) for entry, points in sticks if points]
+    others = [(entry, entry.costs(column, measure)) for entry in case.comparators]
+    others = [(entry, points) for entry, points in others if points]
 
     def paint(axes):
         if best:
             axes.plot(*zip(*best), color=svg.INK, linewidth=3.2, alpha=0.16, solid_capstyle="round")
         for line, points in rows:
             _paint_line(axes, line, points, kind)
-        for entry, points in sticks:
+        for entry, points in others:
             axes.plot(
                 *zip(*points), svg.series_mark(entry.style), color=svg.series_colour(entry.style), linestyle=(0, (5, 3)),
                 linewidth=0.9, label=entry.title,
@@ -237,8 +320,8 @@ def _case_figure(case, lines, measure, kind, prefix):
                 *zip(*best), "o", markersize=9, color=svg.INK, markerfacecolor="none", markeredgewidth=0.8, linestyle="none"
             )
         axes.set(xscale="log", yscale="log", xlabel=axis, ylabel=figures.error_label(case, measure))
-        costs = [cost for _, points in rows for cost, _, _ in points] + [c for _, points in sticks for c, _ in points]
-        errors = [error for _, points in rows for _, error, _ in points] + [e for _, points in sticks for _, e in points]
+        costs = [cost for _, points in rows for cost, _, _ in points] + [c for _, points in others for c, _ in points]
+        errors = [error for _, points in rows for _, error, _ in points] + [e for _, points in others for _, e in points]
         axes.set_xlim(min(costs) / 1.8, max(costs) * 1.8)
         axes.set_ylim(min(errors) / 1.8, max(errors) * 1.8)
         log_axis(axes.xaxis, *axes.get_xlim())
@@ -248,14 +331,15 @@ def _case_figure(case, lines, measure, kind, prefix):
         Key(line.label, f"var(--s{line.style % len(svg.SERIES) + 1})", svg.series_mark(line.style)) for line, _ in rows
     ] + [
         Key(entry.title, f"var(--s{entry.style % len(svg.SERIES) + 1})", svg.series_mark(entry.style), dash=True)
-        for entry, _ in sticks
+        for entry, _ in others
     ]
     return Figure(
         svg.draw(paint, prefix, f"{measure}: {title}", height=2.9),
         title[0].upper() + title[1:],
-        _caption(measure, kind, rows, sticks),
-        list(dict.fromkeys([COST_FILE] + [entry.file for entry, _ in sticks])),
+        _caption(measure, kind, rows, others) + further,
+        list(dict.fromkeys([COST_FILE] + [entry.file for entry, _ in others])),
         keys + [Key("Pareto front", "currentColor", "ring")],
+        [reproduce.costs(case.name)],
     )
 
 
@@ -275,7 +359,7 @@ def _paint_line(axes, line, points, kind):
             svg.belongs(bar, line.label)
 
 
-def _caption(measure, kind, rows, sticks):
+def _caption(measure, kind, rows, others):
     samples = [len(level["wall_s"]) for _, points in rows for _, _, level in points]
     single = sum(1 for count in samples if count == 1)
     words = ""
@@ -284,10 +368,10 @@ def _caption(measure, kind, rows, sticks):
             f"; {single} of {len(samples)} marks {'is' if single == 1 else 'are'} one run only. " if single else ". "
         )
     if any(not line.same_problem for line, _ in rows):
-        words += "Pale: another problem, not in the front. "
-    if sticks:
+        words += "Pale: another problem, not in the Pareto front. "
+    if others:
         words += (
-            f"Broken: another method, {text.listing(entry.title for entry, _ in sticks)}; not judged, and not in the front" + ("." if kind == "time" else "; its work is cells × steps.")
+            f"Broken: another method, {text.listing(entry.title for entry, _ in others)}; not judged, and not in the Pareto front" + ("." if kind == "time" else "; its work is cells × steps.")
         )
     return words.strip()
 
@@ -302,9 +386,10 @@ def overview(document, cases, folder_stability=None):
     return {
         "found": found,
         "rows": [_time_row(entry) for entry in found],
-        "jobs": jobs(found, folder_stability),
+        "jobs": (rows := jobs(found, folder_stability)),
+        "recommended": recommended(rows),
         "with_york": len(with_york),
-        "without": [entry.case.catalog.get("title") or entry.case.name for entry in found if not entry.york],
+        "without": [entry.title for entry in found if not entry.york],
         "no_reference": _no_reference(document, cases, found),
         "file": COST_FILE,
         "tier": document.get("tier") or "",
@@ -353,7 +438,7 @@ def _time_row(entry):
     reaches = entry.reaches
     return {
         "case": entry.case.name,
-        "title": entry.case.catalog.get("title") or entry.case.name,
+        "title": entry.title,
         "kind": entry.kind,
         "measure": entry.measure,
         "default": reach_words(reaches[default.label] if default else None),
@@ -361,7 +446,7 @@ def _time_row(entry):
         "york_levels": len(entry.york.levels) if entry.york else 0,
         "ratio": ratio_words(entry.ratio(default)) if default and entry.york else text.MISSING,
         "best": f"{best.label}, {reach_words(reaches[best.label])}" if best else "none reaches it",
-        "stick": reach_words(entry.stick),
+        "comparator": reach_words(entry.comparator),
     }
 
 
@@ -369,67 +454,111 @@ def _time_row(entry):
 
 JOBS = {"gas": "gas and shocks", "membrane": "membranes and strings", "solid": "solids, contact", "coupled": "gas in membranes"}
 RULE = (
-    "For each kind of scene, among the schemes that have a name of their own: the one that is at 1 % relative error in most "
-    "cases; of those equal in that, the one with the least geometric mean of time over the cheapest scheme of each case."
+    "A problem is a case with the values of all keys that its text does not call numerical. Two schemes are compared on each problem "
+    "that both were run on with their own choices: which needs less time at the smallest error that both come to, where all repeats "
+    "say the same. Recommended is the scheme that needs less on more of these problems than it needs more on, against every scheme "
+    f"it was compared with, over at least {LEAST_PROBLEMS} problems."
 )
 
 
 def jobs(found, stability=None):
-    """Rows of the table: every named scheme of every kind of scene, the chosen one first."""
+    """Rows of the table: every scheme of every kind of scene that was run on a problem with a second one, those first most often at
+    the top; in a kind without rivals the schemes that were run."""
     rows = []
     for kind, job in JOBS.items():
         entries = [entry for entry in found if entry.kind == kind]
-        schemes = dict.fromkeys(line.scheme for entry in entries for line in entry.lines)
-        ranked = sorted((_standing(entries, scheme) for scheme in schemes), key=lambda standing: standing["rank"])
-        nowhere = [one["scheme"] for one in ranked if one["there"] == 0 and one["scheme"].startswith("default+")]
-        ranked = [one for one in ranked if one["scheme"] not in nowhere]
-        for place, standing in enumerate(ranked):
-            chosen = place == 0 and standing["there"] > 0
-            rows.append({**standing, "kind": kind, "job": job, "chosen": chosen, "nowhere": nowhere})
+        shared = [entry for entry in entries if len(entry.schemes()) > 1]
+        schemes = dict.fromkeys(scheme for entry in shared or entries for scheme in entry.schemes())
+        ranked = sorted((_standing(entries, shared, scheme) for scheme in schemes), key=lambda standing: standing["rank"])
+        for standing in ranked:
+            rows.append({**standing, "kind": kind, "job": job, "recommended": False})
     for row in rows:
         row["limit"] = _limit(stability, row)
+    for choice in recommended(rows):
+        for row in rows:
+            row["recommended"] = row["recommended"] or (row["kind"], row["scheme"]) == (choice["kind"], choice["scheme"])
     return rows
 
 
-def _standing(entries, scheme):
-    """How one scheme stands among all of a kind of scene: in how many cases it is at the target, at what cost."""
-    there, tried, factors, against_york, orders, failures = 0, 0, [], [], [], 0
-    for entry in entries:
-        lines = [line for line in entry.lines if line.scheme == scheme]
-        if not lines:
-            continue
-        tried += 1
-        reached = [entry.reaches[line.label] for line in lines if not entry.reaches[line.label].never]
-        failures += sum(
-            gate.get("verdict") == "XFAIL" and gate.get("scheme") == scheme for gate in entry.case.all_gates
-        )
-        fits = [
-            study.measures.get(entry.measure) or {}
-            for study in entry.case.studies("cells")
-            if study.scheme == scheme and study.study in [line.study for line in lines]
-        ]
-        orders += [fit.get("order") for fit in fits if not fit.get("reason")]
-        if not reached:
-            continue
-        there += 1
-        own = min(reached, key=lambda found: found.cost)
-        factors.append(own.cost / entry.reaches[entry.cheapest.label].cost)
-        if entry.york and scheme != YORK:
-            against = ratio(own, entry.reaches[entry.york.label])
-            if against.sign == "":
-                against_york.append(against.value)
-    orders = [order for order in orders if order is not None]
-    mean = math.exp(statistics.fmean(math.log(factor) for factor in factors)) if factors else math.inf
+def recommended(rows):
+    """Of every kind of scene: the scheme, the problems that speak of it, and how often it needs less and more time than each other
+    one; or no scheme, and why."""
+    choices = []
+    for kind, group in itertools.groupby(rows, key=lambda row: row["kind"]):
+        group = list(group)
+        choice = {"kind": kind, "job": group[0]["job"], "scheme": None, "problems": [], "against": [], "why": ""}
+        unbeaten = [row for row in group if row["duels"] and all(len(one["less"]) > len(one["more"]) for one in row["duels"])]
+        if not any(row["shared"] for row in group):
+            choice["why"] = "no two schemes were run on the same problem"
+        elif not any(row["duels"] for row in group):
+            choice["why"] = "on no problem is it certain which of two schemes needs less time"
+        elif not unbeaten:
+            choice["why"] = "each of the schemes is beaten by another on as many problems"
+        else:
+            best = unbeaten[0]
+            problems = sorted({name for one in best["duels"] for name in one["less"] + one["more"]})
+            choice["problems"] = problems
+            choice["against"] = [
+                {"scheme": one["scheme"], "less": len(one["less"]), "more": len(one["more"])} for one in best["duels"]
+            ]
+            if len(problems) < LEAST_PROBLEMS:
+                choice["why"] = f"the schemes can be compared on one problem alone, {problems[0]}"
+            else:
+                choice["scheme"] = best["scheme"]
+        choices.append(choice)
+    return choices
+
+
+def _duels(shared, scheme):
+    """Against each other scheme: the problems on which this one needs certainly less time at equal error, and more."""
+    found = {}
+    for entry in shared:
+        lines = entry.schemes()
+        for other in lines if scheme in lines else ():
+            outcome = entry.outcome(lines[scheme], lines[other]) if other != scheme else 0
+            if outcome:
+                duel = found.setdefault(other, {"scheme": other, "less": [], "more": []})
+                duel["less" if outcome > 0 else "more"].append(entry.name)
+    return list(found.values())
+
+
+def _standing(entries, shared, scheme):
+    """How one scheme stands among all of a kind of scene: on how many of the problems that it shares with others it is first."""
+    own = [entry for entry in shared if scheme in entry.schemes()]
+    first, against_york = 0, []
+    for entry in own:
+        lines = entry.schemes()
+        first += all(entry.outcome(lines[scheme], line) > 0 for other, line in lines.items() if other != scheme)
+        if scheme != YORK and YORK in lines and (against := entry.at_equal_error(lines[scheme], lines[YORK])).sign == "":
+            against_york.append(against.value)
+    orders = [order for entry in entries for order in _asymptotic_orders(entry, scheme)]
+    failures = sum(
+        gate.get("verdict") == "XFAIL" and gate.get("scheme") == scheme
+        for case in {entry.case.name: entry.case for entry in entries}.values()
+        for gate in case.all_gates
+    )
+    ends = list(dict.fromkeys(text.fixed(order) for order in (min(orders), max(orders)))) if orders else []
+    tried = [entry for entry in entries if scheme in entry.schemes()]
     return {
         "scheme": scheme,
-        "there": there,
-        "tried": tried,
-        "factor": text.number(mean, 3) if factors else text.MISSING,
+        "first": first,
+        "shared": len(own),
+        "there": sum(not entry.reaches[entry.schemes()[scheme].label].never for entry in tried),
+        "tried": len(tried),
         "against_york": text.number(statistics.median(against_york), 2) if against_york else text.MISSING,
-        "orders": f"{text.fixed(min(orders))} … {text.fixed(max(orders))}" if orders else text.MISSING,
+        "york_count": len(against_york),
+        "orders": " … ".join(ends) or text.MISSING,
+        "order_count": len(orders),
         "xfails": failures,
-        "rank": (-there, mean, scheme),
+        "duels": _duels(shared, scheme),
+        "rank": (-first, -len(own), scheme),
     }
+
+
+def _asymptotic_orders(entry, scheme):
+    studies = [line.study for line in entry.lines if line.scheme == scheme and line.plain]
+    fits = [study.measures.get(entry.measure) or {} for study in entry.case.studies("cells") if study.study in studies]
+    return [fit["order"] for fit in fits if fit.get("asymptotic") and fit.get("order") is not None]
 
 
 # The problem of the stability laboratory that is nearest to a kind of scene.
@@ -449,5 +578,7 @@ def _limit(stability, row):
                     return text.MISSING
                 smallest = stability_page.smallest_in_words(entry.get("smallest_known"))
                 words = f"{text.number(high, 3)} {entry.get('unit') or ''} on {problem['problem']}"
-                return f"{words}; {smallest}" if smallest else words
+                if smallest.startswith("smallest known: "):
+                    return f"{smallest.removeprefix('smallest known: ')} (smallest known); {words}"
+                return f"{words} (smallest known)" if smallest else words
     return text.MISSING

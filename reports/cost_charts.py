@@ -12,7 +12,7 @@ import text
 from cost import MORE, MOST, TARGET, YORK, wall_time
 from cost_estimates import AT
 from figures import Figure, Key, log_axis, tick
-from plumbline_results import COST_FILE
+from plumbline.reader import COST_FILE
 
 _MARK = {"": "o", "<": "<", ">": ">", AT: "o", MOST: "<", MORE: ">"}
 ROW = 0.17  # inches of a row
@@ -27,7 +27,7 @@ def relative_to_york(found):
         ratios = [(line, entry.ratio(line)) for line in entry.lines if line.scheme != YORK]
         ratios = [(line, value) for line, value in ratios if value.sign != "?"]
         if ratios:
-            rows.append((entry.case.name, ratios))
+            rows.append((entry.name, ratios))
     if not rows:
         return None
     values = [value.value for _, ratios in rows for _, value in ratios]
@@ -72,11 +72,11 @@ def absolute(found):
                 reached = entry.reaches[line.label]
                 if math.isfinite(reached.cost):
                     _mark(axes, reached.cost, place, reached.kind, _is_default(line))
-            if entry.stick and math.isfinite(entry.stick.cost):
-                mark = {"at": "D"}.get(entry.stick.kind, _MARK[entry.stick.kind])
-                axes.plot(entry.stick.cost, place, mark, color=svg.series_colour(3), markersize=4, markerfacecolor="none")
+            if entry.comparator and math.isfinite(entry.comparator.cost):
+                mark = {"at": "D"}.get(entry.comparator.kind, _MARK[entry.comparator.kind])
+                axes.plot(entry.comparator.cost, place, mark, color=svg.series_colour(3), markersize=4, markerfacecolor="none")
         axes.set(xscale="log", xlim=(min(costs) / 2.5, max(costs) * 2.5), xlabel="time to 1 % error in s, one thread")
-        _row_labels(axes, [entry.case.name for entry in reversed(rows)])
+        _row_labels(axes, [entry.name for entry in reversed(rows)])
 
     caption = (
         "The same for cases that have no study of York’s scheme: there the time stands alone. A triangle to the left: the "

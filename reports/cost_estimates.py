@@ -40,7 +40,7 @@ def reach(levels, target):
     while first > 0 and good[first - 1]:
         first -= 1
     if first == 0:
-        return Reach(MOST, levels[0][0], count)
+        return Reach(AT if levels[0][1] == target else MOST, levels[0][0], count)
     (cost, error), (fine_cost, fine_error) = levels[first - 1], levels[first]
     if error is None or fine_error <= 0:
         return Reach(MOST, fine_cost, count)

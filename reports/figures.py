@@ -10,10 +10,12 @@ import numpy
 from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullLocator
 
 import baseline
+import reproduce
 import svg
 import text
 
 ROUNDING = numpy.finfo(float).eps
+MOST_SERIES = 8  # lines that one figure tells apart; those first declared, with the default scheme's among them
 VARIED = {"cells": "cells", "dt": "time step", "ppc": "points per cell", "offset": "shift of the grid"}
 _AXIS = {"dt": "time step in s", "ppc": "points per cell", "offset": "shift of the grid in cells"}
 
@@ -36,6 +38,7 @@ class Figure:
     caption: str
     files: list
     keys: list = field(default_factory=list)
+    commands: list = field(default_factory=list)  # that make its numbers again
 
 
 # --- axes -----------------------------------------------------------------------------------------
@@ -141,6 +144,16 @@ def _files(series):
     return [name for entry in series for name in entry.files]
 
 
+def left_out(series):
+    """What a caption says of the lines beyond those that a figure can tell apart."""
+    further = len(series) - MOST_SERIES
+    return f" {text.plural(further, 'further line')} in the tables." if further > 0 else ""
+
+
+def _commands(case, series):
+    return list(dict.fromkeys(command for entry in series if (command := reproduce.study(entry, case.name))))
+
+
 def theory(case, measure):
     """The order that theory allows for a measure, or None."""
     order = ((case.catalog.get("theory_order") or {}).get(measure) or {}).get("order")
@@ -208,7 +221,8 @@ def floors(series, measure):
 
 
 def convergence(case, measure, prefix):
-    series = _with_errors(case, "cells", measure)
+    every = _with_errors(case, "cells", measure)
+    series = every[:MOST_SERIES]
     if not series:
         return None
     bound, rounding = floors(series, measure)
@@ -239,7 +253,7 @@ def convergence(case, measure, prefix):
         f"{entry.label}: order {text.order(entry.measures.get(measure) or {})}" for entry in series
     )
     caption = f"Fitted orders with 95 % intervals: {orders}. {_floor_words(bound, rounding)}".strip()
-    caption += baseline.words(series, measure)
+    caption += baseline.words(series, measure) + left_out(every)
     keys = _keys(series) + _baseline_key(series) + (
         [Key(f"theory: slope {text.number(order)}", "var(--muted)", dash=True)] if order is not None else []
     )
@@ -249,6 +263,7 @@ def convergence(case, measure, prefix):
         caption,
         _files(series),
         keys,
+        _commands(case, series),
     )
 
 
@@ -318,7 +333,7 @@ def level_by_level(case, measure, prefix):
         for entry in _with_errors(case, "cells", measure)
         if any((entry.measures.get(measure) or {}).get("pairwise") or [])
         or any((entry.measures.get(measure) or {}).get("plateau") or [])
-    ]
+    ][:MOST_SERIES]
     if not series:
         return None
     order = theory(case, measure)
@@ -364,7 +379,7 @@ def level_by_level(case, measure, prefix):
         paint, prefix, f"Order of {measure} between neighbouring levels, and plateau of its error constant",
         height=3.2, nrows=2, sharex=True,
     )  # fmt: skip
-    return Figure(drawing, "Order and error constant, level by level", caption, _files(series), keys)
+    return Figure(drawing, "Order and error constant, level by level", caption, _files(series), keys, _commands(case, series))
 
 
 def _plateau_line(axes, entry, measure):
@@ -438,6 +453,7 @@ def variation(case, vary, measure, prefix):
         caption,
         _files(series),
         _keys(series),
+        _commands(case, series),
     )
 
 
@@ -453,7 +469,7 @@ def wall_time(level):
     return level.get("wall_s")
 
 
-def point_steps(level):
+def particle_steps(level):
     return level["points"] * level["steps"] if level.get("points") and level.get("steps") else None
 
 
@@ -465,7 +481,7 @@ COSTS = {
         "error against wall time",
     ),
     "work": (
-        point_steps,
+        particle_steps,
         "cell_steps",
         "particle-steps (points × steps)",
         "error against particle-steps",
@@ -497,12 +513,13 @@ def cost(case, measure, kind, prefix):
     rows = [(entry, points) for entry, points in rows if points]
     if not rows:
         return None
+    further, rows = left_out(rows), rows[:MOST_SERIES]
     notes = {
         id(entry): [level_note(level) for level, error in entry.errors(measure) if price(level) and error > 0]
         for entry, _ in rows
     }
-    sticks = [(entry, entry.costs(column, measure)) for entry in case.comparators]
-    sticks = [(entry, points) for entry, points in sticks if points]
+    others = [(entry, entry.costs(column, measure)) for entry in case.comparators]
+    others = [(entry, points) for entry, points in others if points]
 
     def paint(axes):
         best = front([point for _, points in rows for point in points])
@@ -510,7 +527,7 @@ def cost(case, measure, kind, prefix):
         for entry, points in rows:
             line = marked_line(axes, entry, *zip(*points))
             svg.note(line, notes[id(entry)])
-        for entry, points in sticks:
+        for entry, points in others:
             axes.plot(
                 *zip(*points),
                 svg.series_mark(entry.style),
@@ -529,27 +546,29 @@ def cost(case, measure, kind, prefix):
             linestyle="none",
         )
         axes.set(xscale="log", yscale="log", xlabel=axis, ylabel=error_label(case, measure))
-        axes.set_ylim(*_margins([error for _, points in rows + sticks for _, error in points], 1.8))
-        axes.set_xlim(*_margins([value for _, points in rows + sticks for value, _ in points], 1.8))
+        axes.set_ylim(*_margins([error for _, points in rows + others for _, error in points], 1.8))
+        axes.set_xlim(*_margins([value for _, points in rows + others for value, _ in points], 1.8))
         log_axis(axes.xaxis, *axes.get_xlim())
         log_axis(axes.yaxis, *axes.get_ylim())
 
     series = [entry for entry, _ in rows]
-    beside = [entry for entry, _ in sticks]
-    caption = "One mark per run; ringed marks on the broad line are the front, which no other run beats in both."
+    beside = [entry for entry, _ in others]
+    caption = "One mark per run; ringed marks on the broad line are the Pareto front, which no other run beats in both."
     if beside:
         caption += (
-            f" Broken: another method on the same problem, {text.listing(stick.title for stick in beside)}, as a measuring stick"
+            f" Broken: another method on the same problem, {text.listing(entry.title for entry in beside)}, as a comparator"
             + ("; its work is cells × steps." if kind == "work" else ".")
         )
     keys = _keys(series) + [
         Key(entry.title, f"var(--s{entry.style % len(svg.SERIES) + 1})", svg.series_mark(entry.style), dash=True)
         for entry in beside
     ]
+    caption += further
     return Figure(
         svg.draw(paint, prefix, f"{measure}: {title}", height=2.7),
         title[0].upper() + title[1:],
         caption,
         list(dict.fromkeys(_files(series) + [entry.file for entry in beside])),
         keys + [Key("Pareto front", "currentColor", "ring")],
+        _commands(case, series),
     )

@@ -24,8 +24,8 @@ RAN, UNREACHED, NOT_RUN = "r", "u", "n"  # the sign of a cell in its row
 MOST_NAMES = 2  # gates that a cell names
 
 
-def page(document):
-    """The section's content; None without a matrix."""
+def page(document, commit=""):
+    """The section's content; None without a matrix. `commit`: that of the results beside it."""
     if not document:
         return None
     columns = [_column(column, document["mutants"]) for column in document["columns"]]
@@ -37,6 +37,9 @@ def page(document):
         "judged": judged,
         "killed": counts.get("killed", 0),
         "by_cases": counts.get("by_gates_of_cases", 0),
+        "by_tests": counts.get("killed", 0) - counts.get("by_gates_of_cases", 0),
+        "elsewhere": bool(commit) and bool(document.get("commit")) and not commit.startswith(document["commit"][:7]),
+        "page_commit": commit[:7],
         "generated": sum(row["origin"] == "generated" for row in rows),
         "all": counts["all"],
         "made": document.get("made", ""),

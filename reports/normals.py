@@ -38,8 +38,9 @@ def drawings(case, results, prefix):
     ]
 
 
-def needles(profile, label, file, prefix):
-    names = methods(profile)
+def needles(profile, label, file, prefix, names=None):
+    """The normals of a run by the methods of these names, by all if none are given."""
+    names = names or methods(profile)
     rows = -(-len(names) // _COLUMNS)
     chosen = numpy.unique(numpy.linspace(0, len(profile["x"]) - 1, MOST_POINTS).round().astype(int))
     places = numpy.stack([profile["x"], profile["y"]])[:, chosen]

@@ -58,7 +58,7 @@ SECTIONS = (
 def all_pages(report):
     """The pages of a report; `report`: what the sections show."""
     found = [Page("index.html", "Overview", "index", shown={"doors": doors()})]
-    found += [Page(path, title, sections=sections, lead=lead if len(sections) > 1 else "") for path, title, sections, lead in DOORS]
+    found += [Page(path, title, sections=sections, lead=lead if len(sections) > 1 or sections == ("changes",) else "") for path, title, sections, lead in DOORS]
     empty = {name for name, part in (("york", report["york"]), ("failures", report["expected_failures"])) if not part}
     found += [Page(path, title, sections=sections, lead=" ".join(lead)) for path, title, sections, *lead in SECTIONS if not empty & set(sections)]
     found += [

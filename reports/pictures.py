@@ -199,7 +199,7 @@ class View:
                     high[direction] = place
                     if self.mirrored and direction == 0:
                         low[0] = -place
-        # a thin thing gets some room, or its picture has no height
+        # a thin thing gets some space, or its picture has no height
         margin = numpy.maximum(0.03 * size, (size / 6 - (high - low)) / 2)
         return low - margin, high + margin
 

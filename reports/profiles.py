@@ -3,6 +3,7 @@
 import numpy
 
 import figures
+import reproduce
 import svg
 import text
 from figures import Figure, Key
@@ -112,6 +113,7 @@ def profile(entry, name, levels, prefix):
         caption,
         [level.get("file") for _, level, _ in present],
         keys,
+        [command for _, level, _ in present if (command := reproduce.run(level))],
     )
 
 
@@ -226,7 +228,7 @@ def drifts(quantities, finest, prefix, worth_drawing=0.0):
         paint, prefix, f"Residuals of the conservation budgets against time: {largest}", height=0.5 + 1.15 * len(panels), nrows=len(panels),
         sharex=True, squeeze=False,
     )  # fmt: skip
-    return Figure(drawing, "Residuals of the conservation budgets", caption, files, keys)
+    return Figure(drawing, "Residuals of the conservation budgets", caption, files, keys, [command for _, result in finest[:MOST_RESIDUALS] if (command := reproduce.run(result.run))])
 
 
 def _residuals(quantity, finest):

@@ -1,6 +1,6 @@
 """Makes a folder of HTML pages, or one self-contained page, from a folder of result files.
 
-    python render.py RESULTS_DIR OUTPUT_DIR [--csv DIR] [--baseline DIR] [--diff FILE]
+    python render.py RESULTS_DIR OUTPUT_DIR [--csv DIR] [--baseline DIR] [--diff FILE] [--history FILE]
     python render.py RESULTS_DIR OUTPUT.html --single-file
 
 Verdicts, orders and intervals are shown as the files state them; nothing is judged again. The same files
@@ -29,11 +29,12 @@ import cost_charts
 import distributions
 import figures
 import frame
+import history
 import mutants
 import normals
 import pages
 import pictures
-import plumbline_results
+from plumbline import reader
 import profiles
 import scorecards
 import solutions
@@ -56,15 +57,16 @@ MOST_BUDGETS = 2  # lines of a case whose budgets are shown in full; those of al
 MOST_TOLERANCES = 200  # in the ledger of the page; all are in its CSV
 
 
-def report(folder, earlier=None, whole=True):
-    """What the report shows; `earlier`: the folder of a baseline, whose curves are drawn along; `whole`: with the figures
+def report(folder, earlier=None, kept=None, whole=True):
+    """What the report shows; `earlier`: the folder of a baseline, whose curves are drawn along; `kept`: the file of the history; `whole`: with the figures
     that a single file has no room for."""
     cases = gathering.gather(folder)
     if earlier:
         baseline.attach(cases, gathering.gather(earlier))
     results = {result.name: result for result in folder.runs}
     drawn = case_pages(cases, results, folder.cost, whole)
-    return {"pages": drawn, "catalog": catalog.grid(folder, cases, drawn), **front_page(folder, cases)}
+    changed = history.section(kept) if kept else None
+    return {"pages": drawn, "catalog": catalog.grid(folder, cases, drawn), **front_page(folder, cases), "changed": changed}
 
 
 def single_file(shown):
@@ -114,7 +116,7 @@ class _Worker:
 def front_page(folder, cases):
     parts = {
         "cost": cost_part(folder, cases),
-        "mutants": mutants.page(folder.mutants),
+        "mutants": mutants.page(folder.mutants, (tables.origin(folder) or {}).get("commit", "")),
         "integrators": scorecards.page(folder.scorecards, folder.judges),
         "expected_failures": expected_failures_part(cases),
     }
@@ -137,7 +139,7 @@ def front_page(folder, cases):
         "trust": trust_part(folder, cases),
         "speed": speed_part(folder.bench),
         "stability": stability_part(folder.stability, cases),
-        "york": york_part(cases),
+        "york": york_part(cases, {result.name: result for result in folder.runs}),
         "compared": baseline.section(folder.diff, {name: anchor(name) for name in cases}),
         "file_count": len(folder.runs) + len(folder.studies) + len(folder.verdicts),
     }
@@ -178,13 +180,14 @@ def glance(cases, parts):
             {"figure": str(counts["XFAIL"]), "target": "expected-failures", "look": "xfail",
              "words": f"of them are known failures, {of_default or 'none'} of the default scheme, each with its cause"}
         )  # fmt: skip
-    chosen = [row for row in (parts["cost"] or {}).get("jobs", ()) if row.get("chosen")]
-    if chosen:
-        schemes = collections.Counter(row["scheme"] for row in chosen)
-        name, times = schemes.most_common(1)[0]
+    chosen = [choice for choice in (parts["cost"] or {}).get("recommended", ()) if choice["scheme"]]
+    for name in dict.fromkeys(choice["scheme"] for choice in chosen):
+        own = [choice for choice in chosen if choice["scheme"] == name]
+        problems = sum(len(choice["problems"]) for choice in own)
         cards.append(
             {"figure": name, "target": "which-scheme", "look": "",
-             "words": f"is the scheme to take for {times} of {text.plural(len(chosen), 'kind')} of scene: which scheme for which job"}
+             "words": f"needs less time to 1 % error than each scheme it was compared with, for {text.listing(choice['job'] for choice in own)}: "
+             f"over {text.plural(problems, 'problem')}"}
         )  # fmt: skip
     integrators, mutated = parts["integrators"], parts["mutants"]
     if integrators and integrators["cards"]:
@@ -237,11 +240,13 @@ def trust_part(folder, cases):
     }
 
 
-def york_part(cases):
-    """What answers for York's figures and tables; None where none of his cases is there."""
-    part = york.page(cases)
-    for row in part["rows"] if part else ():
-        row["cases"] = _anchored({**case, "case": case["name"]} for case in row["cases"])
+def york_part(cases, results):
+    """What answers for York's figures and tables, and our pictures of them; None where none of his cases is there."""
+    part = york.page(cases, results)
+    if part:
+        for row in part["rows"]:
+            row["cases"] = _anchored({**case, "case": case["name"]} for case in row["cases"])
+        part["pictures"] = frame.ready(part["pictures"])
     return part
 
 
@@ -467,20 +472,24 @@ def main(arguments=None):
     parser.add_argument(
         "--diff", metavar="FILE", help="document of `plumbline diff --json` (default: diff.json in the results folder)"
     )
+    parser.add_argument(
+        "--history", metavar="FILE", help=f"what earlier results were (default: {history.HISTORY_FILE} in the results folder)"
+    )
     options = parser.parse_args(arguments)
     output = pathlib.Path(options.output)
     if not options.single_file and output.suffix == ".html":
         parser.error(f"OUTPUT is {output}, and a folder is written; for one page add --single-file")
     try:
-        folder = plumbline_results.load_folder(options.results)
-        earlier = plumbline_results.load_folder(options.baseline) if options.baseline else None
+        folder = reader.load_folder(options.results)
+        earlier = reader.load_folder(options.baseline) if options.baseline else None
         if options.diff:
             folder.diff = load_diff(options.diff)
-        shown = report(folder, earlier, whole=not options.single_file)
+        kept = options.history or pathlib.Path(options.results) / history.HISTORY_FILE
+        shown = report(folder, earlier, kept, whole=not options.single_file)
         large = write_single_file(shown, output) if options.single_file else write_folder(shown, output)
         if options.csv:
             write_tables(folder, gathering.gather(folder), pathlib.Path(options.csv))
-    except (OSError, plumbline_results.ResultsError) as error:
+    except (OSError, reader.ResultsError) as error:
         print(f"render: {error}", file=sys.stderr)
         return 4
     except concurrent.futures.BrokenExecutor:
@@ -518,14 +527,14 @@ def write_tables(folder, cases, target):
         more["cost"] = cost.CSV_COLUMNS, cost.csv_rows(folder.cost)
     more |= scorecards.csv_tables(folder.scorecards)
     for name, (columns, rows) in more.items():
-        plumbline_results.write_csv(columns, rows, target / f"{name}.csv")
+        reader.write_csv(columns, rows, target / f"{name}.csv")
 
 
 def load_diff(path):
     try:
-        return plumbline_results.load_diff(path)
-    except plumbline_results.ResultsError as error:
-        raise plumbline_results.ResultsError(f"{path}: {error}") from error
+        return reader.load_diff(path)
+    except reader.ResultsError as error:
+        raise reader.ResultsError(f"{path}: {error}") from error
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ import numpy
 import cases
 import figures
 import frame
-import plumbline_results
+from plumbline import reader
 import svg
 import tables
 import text
@@ -217,12 +217,12 @@ def main(arguments=None):
     parser.add_argument("folder", metavar="DIR")
     folder = pathlib.Path(parser.parse_args(arguments).folder)
     try:
-        page = render_board(plumbline_results.load_scoreboard(folder / DOCUMENT))
+        page = render_board(reader.load_scoreboard(folder / DOCUMENT))
         frame.write_whole(folder / PAGE, page)
     except FileNotFoundError:
         print(f"scoreboard: {folder / DOCUMENT} is not there: `plumbline scoreboard {folder}` writes it", file=sys.stderr)
         return 4
-    except (OSError, plumbline_results.ResultsError) as error:
+    except (OSError, reader.ResultsError) as error:
         print(f"scoreboard: {folder / DOCUMENT}: {error}", file=sys.stderr)
         return 4
     return 0

@@ -13,14 +13,14 @@ import re
 import sys
 
 import frame
-import plumbline_results
+from plumbline import reader
 import stability
 import svg
 import tables
 import text
 from cost_estimates import spread
 from figures import Figure, Key, log_axis
-from plumbline_results import JUDGES_FILE
+from plumbline.reader import JUDGES_FILE
 
 EFFORTS = {"core": "core set of gates", "whole": "whole set of gates"}
 CLASSES = {  # of ci/judges: how they are called, what is expected of them, and whether one meets that
@@ -377,8 +377,8 @@ def csv_tables(cards):
     return {
         "integrators": (FAMILY_COLUMNS, [[card["integrator"], *_picked(row, FAMILY_COLUMNS[1:])] for card in cards for row in card["families"]]),
         "integrator-gates": (
-            ("integrator", *plumbline_results.GATE_COLUMNS),
-            [[card["integrator"], *plumbline_results.gate_row(gate)] for card in cards for gate in card["gates"]],
+            ("integrator", *reader.GATE_COLUMNS),
+            [[card["integrator"], *reader.gate_row(gate)] for card in cards for gate in card["gates"]],
         ),
         "integrator-limits": (LIMIT_COLUMNS, [[card["integrator"], *_picked(row, LIMIT_COLUMNS[1:])] for card in cards for row in card["limits"]]),
         "integrator-costs": (COST_COLUMNS, [row for card in cards for row in _cost_rows(card)]),
@@ -419,9 +419,9 @@ def main(arguments=None):
     parser.add_argument("output", metavar="CARD.html")
     options = parser.parse_args(arguments)
     try:
-        card = plumbline_results.load_scorecard(options.card)
+        card = reader.load_scorecard(options.card)
         frame.write_whole(pathlib.Path(options.output), frame.page("card.html", card=card_page(card)))
-    except plumbline_results.ResultsError as error:
+    except reader.ResultsError as error:
         print(f"scorecards: {options.card}: {error}", file=sys.stderr)
         return 4
     except OSError as error:

@@ -5,7 +5,7 @@ import statistics
 import svg
 import text
 from figures import Figure, Key, log_axis, plain_axis
-from plumbline_results import BENCH_FILE
+from plumbline.reader import BENCH_FILE
 
 CSV_COLUMNS = (
     "part",
@@ -19,7 +19,7 @@ CSV_COLUMNS = (
     "ppc",
     "threads",
     "steps",
-    "point_steps_per_s",
+    "particle_steps_per_s",
     "slowest",
     "fastest",
     "bytes_per_point",
@@ -85,7 +85,7 @@ def size(bytes):
 
 def _target_row(target):
     low, high, unit = target.get("low"), target.get("high"), target.get("unit") or ""
-    per_second = unit == "point-steps/s"
+    per_second = unit == "particle-steps/s"
 
     def words(value):
         if per_second:
@@ -105,7 +105,7 @@ def _thread_counts(bench, name):
 
 
 def _millions(kernel):
-    return text.number(kernel["point_steps_per_s"] / 1e6)
+    return text.number(kernel["particle_steps_per_s"] / 1e6)
 
 
 def _percent(fraction):
@@ -217,7 +217,7 @@ def cost_by_size(bench):
     def paint(axes):
         for number, kernels in enumerate(series.values()):
             points = [kernel["points"] for kernel in kernels]
-            cost = [1e9 / kernel["point_steps_per_s"] for kernel in kernels]
+            cost = [1e9 / kernel["particle_steps_per_s"] for kernel in kernels]
             below = [c - 1e9 / kernel["fastest"] for c, kernel in zip(cost, kernels)]
             above = [1e9 / kernel["slowest"] - c for c, kernel in zip(cost, kernels)]
             colour = svg.series_colour(number)
@@ -303,7 +303,7 @@ def memory_by_size(bench):
     caption = (
         f"Memory that a run holds between steps, measured, over its number of points. The broken line is what the columns "
         f"of a point need as counted, {text.number(stored)} bytes; the rest is the grid, the order of the points, their "
-        "places at the start of the step, and room to sort one column."
+        "places at the start of the step, and space to sort one column."
     )
     keys = _thread_keys(series)
     keys[0].label = "held, measured"

@@ -13,10 +13,11 @@ import numpy
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
 import maps
+import reproduce
 import svg
 import text
 from figures import Figure, Key, plain_axis, tick
-from plumbline_results import STABILITY_FILE
+from plumbline.reader import STABILITY_FILE
 
 CASE_PREFIX = "stability-"
 MOST_ROWS = 24  # of a table of configurations that is shown unfolded
@@ -92,7 +93,9 @@ def page(stability, verdicts):
     safe = _safe(stability)
     return {
         "verdicts": list(verdicts.values()),
-        "known": [_known_row(entry) for entry in stability.get("known_limits") or []],
+        "known": sorted(
+            (_known_row(entry) for entry in stability.get("known_limits") or []), key=lambda row: (row["least"], row["integrator"])
+        ),
         "known_problems": text.listing(_known_problems(stability)),
         "safe": safe,
         "lead": _lead(safe["rows"]),
@@ -135,6 +138,8 @@ def _known_row(entry):
         "integrator": entry["integrator"],
         "parameters": ", ".join(f"{key} {text.exact(value)}" for key, value in entry["parameters"].items()),
         "smallest": floored(smallest["limit"]) if smallest else "",
+        "least": smallest["limit"] if smallest else math.inf,
+        "command": reproduce.limit(entry["integrator"], smallest["problem"]) if smallest else "",
         "problem": _where_known(smallest) if smallest else "",
         "others": [f"{floored(row['limit'])} on {_where_known(row)}" for row in limits],
         "endless": [_where_known(row) for row in comparable if row.get("endless")],
@@ -178,7 +183,7 @@ def smallest_in_words(smallest, own=None):
 
 
 def _safe(stability):
-    """Rows by integrator, shape and transfer, the largest safe number first; the choices to pick from."""
+    """Rows by integrator, shape and transfer, what is never safe first, then the smallest number; the choices to pick from."""
     found = {}
     for problem in stability["problems"]:
         for entry in problem["safe"]:
@@ -190,7 +195,7 @@ def _safe(stability):
         least = next((row for row in entry["rows"] if row.get("smallest")), None)
         smallest.setdefault(entry["integrator"], least)
     rows = [_safe_row(key, entries, counts, smallest.get(key[1])) for key, entries in found.items()]
-    rows.sort(key=lambda row: (row["rank"], -(row["value"] or 0), row["key"]))
+    rows.sort(key=lambda row: (-row["rank"], row["value"] or 0, row["key"]))
     choices, several = [], len({row["key"][0] for row in rows}) > 1
     for part, name in enumerate(("Problem", "Integrator", "Shape", "Transfer")):
         values = sorted({row["key"][part] for row in rows})
@@ -296,10 +301,10 @@ def _lead(rows):
     ]
     finite = [row for row in found if math.isfinite(row["value"])]
     if len(finite) > 1:
-        best, worst = (
+        worst, best = (
             f"{row['safe']} ({' · '.join(part for part in row['key'][1:] if part)})" for row in (finite[0], finite[-1])
         )
-        words.append(f"The largest safe number with a limit is {best}, the smallest {worst}.")
+        words.append(f"The smallest safe number is {worst}, the largest with a limit {best}.")
     return " ".join(words)
 
 

@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 import compact
 
 INK, GRID, MUTED = "#010203", "#010204", "#010205"
-SERIES = tuple(f"#f100{index:02x}" for index in range(1, 7))  # one colour per line of a case
+SERIES = tuple(f"#f100{index:02x}" for index in range(1, 9))  # one colour per line of a case
 LEVELS = tuple(f"#f200{index:02x}" for index in range(1, 4))  # coarsest, middle, finest
 MARKS = ("o", "s", "^", "D", "v", "P")
 _VARIABLES = {
@@ -68,7 +68,7 @@ def series_colour(style):
 
 
 def series_mark(style):
-    """Together with the colour, 36 different looks."""
+    """Together with the colour, 48 different looks."""
     return MARKS[(style + style // len(SERIES)) % len(MARKS)]
 
 

@@ -5,7 +5,8 @@ import pathlib
 from collections import Counter
 
 import figures
-import plumbline_results
+import reproduce
+from plumbline import reader
 import speed
 import stability
 import text
@@ -50,13 +51,6 @@ _HAPPENED = {
     "INCONCLUSIVE": ("is undecided", "are undecided"),
     "XPASS": ("passes where a failure was expected", "pass where failures were expected"),
 }
-# The keys that the contract gives to all cases; the others are a case's own.
-_NUMERICAL = frozenset(
-    "cells shape transfer integrator density cfl dt ppc points offset viscosity.linear viscosity.quadratic "
-    "viscosity.closing sharpening sharpening.second sharpening.third motion read_off filter.sound filter.compression "
-    "heat_exchange split transfer_order normals "
-    "membrane.strain membrane.loss contact pressure".split()
-)
 _FIRST_FIELDS = ("integrator", "shape", "transfer", "density", "points", "ppc", "cfl", "dt")
 
 
@@ -87,6 +81,7 @@ def gate_row(gate):
         "recorded": gate.get("recorded") or "",
         "file": gate.get("file") or "",
         "gate_anchor": gate.get("anchor") or "",
+        "command": reproduce.gate(gate),
     }
 
 
@@ -242,22 +237,20 @@ def case_row(case):
         "schemes": text.listing(judged) if judged else text.MISSING,
         "verdict": case.verdict,
         "counts": counts_row(case),
-        "best": best_order(case),
+        "order": default_order(case),
         "measure": case.measure,
     }
 
 
-def best_order(case):
-    """The highest order measured by mesh refinement in the measure that stands for the case."""
-    found = [
-        (entry.measures[case.measure]["order"], entry)
-        for entry in case.studies("cells")
-        if (entry.measures.get(case.measure) or {}).get("order") is not None
-    ]
-    if not found:
+def default_order(case):
+    """The order that the study `default` shows in the measure that stands for the case, if it is asymptotic; else why there is none."""
+    entry = next((entry for entry in case.studies("cells") if entry.study == "default"), None)
+    fit = (entry.measures.get(case.measure) or {}) if entry else {}
+    if fit.get("order") is None:
         return None
-    _, entry = max(found, key=lambda pair: pair[0])
-    return {"order": text.order(entry.measures[case.measure]), "measure": case.measure, "label": entry.label}
+    if not fit.get("asymptotic"):
+        return {"order": "not asymptotic", "measure": case.measure, "label": fit.get("reason") or "levels do not settle on one order"}
+    return {"order": text.order(fit), "measure": case.measure, "label": entry.label}
 
 
 def study_rows(case):
@@ -277,6 +270,7 @@ def study_rows(case):
                 )
             )
             or [text.MISSING],
+            "command": reproduce.study(entry, case.name),
             "points": _range(entry, "points"),
             "steps": _range(entry, "steps"),
             "file": entry.files[0] if len(entry.files) == 1 else f"{len(entry.files)} files",
@@ -326,9 +320,7 @@ def settings_matrix(case):
 def parameter_rows(case):
     """(the case's own parameters, the numerical choices)."""
     rows = _parameter_rows(case)
-    return [row for row in rows if row["key"] not in _NUMERICAL], [
-        row for row in rows if row["key"] in _NUMERICAL
-    ]
+    return [row for row in rows if not row["numerical"]], [row for row in rows if row["numerical"]]
 
 
 def schemes(listed):
@@ -362,6 +354,7 @@ def _parameter_rows(case):
     return [
         {
             "key": entry.get("key"),
+            "numerical": bool(entry.get("numerical")),
             "value": text.exact(entry.get("value")),
             "default": text.exact(entry.get("default")),
             "unit": "" if isinstance(entry.get("value"), str) else text.unit(entry.get("unit") or ""),
@@ -474,7 +467,7 @@ def level_rows(case, measure):
             "points": text.count(level.get("points")),
             "steps": text.count(level.get("steps")),
             "wall": text.seconds(level.get("wall_s")),
-            "speed": text.number(level.get("point_steps_per_s")),
+            "speed": text.number(level.get("particle_steps_per_s")),
             "error": text.number(_error(level, measure)),
             "relative": text.number(_error(level, measure, "relative_error"), 3),
             "file": (level.get("file") or "").rpartition("-")[2],
@@ -666,21 +659,21 @@ def write_folder(folder, cases, target):
     """Every table of every file, of speed and stability, and over all files, as CSV; returns how many were written."""
     target = pathlib.Path(target)
     target.mkdir(parents=True, exist_ok=True)
-    gates = [plumbline_results.gate_row(gate) for case in cases.values() for gate in case.all_gates]
+    gates = [reader.gate_row(gate) for case in cases.values() for gate in case.all_gates]
     summary = [
         [case.name, case.catalog.get("title"), case.verdict, *(case.counts[name] for name in VERDICTS)]
         for case in cases.values()
     ]
-    plumbline_results.write_csv(plumbline_results.GATE_COLUMNS, gates, target / "gates.csv")
-    plumbline_results.write_csv(["case", "title", "verdict", *VERDICTS], summary, target / "cases.csv")
-    plumbline_results.write_csv(["file", "reason"], folder.damaged, target / "damaged.csv")
+    reader.write_csv(reader.GATE_COLUMNS, gates, target / "gates.csv")
+    reader.write_csv(["case", "title", "verdict", *VERDICTS], summary, target / "cases.csv")
+    reader.write_csv(["file", "reason"], folder.damaged, target / "damaged.csv")
     written = 3
     if folder.bench:
-        plumbline_results.write_csv(speed.CSV_COLUMNS, speed.csv_rows(folder.bench), target / "bench.csv")
+        reader.write_csv(speed.CSV_COLUMNS, speed.csv_rows(folder.bench), target / "bench.csv")
         written += 1
     if folder.stability:
         for name, (columns, rows) in stability.csv_tables(folder.stability).items():
-            plumbline_results.write_csv(columns, rows, target / f"{name}.csv")
+            reader.write_csv(columns, rows, target / f"{name}.csv")
             written += 1
     for result in folder.runs + folder.studies + folder.verdicts:
         for name in result.table_names():

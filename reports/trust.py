@@ -278,7 +278,7 @@ def margins(rows, files):
         axes.xaxis.set_ticks([0.2, 0.4, 0.6, 0.8, 1])  # the axes' zeros would stand on each other
 
     caption = (
-        f"Room that {text.plural(len(others), 'gate')} leave; {text.count(len(values) - len(others))} more are identities, whose "
+        f"Margin that {text.plural(len(others), 'gate')} leave; {text.count(len(values) - len(others))} more are identities, whose "
         "tolerance is rounding and which stay out. A lower bound that is passed by more than its own size counts as 1."
     )
     return Figure(svg.draw(paint, "trust-margins", "Histogram of margins", height=2.4), "Margins of passed gates", caption, files, [])

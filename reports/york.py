@@ -6,6 +6,7 @@ import pathlib
 import re
 
 import tables
+import york_figures
 
 HERE = pathlib.Path(__file__).resolve().parent
 LIST_FILE = HERE / "york.json"
@@ -15,9 +16,11 @@ UNJUDGED = {"sketch": "nothing is computed", "input": "the set-up of the case"}
 _CITED = re.compile(r"\b(figs?\.|tables?) (\d+)((?:-| to )\d+)?(?:,? and (\d+)|, (\d+))?", re.IGNORECASE)
 
 
-def load(path=LIST_FILE):
-    """The rows in their order: series, number, page, kind, shows, and where they have them cases, gates, why."""
-    return json.loads(pathlib.Path(path).read_text(encoding="utf-8"))["rows"]
+def load(part="rows"):
+    """The rows in their order: series, number, page, kind, shows, and where they have them cases, gates, why. Or the `pictures`,
+    which york_figures.py describes.
+    """
+    return json.loads(LIST_FILE.read_text(encoding="utf-8"))[part]
 
 
 def faults(rows, gates):
@@ -60,20 +63,40 @@ def cited_in(reason):
     return found
 
 
-def page(cases):
-    """What the page shows: rows with the gates of these results that answer for each; None where no case of the list is there."""
+def page(cases, results):
+    """What the page shows: rows with the gates of these results that answer for each, and pictures; None where no case of the
+    list is there.
+    """
     rows = load()
     known = {(name, gate["id"]): gate for name, case in cases.items() for gate in case.all_gates if gate.get("id")}
     if not set(cases) & _cases_of(rows):
         return None
-    shown = [_row(row, cases, known) for row in rows]
+    drawn = _pictures(rows, cases, results)
+    shown = [{**_row(row, cases, known), **drawn.get((row["series"], row["number"]), {})} for row in rows]
     results = [row for row in shown if row["kind"] == RESULT]
     return {
         "rows": shown,
         "unjudged": UNJUDGED,
         "results": len(results),
         "answered": sum(bool(row["patterns"]) for row in results),
+        "pictures": [row["picture"] for row in shown if row.get("picture")],
     }
+
+
+def _pictures(rows, cases, results):
+    """{(series, number): {picture, picture_anchor, no_picture: why there is none}} of the figures that have an entry."""
+    shows = {row["number"]: row["shows"] for row in rows if row["series"] == "figure"}
+    drawn = {}
+    for entry in load("pictures"):
+        number = entry["figure"]
+        picture, why = None, entry.get("why", "")
+        if not why:
+            try:
+                picture, why = york_figures.drawing(entry, f"Figure {number}: {shows[number]}", cases, results)
+            except york_figures.UnknownName as error:
+                why = str(error)
+        drawn["figure", number] = {"picture": picture, "picture_anchor": york_figures.anchor(number), "no_picture": why}
+    return drawn
 
 
 def _row(row, cases, known):

@@ -19,7 +19,8 @@ std::unique_ptr<Contact<dim>> make(const Grid<dim>& grid, int support) {
 }
 
 const RegisterPart entry(ContactEntry{
-    {"touching", "normal impulses where points touch and approach", "kernel/README.md"}, {make<1>, make<2>, make<3>}});
+    {"touching", "normal impulses where points touch and approach", "reports/docs/theory/contact-and-coupling.md"},
+    {make<1>, make<2>, make<3>}});
 
 // Ridge of the discriminant in units of h^2: points in one line have no spread across it.
 constexpr double ridge = 1e-3;

@@ -4,7 +4,7 @@ namespace plumbline {
 namespace {
 
 // Closes the energy ledger to rounding: points get back exactly the work their forces did on the grid and what the two
-// maps lost. Equations: kernel/README.md, "The energy-conserving step".
+// maps lost. Equations: reports/docs/theory/step.md, "The energy-conserving step".
 class EnergyConserving final : public TimeIntegrator {
   Claims claims() const override {
     const std::string cause =
@@ -37,7 +37,7 @@ class EnergyConserving final : public TimeIntegrator {
 
 PLUMBLINE_INTEGRATOR(EnergyConserving, "energy",
                      "the energy-conserving step: work and transfer losses returned exactly",
-                     "kernel/README.md; APIC: Jiang et al. 2015, doi 10.1145/2766996");
+                     "reports/docs/theory/step.md; APIC: Jiang et al. 2015, doi 10.1145/2766996");
 
 }  // namespace
 }  // namespace plumbline

@@ -8,7 +8,7 @@ namespace {
 // Forces of the start of the step balance a mean of the accelerations of both its ends. Of an undamped oscillator the
 // spectral radius falls to rho_b, where at omega dt = (1 + rho_b) sqrt(2 - rho_b) three roots meet; beyond, one grows and
 // leaves the unit circle at omega dt = sqrt(12 (1 + rho_b)(2 - rho_b)/(10 - 5 rho_b + rho_b^2)).
-// Equations: kernel/README.md, "Integrators of the laboratory".
+// Equations: reports/docs/theory/step.md, "Integrators of the laboratory".
 class GeneralizedAlpha final : public TimeIntegrator {
   std::vector<IntegratorParameter> parameters() override {
     return {{"rho_b", &rho_b_, 0, 1, "of generalized-alpha: what is left of the fastest oscillation after a step"}};

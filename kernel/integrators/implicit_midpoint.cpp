@@ -85,7 +85,7 @@ namespace {
 
 // y' = y + dt f((y + y')/2). Newton's method for the velocities of the midpoint, each correction by GMRES; all else follows
 // from them. Of an oscillator neither damped nor ever unstable. Throws InadmissibleState where no midpoint is found: forces
-// that jump may have none. Equations: kernel/README.md, "Integrators of the laboratory".
+// that jump may have none. Equations: reports/docs/theory/step.md, "Integrators of the laboratory".
 class ImplicitMidpoint final : public TimeIntegrator {
   static constexpr int most_corrections = 20;
   static constexpr double rounding = 1e-12;  // of forces that cancel, to the size of the state

@@ -5,7 +5,7 @@ namespace {
 
 // Drift, kick, drift: second order in time, with the energy ledger closed as by `energy`. Points move half a step with
 // their own velocities; maps, forces and heat all use the place reached, and a stress predicted to the half step, so that
-// an elastic oscillation is neither damped nor amplified below omega dt = 2. Equations: kernel/README.md, "Leapfrog".
+// an elastic oscillation is neither damped nor amplified below omega dt = 2. Equations: reports/docs/theory/step.md, "Leapfrog".
 class Leapfrog final : public TimeIntegrator {
   Claims claims() const override {
     return {.orders = {{2}, {2, "oscillator", "velocity"}},
@@ -30,7 +30,7 @@ class Leapfrog final : public TimeIntegrator {
 
 PLUMBLINE_INTEGRATOR(Leapfrog, "leapfrog",
                      "drift-kick-drift with the stress predicted to the half step; energy conserved",
-                     "kernel/README.md; Verlet 1967, doi 10.1103/PhysRev.159.98");
+                     "reports/docs/theory/step.md; Verlet 1967, doi 10.1103/PhysRev.159.98");
 
 }  // namespace
 }  // namespace plumbline

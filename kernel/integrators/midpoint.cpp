@@ -3,9 +3,9 @@
 namespace plumbline {
 namespace {
 
-// Two force passes: the second with the stress of the midpoint, as the first foretells it. Points strain and move with the
+// Two force passes: the second with the stress of the midpoint, as the first predicts it. Points strain and move with the
 // midpoint velocity. Of linear elasticity no step raises the energy below w dt = 2, contact included.
-// Equations: kernel/README.md, "Midpoint".
+// Equations: reports/docs/theory/step.md, "Midpoint".
 class Midpoint final : public TimeIntegrator {
   Claims claims() const override {
     return {.orders = {{2}, {2, "oscillator", "velocity"}, {1, "fixed mesh", "strain"}, {1, "fixed mesh", "velocity"}},
@@ -27,7 +27,7 @@ class Midpoint final : public TimeIntegrator {
 };
 
 PLUMBLINE_INTEGRATOR(Midpoint, "midpoint", "two force passes, the second with the stress of the midpoint",
-                     "kernel/README.md; explicit midpoint rule: Hairer, Norsett, Wanner 1993, section II.1");
+                     "reports/docs/theory/step.md; explicit midpoint rule: Hairer, Norsett, Wanner 1993, section II.1");
 
 }  // namespace
 }  // namespace plumbline

@@ -127,6 +127,12 @@ void MassMatrix::gather(const Square& square, int cell_x, int cell_y, int across
 
 void MassMatrix::find_alone(const NormalsInput& input, const Member& alone, const Square& cell, int cell_x, int cell_y,
                             std::span<double> normal_x, std::span<double> normal_y) {
+  const auto number = static_cast<std::size_t>(alone.number);
+  const bool had_one = !input.previous_x.empty() && std::hypot(input.previous_x[number], input.previous_y[number]) > 0;
+  if (keeps_ && had_one) {
+    set_normal(input, number, 0, 0, normal_x, normal_y);
+    return;
+  }
   const int left = alone.r < 0.5 ? cell_x - 1 : cell_x, below = alone.s < 0.5 ? cell_y - 1 : cell_y;
   const Square ghost{cell.x + (left - cell_x) * cell.edge, cell.y + (below - cell_y) * cell.edge, 2 * cell.edge};
   gather(ghost, left, below, 2);
@@ -135,7 +141,7 @@ void MassMatrix::find_alone(const NormalsInput& input, const Member& alone, cons
     const double r = (alone.r + cell_x - left) / 2, s = (alone.s + cell_y - below) / 2;
     n = gradient_at<Linear>(solve_colours<Linear>(members_), r, s);
   }
-  set_normal(input, static_cast<std::size_t>(alone.number), n.r, n.s, normal_x, normal_y);
+  set_normal(input, number, n.r, n.s, normal_x, normal_y);
 }
 
 void MassMatrix::find(const NormalsInput& input, std::span<double> normal_x, std::span<double> normal_y) {

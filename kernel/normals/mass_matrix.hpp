@@ -13,12 +13,13 @@ namespace plumbline {
 // norm, where points do not determine them, does not depend on which colour the membrane has.
 //
 // A point alone in its cell takes the four cells around the node nearest to it as one ghost cell, with linear shapes;
-// alone there, too, it has no direction.
+// alone there, too, it has no direction. Or it keeps the normal it had, and takes the ghost cell when it had none. York
+// names both. [York section 7.8]
 class MassMatrix final : public NormalsMethod {
  public:
   // quadratic: nine colours on the centres of the cell and its neighbours [York 7.18]; else four on its nodes
-  // [York 7.8].
-  explicit MassMatrix(bool quadratic) : quadratic_(quadratic) {}
+  // [York 7.8]. keeps: a point alone in its cell keeps its previous normal.
+  explicit MassMatrix(bool quadratic, bool keeps = false) : quadratic_(quadratic), keeps_(keeps) {}
   void find(const NormalsInput& input, std::span<double> normal_x, std::span<double> normal_y) override;
 
  private:
@@ -34,7 +35,7 @@ class MassMatrix final : public NormalsMethod {
   void find_alone(const NormalsInput& input, const Member& alone, const Square& cell, int cell_x, int cell_y,
                   std::span<double> normal_x, std::span<double> normal_y);
 
-  bool quadratic_;
+  bool quadratic_, keeps_;
   PointCells points_;
   std::vector<Member> members_;
 };

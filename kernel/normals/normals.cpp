@@ -40,7 +40,10 @@ const std::vector<Choice>& normals_methods() {
       {"york-quadratic", "gradient of a colour smoothed to cell centres", "York 1997, (7.4, 7.5)"},
       {"york-cubic", "gradient of a colour smoothed by cubic splines", "York 1997, (7.6, 7.7)"},
       {"york-mass-matrix", "colours of a cell's nodes that are constant on its points", "York 1997, (7.8-7.12)"},
-      {"york-mass-matrix-quadratic", "the same with nine colours and quadratic shapes", "York 1997, (7.18, 7.19)"},
+      {"york-mass-matrix-kept", "the same; a point alone in its cell keeps the normal it had",
+       "York 1997, section 7.8"},
+      {"york-mass-matrix-quadratic", "the mass matrix with nine colours and quadratic shapes",
+       "York 1997, (7.18, 7.19)"},
       {"modern", "circles fitted to the points nearby, whatever their order",
        "Pratt 1987, doi 10.1145/37401.37420; Guennebaud, Gross 2007, doi 10.1145/1276377.1276406"}};
   return all;
@@ -52,6 +55,7 @@ std::unique_ptr<NormalsMethod> make_normals(const std::string& name) {
   if (name == "york-quadratic") return std::make_unique<YorkQuadratic>();
   if (name == "york-cubic") return std::make_unique<YorkCubic>();
   if (name == "york-mass-matrix") return std::make_unique<MassMatrix>(false);
+  if (name == "york-mass-matrix-kept") return std::make_unique<MassMatrix>(false, true);
   if (name == "york-mass-matrix-quadratic") return std::make_unique<MassMatrix>(true);
   if (name == "modern") return std::make_unique<CircleFit>();
   throw std::out_of_range("no method for normals is called " + name);

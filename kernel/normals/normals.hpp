@@ -36,7 +36,8 @@ class NormalsMethod {
 //   york-quadratic                 the same of a colour smoothed to cell centres                 [York 7.4, 7.5]
 //   york-cubic                     gradient of a colour smoothed by cubic splines                [York 7.6, 7.7]
 //   york-mass-matrix               colours of a cell's nodes that are one on its points          [York 7.8-7.12]
-//   york-mass-matrix-quadratic     the same with nine colours and quadratic shapes               [York 7.18, 7.19]
+//   york-mass-matrix-kept          the same; a point alone in its cell keeps the normal it had   [York section 7.8]
+//   york-mass-matrix-quadratic     the mass matrix with nine colours and quadratic shapes        [York 7.18, 7.19]
 //   modern                         circle fitted to the points nearby; needs no order of points  [Circle 1-3]
 const std::vector<Choice>& normals_methods();
 

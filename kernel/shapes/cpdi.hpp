@@ -73,8 +73,8 @@ class Domains {
     for (int d = 0; d < dim; ++d) {
       const double extent = edges.row(d).cwiseAbs().sum();
       if (extent <= std::min(1.0, furthest_)) continue;  // wherever it stands
-      const double room = std::min({x[d] + 1, grid_.cells(d) + 1 - x[d], furthest_});
-      if (extent > room) edges.row(d) *= room / extent;
+      const double distance = std::min({x[d] + 1, grid_.cells(d) + 1 - x[d], furthest_});
+      if (extent > distance) edges.row(d) *= distance / extent;
     }
   }
   // -1 or 1.

@@ -1,5 +1,5 @@
 // v_p = sum_i N_ip (w_i + dt a_i), w = sum_{j < m} (1 - P)^j v                                [XPIC 1]
-// P: from the nodes to the points and back. For m = 1 it is pic, for large m it keeps what flip keeps but what no node sees.
+// P: from the nodes to the points and back. For m = 1 it is pic, for large m it keeps what flip keeps but null-space modes of P.
 #include "kernel/register_part.hpp"
 #include "kernel/transfers/transfer.hpp"
 

@@ -1,4 +1,4 @@
-// `plumbline reference finite-volume`: the measuring stick on a Riemann tube. Its bounds are no estimate: the exact
+// `plumbline reference finite-volume`: the comparator on a Riemann tube. Its bounds are no estimate: the exact
 // solution is known, so each is the distance to it.
 #include "reference/finite_volume.hpp"
 

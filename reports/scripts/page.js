@@ -155,9 +155,17 @@
     label();
   }
 
+  // Of the comparisons with earlier results the chosen one is shown.
+  function addComparison() {
+    document.querySelector('[data-compare]')?.addEventListener('change', event => {
+      for (const part of all('[data-comparison]')) part.hidden = part.dataset.comparison !== event.target.value;
+    });
+  }
+
   document.addEventListener('DOMContentLoaded', () => {
     for (const part of all('[data-needs-script]')) part.hidden = false;
     addThemeSwitch();
+    addComparison();
     addTableRoles();
     addLinks();
     addCatalogFilter();

@@ -10,7 +10,7 @@ ROOT = Path(__file__).resolve().parents[2]
 SCRIPT = ROOT / "ci/coverage_summary.py"
 sys.path.insert(0, str(ROOT / "reports"))
 
-import plumbline_results  # noqa: E402
+from plumbline import reader  # noqa: E402
 
 
 def evaluate(tmp_path, **counts):
@@ -25,7 +25,7 @@ def evaluate(tmp_path, **counts):
 
 def test_the_report_reads_it(tmp_path):
     _, document, _ = evaluate(tmp_path, **GOOD)
-    assert plumbline_results.load_coverage(tmp_path / "coverage.json") == document
+    assert reader.load_coverage(tmp_path / "coverage.json") == document
 
 
 GOOD = {"kernel/a.cpp": (90, 100), "reference/b.cpp": (10, 10), "cases/harness/c.cpp": (45, 50)}

@@ -282,7 +282,7 @@ os.kill(os.getpid(), signal.SIGSTOP)
 def test_sources_find_their_tests():
     found = judges.tests_of(ROOT, "reference/wave_curve.cpp")
     assert "tests/reference/riemann_test.cpp" in found and "tests/reference/riemann_second_test.py" in found
-    assert judges.tests_of(ROOT, "reports/plumbline_results.py") == ["tests/reports/test_plumbline_results.py"]
+    assert judges.tests_of(ROOT, "reports/plumbline/reader.py") == ["tests/reports/test_reader.py"]
 
 
 def test_one_bug_is_shown_as_a_patch_that_applies(tmp_path):

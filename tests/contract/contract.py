@@ -14,7 +14,7 @@ import numpy
 ROOT = Path(__file__).resolve().parents[2]
 SCHEMA = json.loads((ROOT / "cases/harness/schema/plumbline.schema.json").read_text(encoding="utf-8"))
 # Fields that may differ between two runs of the same binary on the same input.
-VOLATILE = {"wall_s", "elapsed_s", "point_steps_per_s", "started", "threads", "command"}
+VOLATILE = {"wall_s", "elapsed_s", "particle_steps_per_s", "started", "threads", "command"}
 
 
 def validate(definition, document):

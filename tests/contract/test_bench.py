@@ -56,9 +56,9 @@ def test_fractions_are_of_the_measured_limits(document):
     for kernel in part(document, "matrix"):
         held = kernel["points"] * kernel["stored_bytes_per_point"]
         size = min(size for size in copies if size >= held)
-        moved = kernel["point_steps_per_s"] * kernel["bytes_per_point"]
+        moved = kernel["particle_steps_per_s"] * kernel["bytes_per_point"]
         assert kernel["bandwidth_fraction"] == pytest.approx(moved / copies[size], rel=1e-12)
-        assert kernel["flop_fraction"] == pytest.approx(kernel["point_steps_per_s"] * kernel["flops_per_point"] / peak, rel=1e-12)
+        assert kernel["flop_fraction"] == pytest.approx(kernel["particle_steps_per_s"] * kernel["flops_per_point"] / peak, rel=1e-12)
         assert kernel["fraction_of_limit"] == max(kernel["bandwidth_fraction"], kernel["flop_fraction"])
 
 
@@ -77,7 +77,7 @@ def test_work_grows_with_dimension_and_reach(document):
 
 def test_median_lies_between_the_slowest_and_the_fastest(document):
     for kernel in document["kernels"]:
-        assert kernel["slowest"] <= kernel["point_steps_per_s"] <= kernel["fastest"] and kernel["repeats"] == 5
+        assert kernel["slowest"] <= kernel["particle_steps_per_s"] <= kernel["fastest"] and kernel["repeats"] == 5
 
 
 def test_targets_say_whether_they_are_met(document):

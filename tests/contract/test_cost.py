@@ -44,7 +44,7 @@ def test_numbers_are_those_of_the_run(made):
     (entry,) = runs(document, study="york1997", cells=100)
     run = plumbline("run", "sod", "--cells", 100, "--scheme", "york1997", json=True).json()
     assert (entry["points"], entry["steps"], entry["h"]) == (run["points"], run["steps"], run["h"])
-    assert entry["point_steps"] == run["points"] * run["steps"] and entry["dt"] == pytest.approx(run["time"] / run["steps"])
+    assert entry["particle_steps"] == run["points"] * run["steps"] and entry["dt"] == pytest.approx(run["time"] / run["steps"])
     for name, error in entry["errors"].items():
         assert error == {key: run["measures"][name][key] for key in ("error", "relative_error")}
     assert "density.L1" in entry["errors"]

@@ -188,7 +188,7 @@ def test_gates_that_say_nothing_of_another_program_are_listed_with_the_reason(pl
     gate = next(gate for gate in document["gates"] if gate["id"] == "default/order")
     assert gate["expected"]["low"] == 0.4 and gate["origin"] == "theory", "what is required of Plumbline's own scheme binds nobody else"
     assert "a run of Plumbline's own scheme" in left_out["default/density-400"]
-    assert "expected to miss" in left_out["default/stick-density-100"]
+    assert "expected to miss" in left_out["default/comparator-density-100"]
     assert "ledger" in left_out["default/drift"]
     assert "1600 cells" in left_out["default/density-1600"]
     assert "pushes" in left_out["default/foreign-momentum"]

@@ -9,7 +9,7 @@ import pytest
 from contract import ROOT, edited
 
 sys.path.insert(0, str(ROOT / "reports"))
-import plumbline_results  # noqa: E402
+from plumbline import reader  # noqa: E402
 
 SEED = 20261122
 CALLS = 40  # of each kind; hundredths of a second each
@@ -197,6 +197,6 @@ def test_studies_of_any_content(plumbline):
 
 def read_or_refuse(path):
     try:
-        plumbline_results.load(path)
-    except plumbline_results.ResultsError as error:
+        reader.load(path)
+    except reader.ResultsError as error:
         assert str(error)

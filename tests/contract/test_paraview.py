@@ -10,7 +10,7 @@ from contract import ROOT
 from test_frames import FIELDS, RUN, file_of, list_of
 
 sys.path.insert(0, str(ROOT / "reports"))
-import plumbline_results  # noqa: E402
+from plumbline import reader  # noqa: E402
 
 if importlib.util.find_spec("vtkmodules") is None:
     pytest.skip("no VTK is installed (ci/setup --with vtk): no frame was read back", allow_module_level=True)
@@ -48,7 +48,7 @@ def cells_of(bodies, numbers):
 def test_vtk_reads_what_the_result_file_says(plumbline, count, run):
     done = plumbline(*run, "--frames", count)
     assert done.code in (0, 1), done.err
-    frames = plumbline_results.load(file_of(plumbline)).frames
+    frames = reader.load(file_of(plumbline)).frames
     folder, listed = list_of(plumbline)
     assert len(listed) == len(frames) == count
     assert [time for _, time in listed] == list(frames.times)

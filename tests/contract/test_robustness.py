@@ -1,4 +1,4 @@
-"""Killed at any moment, no room, no right to write, two at once, files of the previous version: nothing is lost or half there."""
+"""Killed at any moment, no space, no right to write, two at once, files of the previous version: nothing is lost or half there."""
 import base64
 import contextlib
 import gzip
@@ -17,7 +17,7 @@ import pytest
 from contract import ROOT, children_of, edited, wait_for_end
 
 sys.path.insert(0, str(ROOT / "reports"))
-import plumbline_results  # noqa: E402
+from plumbline import reader  # noqa: E402
 
 RUN = ("run", "two-disks", "--cells", 10, "--frames", 40)
 NOBODY = 65534
@@ -38,12 +38,12 @@ def check_whole(folder):
         if path.name.endswith(".part"):
             parts.append(path.name)
         elif path.suffix == ".h5":
-            plumbline_results.load(path)
+            reader.load(path)
         elif path.suffix == ".hdf":
-            plumbline_results.check_seal(path)
+            reader.check_seal(path)
         elif path.suffix == ".series":
             for entry in json.loads(path.read_text(encoding="utf-8"))["files"]:
-                plumbline_results.check_seal(path.with_name(entry["name"]))
+                reader.check_seal(path.with_name(entry["name"]))
         elif path.suffix in (".json", ".html", ".xml"):
             assert path.read_text(encoding="utf-8").rstrip().endswith(("}", "]", "</html>", "</testsuite>")), path
         else:
@@ -147,7 +147,7 @@ def test_report_clears_away_what_a_killed_one_left(two_cases):
     assert "bar-riemann" in (two_cases / "page/index.html").read_text(encoding="utf-8")
 
 
-# --- no room --------------------------------------------------------------------------------------
+# --- no space --------------------------------------------------------------------------------------
 
 
 def no_room(size):
@@ -200,7 +200,7 @@ def test_disk_that_fills_up(plumbline):
 
 @pytest.mark.parametrize("jobs", [1, 2])
 def test_no_room_for_a_sweep(plumbline, jobs):
-    """Each run that found no room is told; with room, the next call makes them."""
+    """Each run that found no space is told; with space, the next call makes them."""
     plan = {"sweep": {"case": "sod", "cells": [10, 20], "ppc": [4, 8]}}
     (plumbline.folder / "plan.json").write_text(json.dumps(plan), encoding="utf-8")
     call = ("sweep", "--from", "plan.json", "--jobs", jobs)
@@ -316,14 +316,14 @@ def old_run(plumbline):
     assert plumbline("sweep", "--from", "plan.json").code == 0
     (path,) = (plumbline.folder / "results").glob("two-disks-*.h5")
     path.write_bytes(gzip.decompress(base64.b64decode(STORED.read_bytes())))
-    assert plumbline_results.load(path).format == 1
+    assert reader.load(path).format == 1
     return path
 
 
 def test_sweep_makes_anew_what_an_older_version_made(plumbline, old_run):
     result = plumbline("sweep", "--from", "plan.json")
     assert result.code == 0 and "0 stored already, 1 made" in result.out, result.text
-    assert plumbline_results.load(old_run).format == 2
+    assert reader.load(old_run).format == 2
 
 
 def test_the_page_shows_what_an_older_version_made(plumbline, old_run):
@@ -345,8 +345,8 @@ def test_a_newer_version_is_told(plumbline):
     verdicts = next((plumbline.folder / "results").glob("study-*.h5"))
     with edited(verdicts) as file:
         file.attrs.modify("plumbline_format", 99)
-    with pytest.raises(plumbline_results.NewerFormat, match="format 99"):
-        plumbline_results.load(verdicts)
+    with pytest.raises(reader.NewerFormat, match="format 99"):
+        reader.load(verdicts)
     shutil.copytree(plumbline.folder / "results", plumbline.folder / "base")
     result = plumbline("diff", "base", "results")
     assert verdicts.name in result.text and "newer" in result.text, result.text

@@ -14,7 +14,7 @@ GATE = {"id": "sod/default/density.L1@100", "case": "sod", "scheme": "default", 
 MEASURE = {"error": 0.0066, "relative_error": 0.017, "value": None, "reference": None, "reference_bound": 1e-13, "unit": "1"}
 BALANCE = {"initial": 1, "final": 1, "relative_drift": 0}
 RUN = {"case": "sod", "scheme": "default", "settings": {"cells": 100, "transfer": "apic", "dt": None}, "verdict": "PASS",
-       "finished": True, "stop": None, "steps": 108, "points": 450, "wall_s": 0.004, "point_steps_per_s": 1.2e7,
+       "finished": True, "stop": None, "steps": 108, "points": 450, "wall_s": 0.004, "particle_steps_per_s": 1.2e7,
        "measures": {"density.L1": MEASURE},
        "ledger": {"mass": BALANCE, "momentum_x": BALANCE, "angular_momentum": BALANCE,
                   "energy": {**BALANCE, "stores": {"kinetic": 0.1, "internal": 0.9}, "flows": {"walls": 0, "transfer": -1e-3}}},
@@ -27,7 +27,7 @@ STUDY = {"scheme": "default", "vary": "cells", "settings": {}, "levels": [{**RUN
          "title": "Sod", "why": "first order: a contact and a shock"}
 CATALOG_GATE = {key: GATE[key] for key in ("id", "scheme", "quantity", "expected", "origin", "reason", "cause")}
 COST = {"case": "sod", "scheme": "default", "study": "default", "kind": "gas", "differs": {}, "vary": "cells", "value": 100, "cells": 100,
-        "h": 0.01, "dt": 1.3e-3, "points": 450, "steps": 108, "point_steps": 48600, "finished": True, "source": "timed",
+        "h": 0.01, "dt": 1.3e-3, "points": 450, "steps": 108, "particle_steps": 48600, "finished": True, "source": "timed",
         "wall_s": [0.004, 0.0041], "instructions": None, "errors": {"density.L1": {"error": 0.0066, "relative_error": 0.017}}}
 COMPARED = {"folder": "base", "version": "0.6.0", "git": "abc", "started": "2026-11-22T00:00:00Z", "executed": 3,
             "damaged": [{"file": "study-sod.h5", "reason": "truncated"}]}
@@ -52,7 +52,7 @@ DOCUMENTS = {
          "observed": [{"low": 1.832, "high": 1.834}], "always": None, "growth": [{"dt": 0.1, "per_step": 1.0}]}]},
     "bench": {"machine": {"cpu": "some"}, "kernels": [
         {"dimension": 2, "material": "gas", "shape": "quadratic", "transfer": "apic", "integrator": "energy", "points": 1000000, "ppc": 16,
-         "threads": 1, "point_steps_per_s": 5.0e7, "bytes_per_point": 0, "flops_per_point": 0, "fraction_of_limit": 0.5, "energy_drift": 1e-14}]},
+         "threads": 1, "particle_steps_per_s": 5.0e7, "bytes_per_point": 0, "flops_per_point": 0, "fraction_of_limit": 0.5, "energy_drift": 1e-14}]},
     "cost": {"machine": {"cpu": "some"}, "fingerprint": None, "tier": "quick", "repeats": 5, "runs": [COST],
              "left_out": [{"case": "sod", "scheme": "default", "study": "integrator/rk4", "vary": "cells", "value": 400}], "provenance": PROVENANCE},
     "list": {"cases": [{"name": "sod", "title": "Shock tube", "source": "York 4.1", "cells_along": "the tube, 1 m", "keys": ["gamma", "t_end"]}],
@@ -179,7 +179,7 @@ def test_stopped_run():
     ("stability", ["configurations", 0, "always"], "mostly"),
     ("stability", ["configurations", 0, "unit"], "s"),
     ("bench", ["kernels"], []),
-    ("bench", ["kernels", 0, "point_steps_per_s"], None),
+    ("bench", ["kernels", 0, "particle_steps_per_s"], None),
     ("cost", ["runs", 0, "wall_s"], []),
     ("cost", ["runs", 0, "source"], "guessed"),
     ("cost", ["runs", 0, "vary"], "ppc"),

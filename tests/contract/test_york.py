@@ -7,19 +7,28 @@ import pytest
 from contract import ROOT
 
 sys.path.insert(0, str(ROOT / "reports"))
-york = importlib.import_module("york")
+york, york_figures = (importlib.import_module(name) for name in ("york", "york_figures"))
 
 
 @pytest.fixture(scope="module")
-def gates(tmp_path_factory):
-    """{(case, gate): reason} of the cases of the list."""
+def entries(tmp_path_factory):
+    """{name: what `explain` says} of the cases of the list."""
     from contract import Plumbline
     plumbline = Plumbline(tmp_path_factory.mktemp("york"))
-    found = {}
-    for name in {case for row in york.load() for case in row.get("cases", ())}:
-        entry = plumbline("explain", name, json=True).json()
-        found |= {(name, gate["id"]): gate["reason"] for gate in entry["gates"]}
-    return found
+    names = {case for row in york.load() for case in row.get("cases", ())}
+    return {name: plumbline("explain", name, json=True).json() for name in names}
+
+
+@pytest.fixture(scope="module")
+def gates(entries):
+    """{(case, gate): reason} of the cases of the list."""
+    return {(name, gate["id"]): gate["reason"] for name, entry in entries.items() for gate in entry["gates"]}
+
+
+@pytest.fixture(scope="module")
+def studies(entries):
+    """{case: identifiers of its studies}."""
+    return {name: [study["id"] for study in entry["studies"]] for name, entry in entries.items()}
 
 
 def changed(figure, **values):
@@ -55,6 +64,45 @@ def test_a_result_without_gate_or_reason_is_found(gates):
 def test_a_gate_that_cites_a_figure_must_be_named_there(gates):
     found = york.faults(york.load(), gates | {("two-bar", "york1997/surprise"): "York reads it off Fig. 95"})
     assert found == ["two-bar york1997/surprise cites figure 95, which does not name it"]
+
+
+def pictures(number, values):
+    """The pictures with other values for one figure."""
+    found = copy.deepcopy(york.load("pictures"))
+    next(entry for entry in found if entry["figure"] == number).update(values)
+    return found
+
+
+def test_each_figure_with_a_result_has_its_picture_of_studies_that_there_are(studies):
+    assert york_figures.faults(york.load("pictures"), york.load(), studies) == []
+
+
+@pytest.mark.parametrize("figure, values, fault", [
+    (13, {"case": "sodd"}, "picture of figure 13: there is no case sodd"),
+    (26, {"runs": [{"label": "york1997", "study": "york97", "at": 10}]}, "picture of figure 26: spring-mass has no study york97; there are: "),
+    (96, {"runs": [{"label": "default", "study": "default", "at": cells} for cells in (20, 40)]}, "picture of figure 96: two runs are called default"),
+    (60, {"panels": [{"quantity": "displacement", "label": "less", "less": "nobody"}]}, "picture of figure 60: no run is called nobody"),
+    (26, {"panels": None, "times": [0]}, "picture of figure 26: one of panels, times, methods says what is drawn; there are 2"),
+    (26, {"figure": 107}, "figure 26 has neither a picture nor a reason"),
+    (26, {"figure": 107}, "picture of figure 107: the report has no such figure"),
+    (14, {"figure": 13}, "picture of figure 13 is there twice"),
+])
+def test_a_picture_of_what_there_is_not_is_an_error_that_names_it(studies, figure, values, fault):
+    found = york_figures.faults(pictures(figure, values), york.load(), studies)
+    assert [words for words in found if words.startswith(fault)], found
+
+
+@pytest.mark.parametrize("case, cells, end", [
+    ("sod", 20, 0.01), ("spring-mass", 10, 0.001), ("pendulum", 10, 0.01), ("two-bar", 20, 0.01), ("membrane-expansion", 8, 0.01),
+])
+def test_quantities_and_bodies_of_the_pictures_are_those_of_runs(tmp_path, case, cells, end):
+    from contract import Plumbline
+    plumbline = Plumbline(tmp_path)
+    plumbline("run", case, "--scheme", "york1997", "--cells", cells, "--set", f"t_end={end}", "--frames", 2)
+    result = importlib.import_module("plumbline.reader").load(next((tmp_path / "results").glob("*.h5")))
+    for entry in york.load("pictures"):
+        if entry.get("case") == case:
+            york_figures.check_result(entry, result)
 
 
 @pytest.mark.parametrize("words, numbers", [

@@ -77,7 +77,7 @@ def of_text(outcome, catalog):
     if outcome.code in (1, 2, 3, 4) and not (outcome.err or outcome.out) and call.stdout == "pipe":
         yield Fault("text", f"exit status {outcome.code} and nothing said")
     if outcome.code == 0 and call.stdout == "full":
-        yield Fault("lost output", "exit status 0 though standard output has no room")
+        yield Fault("lost output", "exit status 0 though standard output has no space")
     if outcome.code == 0 and call.stdout == "pipe" and not outcome.out.strip():
         yield Fault("lost output", "exit status 0 and nothing on standard output")
     if outcome.code == 4 and not names_a_path(outcome):

@@ -17,7 +17,7 @@ MEMORY = 6 << 30
 class Call:
     """Arguments after the program's name, as text or as bytes that are no text, and where the call is made."""
     arguments: tuple
-    stdout: str = "pipe"          # pipe, full (a device without room), closed, gone (a pipe whose reader has left)
+    stdout: str = "pipe"          # pipe, full (a device without space), closed, gone (a pipe whose reader has left)
     stdin: bytes | None = None    # None: closed
     environment: tuple = ()       # (name, value)
     estimate: float = 0.0         # s that the program itself expects, without set-up

@@ -18,7 +18,7 @@ def targets(dice, catalog):
     call = dice.choice(SMALL)
     where = dice.choice(("full", "full", "closed", "gone", "json", "json", "results", "results", "environment"))
     if where == "full":
-        yield Call((*call, *dice.choice(((), ("--json", "-")))), stdout="full", statuses=(4,), why="standard output has no room", floor=40)
+        yield Call((*call, *dice.choice(((), ("--json", "-")))), stdout="full", statuses=(4,), why="standard output has no space", floor=40)
         return
     if where in ("closed", "gone"):
         yield Call(call, stdout=where, floor=40)

@@ -60,13 +60,14 @@ const Judged yoshida("right-yoshida6", "Yoshida's sixth-order method, solution A
                        const double w1 = -1.17767998417887, w2 = 0.235573213359357, w3 = 0.784513610477560;
                        split(mpm, dt, composed({w3, w2, w1, 1 - 2 * (w1 + w2 + w3), w1, w2, w3}));
                      });
-const Judged apart("right-leapfrog-apart", "leapfrog, its last stages one by one", "kernel/README.md, \"Leapfrog\"",
+const Judged apart("right-leapfrog-apart", "leapfrog, its last stages one by one",
+                   "reports/docs/theory/step.md, \"Leapfrog\"",
                    [](Stages& mpm, double dt) { leapfrog_apart(mpm, dt, 1); });
 const Judged lossy("right-leapfrog-lossy", "leapfrog that gives no losses back",
                    "Tuckerman et al. 1992, doi 10.1063/1.463137",
                    [](Stages& mpm, double dt) { leapfrog_apart(mpm, dt, 0); });
 const Judged half_step_stress("right-half-step-stress", "forces with the stress of the half step",
-                              "kernel/integrators/README.md", [](Stages& mpm, double dt) {
+                              "reports/docs/start.md", [](Stages& mpm, double dt) {
                                 mpm.locate_points();
                                 mpm.map_mass_and_momentum();
                                 mpm.predict_stress(dt / 2);

@@ -18,7 +18,7 @@ std::vector<double> along(const GridSpec& spec, int d) {
   return spec.dim == 1 ? line_volumes<Shape>(Grid<1>(spec), d) : line_volumes<Shape>(Grid<2>(spec), d);
 }
 
-// Integral of N over the room between walls: h inside, h/2 on a wall, and the ghosts' share is their mirrors'. [EC-APIC 2]
+// Integral of N over the space between walls: h inside, h/2 on a wall, and the ghosts' share is their mirrors'. [EC-APIC 2]
 template <class Shape>
 void expect_half_cells_at_walls() {
   for (Wall kind : {Wall::symmetry, Wall::no_slip}) {
@@ -35,7 +35,7 @@ TEST(CellVolumes, NodesOnWallsHaveHalfCells) {
   expect_half_cells_at_walls<Cubic>();
 }
 
-// On a free side the room goes on: every node that a point can reach, ghosts among them, has a whole cell. [EC-APIC 2]
+// On a free side the space goes on: every node that a point can reach, ghosts among them, has a whole cell. [EC-APIC 2]
 template <class Shape>
 void expect_whole_cells_at_free_sides() {
   for (double v : along<Shape>(scenes::line(6, 0.5), 0)) EXPECT_NEAR(v, 0.5, rounding);
@@ -62,7 +62,7 @@ void expect_ring_volumes(double m, double q) {
     EXPECT_NEAR(walled[i + 1], 0.25 * expected[i], rounding) << i;
     total += walled[i + 1];
   }
-  EXPECT_NEAR(total, 3 * 3 / 2.0, 4 * rounding);  // R^2 / 2: no room is lost or counted twice
+  EXPECT_NEAR(total, 3 * 3 / 2.0, 4 * rounding);  // R^2 / 2: no space is lost or counted twice
   GridSpec off_axis = scenes::box(Space::axisymmetric, {6, 4, 1}, 0.5);
   off_axis.origin[0] = 2;
   const auto free = along<Shape>(off_axis, 0);

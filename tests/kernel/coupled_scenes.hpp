@@ -99,9 +99,9 @@ inline Scene gas_and_skin(Skin skin, Space space, const std::string& shape, cons
       if (walled && wall == Wall::free) wall = Wall::symmetry;
     }
     if (walled) continue;
-    const int room = 2;  // cells
-    scene.grid.origin[d] -= room * scene.grid.h;
-    scene.grid.cells[d] += 2 * room;
+    const int margin = 2;  // cells
+    scene.grid.origin[d] -= margin * scene.grid.h;
+    scene.grid.cells[d] += 2 * margin;
   }
   Columns& points = scene.bodies[0].points;
   for (int p = 0; p < points.points(); ++p) points(column::energy)[p] *= 0.1;

@@ -310,7 +310,7 @@ TYPED_TEST(EnclosedVolumes, AQuarterHasAQuarter) {
 // --- in the engine --------------------------------------------------------------------------------------------------
 
 // Uneven gas in a quarter of a bag, whose membrane ends on the walls. Gas also lies on the membrane, so that no node
-// that has room is without.
+// that has space is without.
 Scene quarter_bag(Space space, const std::string& shape, bool another_gas) {
   const GridSpec grid = scenes::box(space, {9, 9, 1}, h, scenes::walls_everywhere(Wall::symmetry));
   std::vector<Place> ring, inside;
@@ -357,8 +357,8 @@ TEST(EnclosedGas, FillsTheBag) {
               run.step(1);
               run.refresh_density();
             }
-            const double room = enclosed(run.scene());
-            EXPECT_NEAR(scenes::sum_of(run.scene().bodies[0], column::volume), room, 1e-13)
+            const double inside = enclosed(run.scene());
+            EXPECT_NEAR(scenes::sum_of(run.scene().bodies[0], column::volume), inside, 1e-13)
                 << space << ' ' << shape << ' ' << integrator << ' ' << another << ' ' << k;
           }
         }
@@ -370,11 +370,11 @@ TEST(EnclosedGas, FillsTheBag) {
 // In the step itself, where the weights are of the start and the stress of that place.
 TEST(EnclosedGas, FillsTheBagInAStep) {
   Scene scene = quarter_bag(Space::plane, "quadratic", false);
-  const double room = enclosed(scene);
+  const double inside = enclosed(scene);
   Simulation run(scene, "energy", {0.3, 2e-3});
   run.step(1);
-  EXPECT_NEAR(scenes::sum_of(run.scene().bodies[0], column::volume), room, 1e-13);
-  EXPECT_GT(std::abs(enclosed(run.scene()) - room), 1e-9);
+  EXPECT_NEAR(scenes::sum_of(run.scene().bodies[0], column::volume), inside, 1e-13);
+  EXPECT_GT(std::abs(enclosed(run.scene()) - inside), 1e-9);
 }
 
 TEST(EnclosedGas, RefusesAnEnclosureWhereAChainEnclosesNothing) {

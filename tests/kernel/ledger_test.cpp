@@ -113,7 +113,7 @@ Scene gas_and_chain(int dim, const std::string& shape, const std::string& transf
   return scene;
 }
 
-// Every identity closes step by step. Ten steps of sums of some hundred terms: 1e-13 leaves room for a hundred
+// Every identity closes step by step. Ten steps of sums of some hundred terms: 1e-13 allows for a hundred
 // roundings of the scale.
 TEST(LedgerOfARun, ClosesForEveryCombination) {
   for (const scenes::Combination& c : scenes::working_combinations()) {

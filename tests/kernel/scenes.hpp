@@ -205,7 +205,7 @@ inline Scene rough_gas(int dim, const std::string& shape, const std::string& tra
   return rough_gas(space_of(dim), shape, transfer, gravity);
 }
 
-// The same in empty space: no walls, room to all sides, and node lines half a cell off the edges, so that no
+// The same in empty space: no walls, space to all sides, and node lines half a cell off the edges, so that no
 // point starts a cell of its own, where a node of next to no mass would be thrown about. An axisymmetric scene stands
 // five cells off the axis.
 inline Scene rough_gas_in_space(Space space, const std::string& shape, const std::string& transfer,

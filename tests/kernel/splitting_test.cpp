@@ -65,7 +65,7 @@ Sums sums_of(const Scene& scene) {
   return s;
 }
 
-// [Splitting 1, 2] The sums over the halves are the point's, in every geometry; no joule comes or goes.
+// [Splitting 1, 2] The sums over the halves are the point's, in every geometry; energy is conserved.
 TEST(Splitting, KeepsMassMomentumCentreAndEnergy) {
   for (const char* shape : {"quadratic", "cubic"}) {
     for (const Space space : scenes::spaces) {

@@ -103,7 +103,7 @@ TEST(Stages, RungeKuttaOnAGas) {
   expect_order(gas_column(), "test_rk4", 0.2, 4);
 }
 
-// The same measuring stick on York's step: of first order in dt.
+// The same measure on York's step: of first order in dt.
 TEST(Stages, MuslIsOfFirstOrder) { expect_order(spring(), "musl", 0.05, 1); }
 
 TEST(Stages, StatesAreReadAndSetExactly) {

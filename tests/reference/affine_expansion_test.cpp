@@ -63,9 +63,10 @@ TEST(AffineExpansionIdentity, MassEnergyAndEntropyAreKept) {
         const Sample s = gas.sample(r);
         return s.density.value * (s.energy.value + 0.5 * s.velocity.value * s.velocity.value);
       });
-      const double room = 1e-9;  // the quadrature is asked for 1e-11; a root at the edge (gamma > 2) costs two decades
-      EXPECT_NEAR(mass / expansion.mass().value, 1, room);
-      EXPECT_NEAR(energy / expansion.energy().value, 1, room);
+      const double margin =
+          1e-9;  // the quadrature is asked for 1e-11; a root at the edge (gamma > 2) costs two decades
+      EXPECT_NEAR(mass / expansion.mass().value, 1, margin);
+      EXPECT_NEAR(energy / expansion.energy().value, 1, margin);
       const Bounded at_start = log(Bounded(p.pressure)) - Bounded(p.gamma) * log(Bounded(p.density));
       for (double xi : {0.0, 0.3, 0.9}) {
         const Sample s = gas.sample(xi * edge);

@@ -66,5 +66,5 @@ def test_times(airbags):
             true["displacement"] += true["velocity"] * late
             true["velocity"] = way * (true["velocity"] - true["force"] / exact.m * late)
             for key in ROW:  # the others change by rounding too: at most a few units of 1e-16
-                room = abs(float(true[key])) * 1e-14
-                assert covers((row[key][0], row[key][1] + room), true[key]), (p, j, key, row[key], float(true[key]))
+                margin = abs(float(true[key])) * 1e-14
+                assert covers((row[key][0], row[key][1] + margin), true[key]), (p, j, key, row[key], float(true[key]))

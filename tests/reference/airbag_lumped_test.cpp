@@ -121,11 +121,11 @@ TEST(AirbagLumped, GentleBlowMeetsAConstantForce) {
 // area goes with the root of x over the height.
 TEST(AirbagLumped, LightBlowIsHalfASine) {
   const AirbagLumped airbag(changed([](AirbagProblem& p) { p.speed = 0.01; }));
-  const double far = airbag.max_displacement().value, room = std::sqrt(far / airbag.start_height().value);
+  const double far = airbag.max_displacement().value, margin = std::sqrt(far / airbag.start_height().value);
   const double omega = std::sqrt(airbag.at_displacement(far).force.value / far / 6.03);
-  EXPECT_LE(room, 0.05);
-  EXPECT_NEAR(far, 0.01 / omega, room * far);
-  EXPECT_NEAR(airbag.time_of_max().value, 0.5 * pi.value / omega, room / omega);
+  EXPECT_LE(margin, 0.05);
+  EXPECT_NEAR(far, 0.01 / omega, margin * far);
+  EXPECT_NEAR(airbag.time_of_max().value, 0.5 * pi.value / omega, margin / omega);
 }
 
 // What it bounds: less gas pressure, more energy or a longer skin let the probe in further; that is why the largest

@@ -64,8 +64,8 @@ def test_the_same_chain_moves_the_same(name):
     scale[4] = p["mass"] * p["gravity"]
     # both tolerances are below 1e-7 of the motion; what the elements of a slack string do on their own grows from rounding:
     # they carry 1e-3 of the mass, and only the tension of a single one shows it
-    room, kept = (1e-3, [0, 1, 2, 3, 5, 7]) if name == "slack" else (1e-5, range(8))
-    assert numpy.all(numpy.abs(other - rows[:, :, 0])[:, kept] <= room * scale[kept])
+    margin, kept = (1e-3, [0, 1, 2, 3, 5, 7]) if name == "slack" else (1e-5, range(8))
+    assert numpy.all(numpy.abs(other - rows[:, :, 0])[:, kept] <= margin * scale[kept])
 
 
 def test_finer_chains_lie_within_the_bound():

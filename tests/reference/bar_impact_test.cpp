@@ -62,15 +62,15 @@ TEST(BarImpact, StressAndVelocityBehindTheFronts) {
       };
       const double own = bar == ImpactBar::left ? p.velocity_left : p.velocity_right;
       const double others = p.velocity_left + p.velocity_right - own;
-      const double room = 1e-9 * std::abs(stress);
-      EXPECT_NEAR(at(0.3, 0.2).stress.value, stress, room);  // front out at 0.4
+      const double margin = 1e-9 * std::abs(stress);
+      EXPECT_NEAR(at(0.3, 0.2).stress.value, stress, margin);  // front out at 0.4
       EXPECT_NEAR(at(0.3, 0.2).velocity.value, mean, 1e-9);
-      EXPECT_NEAR(at(0.5, 0.2).stress.value, 0, room);
+      EXPECT_NEAR(at(0.5, 0.2).stress.value, 0, margin);
       EXPECT_NEAR(at(0.5, 0.2).velocity.value, own, 1e-9);
-      EXPECT_NEAR(at(0.3, 0.8).stress.value, stress, room);  // front back at 0.4
+      EXPECT_NEAR(at(0.3, 0.8).stress.value, stress, margin);  // front back at 0.4
       EXPECT_NEAR(at(0.5, 0.8).velocity.value, others, 1e-9);
       EXPECT_NEAR(at(0.3, 1.1).velocity.value, others, 1e-9);
-      EXPECT_NEAR(at(0.3, 1.1).stress.value, 0, room);
+      EXPECT_NEAR(at(0.3, 1.1).stress.value, 0, margin);
     }
   }
 }

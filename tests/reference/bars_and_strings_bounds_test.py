@@ -49,8 +49,8 @@ def test_hanging_chain():
         time = p.pop("time")
         exact = oracle.Chain(**p)
         check(p, answer[:5], exact.values(time))
-        room = (20 + float(exact.j)) ** 1.5  # the rounding of the argument, over J1 of the size of j^-1/2
-        assert all(bound <= 2e-14 * room * abs(value) for value, bound in answer[:4]), (p, answer[:4])
+        margin = (20 + float(exact.j)) ** 1.5  # the rounding of the argument, over J1 of the size of j^-1/2
+        assert all(bound <= 2e-14 * margin * abs(value) for value, bound in answer[:4]), (p, answer[:4])
         for s, row in zip(at, rows_of(answer, 5, 4)):
             check((p, s, time), row, exact.row(s, time))
 
@@ -75,8 +75,8 @@ def test_catenary():
         for s, row in zip(at, rows_of(answer, 5, 4)):
             check((p, s), row, exact.row(s))
         # the differences of length and span, and of stretch and slack, are the only ones that lose digits
-        room = 1 + p["span"] / abs(p["length"] - p["span"])
-        assert all(bound <= 1e-13 * room * abs(value) for value, bound in answer[:5]), (p, answer[:5])
+        margin = 1 + p["span"] / abs(p["length"] - p["span"])
+        assert all(bound <= 1e-13 * margin * abs(value) for value, bound in answer[:5]), (p, answer[:5])
 
 
 @pytest.mark.parametrize("name, exact_of, seed, keys, sharp, bound_of", [

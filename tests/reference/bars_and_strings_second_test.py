@@ -15,7 +15,7 @@ def values_of(answer):
     dict(youngs_modulus=1e6, area=0.1, length=0.3, mass=3.33, gravity=250, slack=0.02),
     dict(youngs_modulus=3e4, area=0.02, length=0.8, mass=2.1, gravity=9.81, slack=0.13)], ids=["york", "soft"])
 def test_slack_string_by_integration(p):
-    """m d'' = m g - k max(0, d - slack), stopped at each change of the string; rtol 1e-12, three decades of room."""
+    """m d'' = m g - k max(0, d - slack), stopped at each change of the string; rtol 1e-12, three decades of margin."""
     k = p["youngs_modulus"] * p["area"] / p["length"]
     changes, lowest = [], 0
     state, time, carries = [0.0, 0.0], 0.0, False
@@ -200,8 +200,8 @@ def test_bar_impact_by_unilateral_springs():
         if abs(i * step - L / c) < step / 2:
             half_way = numpy.mean(pull)
     answer = evaluate([request("bar-impact", dict(gap=0, time=1))])[0]
-    room = n ** (1 / 3) / n  # the width of the front over the bar
-    assert released == pytest.approx(answer[3][0], rel=room)
-    assert half_way == pytest.approx(answer[4][0], rel=room)
-    assert v[:n].mean() == pytest.approx(0, abs=2 * room)
-    assert v[n:].mean() == pytest.approx(2, abs=2 * room)
+    margin = n ** (1 / 3) / n  # the width of the front over the bar
+    assert released == pytest.approx(answer[3][0], rel=margin)
+    assert half_way == pytest.approx(answer[4][0], rel=margin)
+    assert v[:n].mean() == pytest.approx(0, abs=2 * margin)
+    assert v[n:].mean() == pytest.approx(2, abs=2 * margin)

@@ -26,9 +26,9 @@ TEST(Catenary, PublishedElasticCable) {
 TEST(Catenary, EndsAreAtTheSupports) {
   for (const CatenaryProblem& p : problems) {
     const Catenary chain(p);
-    const double scale = std::max(p.span, p.length), room = 1e-9;  // the nearly straight one amplifies by 1/(L - d)
-    expect_zero(chain.x(0), scale, "left x", room);
-    expect_zero(chain.x(p.length) - p.span, scale, "right x", room);
+    const double scale = std::max(p.span, p.length), margin = 1e-9;  // the nearly straight one amplifies by 1/(L - d)
+    expect_zero(chain.x(0), scale, "left x", margin);
+    expect_zero(chain.x(p.length) - p.span, scale, "right x", margin);
     EXPECT_EQ(chain.y(0).value, 0);
     EXPECT_EQ(chain.y(p.length).value, 0);
     expect_same(chain.x(0.5 * p.length), Bounded(0.5 * p.span));
@@ -46,9 +46,9 @@ TEST(Catenary, EveryPieceIsInEquilibrium) {
       const double dx = (chain.x(s + h) - chain.x(s - h)).value, dy = (chain.y(s + h) - chain.y(s - h)).value;
       const double stretch = 1 + p.compliance * chain.tension(s).value;
       // chords of an arc differ by (h/a)^2/6 from tangent and length; x and y carry their rounding over 2 h
-      const double room = 1e-6 + 4 * (chain.x(s).bound + chain.y(s).bound + 1e-16 * p.span) / h;
-      EXPECT_NEAR(std::hypot(dx, dy) / (2 * h), stretch, room * stretch);
-      EXPECT_NEAR(std::atan2(dy, dx), chain.slope_angle(s).value, room);
+      const double margin = 1e-6 + 4 * (chain.x(s).bound + chain.y(s).bound + 1e-16 * p.span) / h;
+      EXPECT_NEAR(std::hypot(dx, dy) / (2 * h), stretch, margin * stretch);
+      EXPECT_NEAR(std::atan2(dy, dx), chain.slope_angle(s).value, margin);
       const double pull = chain.tension(s).value, angle = chain.slope_angle(s).value;
       EXPECT_NEAR(pull * std::cos(angle), chain.horizontal_force().value, 1e-9 * pull);
       EXPECT_NEAR(pull * std::sin(angle), p.weight * (s - 0.5 * p.length), 1e-9 * pull);

@@ -16,9 +16,9 @@ namespace plumbline::reference {
 
 inline constexpr double sharp = 1e-12;
 
-inline void expect_zero(Bounded residual, double scale, const char* what, double room = sharp) {
+inline void expect_zero(Bounded residual, double scale, const char* what, double margin = sharp) {
   EXPECT_LE(std::abs(residual.value), residual.bound) << what;
-  EXPECT_LE(residual.bound, room * scale) << what;
+  EXPECT_LE(residual.bound, margin * scale) << what;
 }
 
 inline void expect_same(Bounded a, Bounded b, double scale = 1) {

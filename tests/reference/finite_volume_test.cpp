@@ -1,4 +1,4 @@
-// The measuring stick must be a good one: conservation, symmetry, robustness, and the errors that the scheme is known
+// The comparator must be a good one: conservation, symmetry, robustness, and the errors that the scheme is known
 // for.
 #include "reference/finite_volume.hpp"
 

@@ -64,8 +64,8 @@ TEST(FreeBar, StressLastVanishesWithTheDepth) {
 }
 
 // The interior of a long bar holds the worst wave of the periodic layout but for one half wave in its length: a bar of
-// n cells bears at most 1 + (pi/n)^2/2 more, whatever its ends do.
-TEST(FreeBar, ALongBarBearsNoMoreThanItsInterior) {
+// n cells has a limit larger by 1 + (pi/n)^2/2 at most, whatever its ends do.
+TEST(FreeBar, ALongBarHasTheLimitOfItsInterior) {
   for (Update update : {Update::first, Update::last}) {
     for (Shape shape : {Shape::linear, Shape::boxes, Shape::quadratic, Shape::cubic}) {
       const MapScheme scheme{update, shape, Transfer::flip};
@@ -114,7 +114,7 @@ TEST(LeaningBar, PointsAtCentresHaveEveryOtherStandingWave) {  // [Stability 4, 
 }
 
 // A mode of the bar alone is one of it and its image; where they do not reach each other they are the same.
-TEST(LeaningBar, BearsNoLessThanTheBarWithItsImage) {
+TEST(LeaningBar, HasNoSmallerLimitThanTheBarWithItsImage) {
   for (Update update : {Update::first, Update::last}) {
     for (Shape shape : {Shape::linear, Shape::boxes, Shape::quadratic, Shape::cubic}) {
       for (Transfer transfer : {Transfer::flip, Transfer::apic}) {

@@ -55,10 +55,10 @@ TEST(GeoTube, PointsFollowTheTangent) {
       const GeoTubePoint a = tube.at(share * p.perimeter - h), b = tube.at(share * p.perimeter + h);
       const GeoTubePoint m = tube.at(share * p.perimeter);
       const double dx = b.x.value - a.x.value, dy = b.y.value - a.y.value;
-      const double room = std::pow(length * tube.bottom_pressure().value / tube.tension().value, 2) + 1e-9;
-      EXPECT_NEAR(std::hypot(dx, dy), length, room * length) << share;
+      const double margin = std::pow(length * tube.bottom_pressure().value / tube.tension().value, 2) + 1e-9;
+      EXPECT_NEAR(std::hypot(dx, dy), length, margin * length) << share;
       if (a.y.value == 0 && b.y.value > 0) continue;  // leaves the floor in between
-      EXPECT_NEAR(std::sin(m.angle.value) * dx - std::cos(m.angle.value) * dy, 0, room * length) << share;
+      EXPECT_NEAR(std::sin(m.angle.value) * dx - std::cos(m.angle.value) * dy, 0, margin * length) << share;
     }
   }
 }
@@ -93,9 +93,9 @@ TEST(GeoTube, AreaIsThatOfThePolygon) {
       a = b;
     }
     const double bend = tube.bottom_pressure().value / tube.tension().value, step = p.perimeter / n;
-    const double room = std::pow(bend * step, 2);  // a chord cuts off step^3 bend/12
-    EXPECT_NEAR(tube.area().value, area, room * tube.width().value * p.perimeter + 1e-12);
-    EXPECT_NEAR(tube.width().value, widest, room * p.perimeter + 1e-12);
+    const double margin = std::pow(bend * step, 2);  // a chord cuts off step^3 bend/12
+    EXPECT_NEAR(tube.area().value, area, margin * tube.width().value * p.perimeter + 1e-12);
+    EXPECT_NEAR(tube.width().value, widest, margin * p.perimeter + 1e-12);
   }
 }
 

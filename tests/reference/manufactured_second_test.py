@@ -86,5 +86,5 @@ def test_bounds_are_near_rounding_for_the_published_problems():
             numbers = [pair for row in rows for pair in row[kind]]
             sizes = numbers + [pair for row in rows for pair in row[2 * dim:3 * dim]] if kind == kinds[3] else numbers
             scale = max(least, max(abs(value) for value, _ in sizes))  # a body force is what accelerations leave
-            room = 1e-11 if name == "mms-vortex" else 1e-13  # the vortex shears by up to 8: products of F cancel
-            assert max(bound for _, bound in numbers) <= room * scale, (name, kind)
+            margin = 1e-11 if name == "mms-vortex" else 1e-13  # the vortex shears by up to 8: products of F cancel
+            assert max(bound for _, bound in numbers) <= margin * scale, (name, kind)

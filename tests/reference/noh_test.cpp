@@ -27,10 +27,10 @@ TEST(NohPublished, DensityPressureAndShockInThreeGeometries) {
 TEST(NohPublished, OtherGammas) {
   for (int d : {1, 2, 3}) {
     const Noh air({d, 1.4, 2.5, 3}), two({d, 2, 1, 1});
-    const double room = 1e-13;  // some ten roundings, those of the decimals 1.4 and 0.4 among them
-    EXPECT_NEAR(air.behind().density.value / (2.5 * std::pow(6, d)), 1, room);
-    EXPECT_NEAR(air.behind().pressure.value / (0.4 * 2.5 * std::pow(6, d) * 4.5), 1, room);
-    EXPECT_NEAR(air.shock_speed().value, 0.6, room);
+    const double margin = 1e-13;  // some ten roundings, those of the decimals 1.4 and 0.4 among them
+    EXPECT_NEAR(air.behind().density.value / (2.5 * std::pow(6, d)), 1, margin);
+    EXPECT_NEAR(air.behind().pressure.value / (0.4 * 2.5 * std::pow(6, d) * 4.5), 1, margin);
+    EXPECT_NEAR(air.shock_speed().value, 0.6, margin);
     EXPECT_NEAR(two.behind().density.value, std::pow(3, d), two.behind().density.bound);
     EXPECT_NEAR(two.behind().pressure.value, std::pow(3, d) / 2, two.behind().pressure.bound);
     EXPECT_EQ(two.shock_radius(4).value, 2);

@@ -7,9 +7,9 @@
 namespace plumbline::reference {
 namespace {
 
-void expect_covers(Bounded integral, double true_value, double room) {
+void expect_covers(Bounded integral, double true_value, double margin) {
   EXPECT_LE(std::abs(integral.value - true_value), integral.bound + rounding::unit * std::abs(true_value));
-  EXPECT_LE(integral.bound, room);
+  EXPECT_LE(integral.bound, margin);
 }
 
 TEST(Quadrature, SmoothFunctions) {

@@ -89,7 +89,7 @@ def test_bounds_are_finite(cases):
 
 @pytest.mark.parametrize("kind", ["ordinary", "extreme", "vacuum", "edge", "weak"])
 def test_bounds_are_not_silly(cases, kind):
-    """Rounding is 1e-16 and a few dozen operations are made: 1e-12 of the scale is four decades of room."""
+    """Rounding is 1e-16 and a few dozen operations are made: 1e-12 of the scale is four decades of margin."""
     shares, off_edges = [], []
     for _, exact, _, answer in (case for case in cases if case[0] == kind):
         speed = float(max(abs(edge) for edge in exact.edges)) or 1.0

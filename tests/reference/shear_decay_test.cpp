@@ -76,12 +76,12 @@ TEST(ShearDecayIdentity, SoundObeysLinearAcoustics) {
                             std::exp(-2 * shear.decay_rate().value * t);
       const double scale = source + std::abs(p.density * c * c * K * along(t));
       // rounding of values near 1 over k: 1e-16 p/k
-      const double room = 1e-6 * scale + 1e-13 * p.pressure * c * K;
-      EXPECT_NEAR(rate_of(pressure, t, k), -p.density * c * c * K * along(t) - source, room);
-      EXPECT_NEAR(rate_of(density, t, k) * c * c, -p.density * c * c * K * along(t), room);
+      const double margin = 1e-6 * scale + 1e-13 * p.pressure * c * K;
+      EXPECT_NEAR(rate_of(pressure, t, k), -p.density * c * c * K * along(t) - source, margin);
+      EXPECT_NEAR(rate_of(density, t, k) * c * c, -p.density * c * c * K * along(t), margin);
       EXPECT_NEAR(p.density * rate_of(along, t, k), K * pressure(t) - 4.0 / 3 * p.viscosity * K * K * along(t),
                   1e-6 * K * std::abs(pressure(t)) + 1e-12 * K * p.pressure);
-      EXPECT_NEAR(rate_of(mean, t, k), source, room);
+      EXPECT_NEAR(rate_of(mean, t, k), source, margin);
     }
   }
 }

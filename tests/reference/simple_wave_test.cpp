@@ -63,8 +63,8 @@ TEST(SimpleWaveIdentity, EachStateTravelsWithItsOwnSpeed) {
         const double c = std::sqrt(p.gamma * start.pressure.value / start.density.value);
         const Sample then = wave.sample(x0 + (start.velocity.value + c) * t, t);
         // x carries a rounding of a few units of its size; slopes grow tenfold by 0.9 of the breaking time
-        const double room = 1e-13 * (1 + std::abs(p.centre) / p.half_width) * 10 * std::abs(p.amplitude);
-        EXPECT_NEAR(then.velocity.value, start.velocity.value, room + 1e-13 * c * t / p.half_width);
+        const double margin = 1e-13 * (1 + std::abs(p.centre) / p.half_width) * 10 * std::abs(p.amplitude);
+        EXPECT_NEAR(then.velocity.value, start.velocity.value, margin + 1e-13 * c * t / p.half_width);
       }
     }
   }
@@ -112,7 +112,7 @@ TEST(SimpleWaveSample, GasBesideThePulseIsAtRest) {
       EXPECT_EQ(s.density.value, p.density);
       EXPECT_EQ(s.pressure.value, p.pressure);
     }
-    EXPECT_LT(wave.sample(middle + p.half_width, t).velocity.bound, 1e-60);  // (1e-13)^6 and room: C^5 at the ends
+    EXPECT_LT(wave.sample(middle + p.half_width, t).velocity.bound, 1e-60);  // (1e-13)^6 and margin: C^5 at the ends
   }
 }
 

@@ -11,7 +11,7 @@ from matplotlib import image
 
 import chromium
 import libraries
-import plumbline_results
+from plumbline import reader
 import render
 import scorecards
 import synthetic_scorecards
@@ -204,7 +204,7 @@ def test_a_point_tells_its_line_cells_and_values(browser, page, results):
     browser.open(page, *SIZES["desk"])
     points = browser.evaluate(FIRST_COST)
     study = next(
-        entry for entry in plumbline_results.load_folder(results[0]).studies
+        entry for entry in reader.load_folder(results[0]).studies
         if entry.study["case"] == "sod" and entry.study["scheme"] == "york1997" and entry.study["vary"] == "cells"
     )  # fmt: skip
     told = 0

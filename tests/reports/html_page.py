@@ -7,7 +7,7 @@ import re
 from html.parser import HTMLParser
 
 import numpy
-import plumbline_results
+from plumbline import reader
 import render
 from PIL import Image
 
@@ -130,7 +130,7 @@ class Page(HTMLParser):
 
 
 def source_of(folder):
-    return render.single_file(render.report(plumbline_results.load_folder(folder), whole=False))
+    return render.single_file(render.report(reader.load_folder(folder), whole=False))
 
 
 def shown(folder):

@@ -3,13 +3,13 @@
 import json
 
 CASES = ("sod", "spring-mass", "two-disks", "membrane-expansion")
-TESTS = ("tests/cases/harness/verdict/order_test.cpp", "tests/reports/test_plumbline_results.py")
+TESTS = ("tests/cases/harness/verdict/order_test.cpp", "tests/reports/test_reader.py")
 
 
 def mutant(name, area, status, **more):
     row = {
         "id": name,
-        "file": {"reading": "reports/plumbline_results.py"}.get(area, f"kernel/{area}.cpp"),
+        "file": {"reading": "reports/plumbline/reader.py"}.get(area, f"kernel/{area}.cpp"),
         "line": 12,
         "area": area,
         "kind": "factor",

@@ -6,7 +6,7 @@ import pytest
 
 import baseline
 import cases as gathering
-import plumbline_results
+from plumbline import reader
 import render
 import synthetic_results
 from html_page import Page, without_scripts
@@ -52,14 +52,14 @@ def path(tmp_path_factory):
 @pytest.fixture(scope="module")
 def source(path):
     """With the same folder as its own baseline, and a document."""
-    folder = plumbline_results.load_folder(path)
+    folder = reader.load_folder(path)
     folder.diff = document(FINDINGS)
-    return without_scripts(render.render(folder, plumbline_results.load_folder(path)))
+    return without_scripts(render.render(folder, reader.load_folder(path)))
 
 
 @pytest.fixture(scope="module")
 def alone(path):
-    return without_scripts(render.render(plumbline_results.load_folder(path)))
+    return without_scripts(render.render(reader.load_folder(path)))
 
 
 def test_without_a_baseline_there_is_no_word_of_it(alone):
@@ -74,7 +74,7 @@ def test_curves_of_the_baseline_are_drawn_along(source, alone):
 
 
 def test_lines_belong_to_those_of_the_same_study(path):
-    cases, earlier = (gathering.gather(plumbline_results.load_folder(path)) for _ in range(2))
+    cases, earlier = (gathering.gather(reader.load_folder(path)) for _ in range(2))
     for case in earlier.values():
         for entry in case.series:
             entry.scheme += "-other" if entry.vary == "dt" else ""

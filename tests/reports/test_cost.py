@@ -5,10 +5,10 @@ import math
 
 import cost
 import cost_charts
-import plumbline_results
+from plumbline import reader
 import pytest
 import render
-from cases import Case
+from cases import Case, Series
 from cost_estimates import AT, MORE, MOST, NONE, Reach, front, ratio, reach, spread
 
 
@@ -75,7 +75,7 @@ def entry(scheme, study, cells, error, wall, case="sod", **more):
     relative = None if error is None else error
     return {
         "case": case, "scheme": scheme, "study": study, "kind": "gas", "differs": {}, "vary": "cells", "value": cells,
-        "cells": cells, "h": 1 / cells, "dt": 1e-3, "points": 4 * cells, "steps": cells, "point_steps": 4 * cells**2,
+        "cells": cells, "h": 1 / cells, "dt": 1e-3, "points": 4 * cells, "steps": cells, "particle_steps": 4 * cells**2,
         "finished": error is not None, "source": "timed", "wall_s": [0.9 * wall, wall, 1.2 * wall], "instructions": None,
         "errors": {} if error is None else {"density.L1": {"error": error, "relative_error": relative}}, **more,
     }  # fmt: skip
@@ -114,13 +114,39 @@ def test_york_that_never_arrives_gives_a_bound():
     assert cost.reach_words(found.reaches[found.york.label]).startswith("not by")
 
 
-def test_another_problem_is_not_compared():
+def with_keys(**numerical):
+    """A case whose text says of these keys whether they are numerical."""
+    case = OneCase("sod")
+    case.catalog = {"parameters": [{"key": key, "numerical": value} for key, value in numerical.items()]}
+    return case
+
+
+def test_the_problem_is_decided_by_the_keys_that_the_case_calls_physical():
+    """A run of half a second is no rival of one of five, whoever computes it; how points know their strain is no other problem."""
+    case = with_keys(t_end=False, strain=True)
+    runs = first_order("default", "default", 1, differs={"t_end": 5}) + first_order("default", "unfolding", 0.01, differs={"t_end": 0.5})
+    runs += first_order("york1997", "york1997", 0.01, differs={}) + first_order("default", "summed", 2, differs={"t_end": 5, "strain": "x"})
+    (found,) = cost.compare(document(runs), {"sod": case})
+    assert [line.study for line in found.lines] == ["default", "summed"] and found.york is None
+    pale = [line.study for line in cost.lines_of(document(runs), case) if not line.same_problem]
+    assert sorted(pale) == ["unfolding", "york1997"]
+
+
+def test_a_key_of_which_nothing_is_said_is_physical():
     runs = first_order("default", "default", 1) + first_order("default", "light", 0.01, differs={"mass": 0.1})
     assert [line.study for line in compared(runs).lines] == ["default"]
-    (light,) = [line for line in cost.lines_of(document(runs), OneCase("sod")) if line.study == "light"]
-    assert not light.same_problem
-    runs = first_order("default", "default", 1) + first_order("default", "summed", 0.01, differs={"strain": "accumulated"})
-    assert [line.study for line in compared(runs).lines] == ["default", "summed"]
+
+
+def test_schemes_on_another_problem_are_compared_with_each_other():
+    """York's airbag, whose pressure is an absolute one, and the default on the same: a problem of its own."""
+    other = {"pressure": "york"}
+    runs = first_order("default", "default", 1) + first_order("york1997", "york1997", 4, differs=other)
+    runs += first_order("default", "york-pressure", 2, differs=other) + first_order("default", "alone", 2, differs={"pressure": "x"})
+    own, york = cost.compare(document(runs), {"sod": with_keys(pressure=False)})
+    assert (own.problem, own.york) == ("", None)
+    assert york.problem == "pressure=york" and [line.study for line in york.lines] == ["york-pressure", "york1997"]
+    assert york.ratio(york.lines[0]).value == pytest.approx(0.25)
+    assert york.name == "sod, pressure=york"
 
 
 def test_levels_added_for_cost_belong_to_their_study():
@@ -137,16 +163,87 @@ def test_levels_of_other_numbers_stay_apart():
     assert [line.study for line in lines] == ["york1997", "levels/york1997"] and len({line.label for line in lines}) == 2
 
 
-def test_scheme_for_a_job_is_the_one_that_is_there_most_often():
-    """York is cheaper in the one case in which he arrives; the default arrives in both."""
-    cases = {name: OneCase(name) for name in ("sod", "lax")}
-    runs = first_order("default", "default", 2) + first_order("york1997", "york1997", 1)
-    runs += first_order("default", "default", 2, case="lax") + first_order("york1997", "york1997", 40, case="lax")
-    rows = cost.jobs(cost.compare(document(runs), cases))
-    assert [(row["scheme"], row["there"], row["tried"], row["chosen"]) for row in rows] == [
-        ("default", 2, 2, True), ("york1997", 1, 2, False),
-    ]  # fmt: skip
-    assert rows[0]["factor"] == "2"  # 4 in one case, 1 in the other
+def standings(runs, cases=("sod", "lax", "leblanc")):
+    rows = cost.jobs(cost.compare(document(runs), {name: OneCase(name) for name in cases}))
+    return {row["scheme"]: row for row in rows}, cost.recommended(rows)
+
+
+def two_schemes(*constants):
+    """The default with the constant 2 and York's with these, one a case."""
+    runs = []
+    for case, constant in zip(("sod", "lax", "leblanc"), constants):
+        runs += first_order("default", "default", 2, case=case) + first_order("york1997", "york1997", constant, case=case)
+    return runs
+
+
+def test_a_recommended_scheme_says_over_which_problems_it_needs_less_time_than_which_others():
+    """An error costs time in proportion to the square of the constant: the default is first in two of three problems."""
+    rows, (choice,) = standings(two_schemes(1, 4, 40))
+    assert (rows["default"]["first"], rows["default"]["shared"]) == (2, 3) and rows["york1997"]["first"] == 1
+    assert choice["scheme"] == "default" and choice["problems"] == ["lax", "leblanc", "sod"]
+    assert choice["against"] == [{"scheme": "york1997", "less": 2, "more": 1}]
+    assert rows["default"]["recommended"] and not rows["york1997"]["recommended"]
+
+
+def test_nobody_is_recommended_without_a_rival():
+    """What was tried alone has not been chosen from anything."""
+    runs = first_order("default", "default", 1) + first_order("default", "default", 1, case="lax")
+    rows, (choice,) = standings(runs)
+    assert not rows["default"]["recommended"] and choice["scheme"] is None
+    assert choice["why"] == "no two schemes were run on the same problem"
+
+
+def test_nobody_is_recommended_over_a_single_problem():
+    rows, (choice,) = standings(two_schemes(4))
+    assert choice["scheme"] is None and "one problem" in choice["why"] and not any(row["recommended"] for row in rows.values())
+
+
+def test_nobody_is_recommended_where_each_is_first_as_often():
+    _, (choice,) = standings(two_schemes(1, 4))
+    assert choice["scheme"] is None and choice["why"] == "each of the schemes is beaten by another on as many problems"
+
+
+def test_what_is_only_known_as_a_bound_decides_nothing_it_does_not_settle():
+    """One mesh each: the better one took longer, and what it would take to be as bad as the other is not known."""
+    runs = []
+    for case in ("sod", "lax"):
+        runs += [entry("default", "default", 50, 0.001, 5, case=case), entry("york1997", "york1997", 50, 0.002, 3, case=case)]
+    _, (choice,) = standings(runs)
+    assert choice["scheme"] is None and "certain" in choice["why"]
+
+
+def test_a_bound_that_settles_it_decides():
+    """The default's only mesh is better and took less."""
+    runs = []
+    for case in ("sod", "lax"):
+        runs += [entry("default", "default", 50, 0.001, 2, case=case)] + first_order("york1997", "york1997", 4, case=case)
+    runs[1]["wall_s"], runs[6]["wall_s"] = [7, 8, 9], [7, 8, 9]  # his coarsest meshes
+    _, (choice,) = standings([run for run in runs if run["scheme"] == "default" or run["cells"] == 50])
+    assert choice["scheme"] == "default"
+
+
+def test_repeats_that_overlap_decide_nothing():
+    """A tenth of a difference, while repeats lie a third apart."""
+    _, (choice,) = standings(two_schemes(2.1, 2.1))
+    assert choice["scheme"] is None and "certain" in choice["why"]
+
+
+def test_choices_of_a_study_are_not_those_of_the_scheme():
+    """A cubic shape set by hand is ten times better: the scheme has no credit for it."""
+    runs = two_schemes(1, 1)
+    for case in ("sod", "lax"):
+        runs += first_order("default", "cubic", 0.02, case=case, choices={"shape": "cubic"})
+    _, (choice,) = standings(runs)
+    assert choice["scheme"] == "york1997"
+
+
+def test_orders_are_those_of_asymptotic_studies_alone():
+    case = OneCase("sod")
+    runs = first_order("default", "default", 1) + first_order("york1997", "york1997", 2)
+    for study, order, asymptotic in (("default", 0.98, True), ("york1997", 3.7, False)):
+        case.series.append(Series(study, "cells", {}, [], {"density.L1": {"order": order, "asymptotic": asymptotic, "reason": ""}}, [], study=study))
+    rows = {row["scheme"]: row for row in cost.jobs(cost.compare(document(runs), {"sod": case}))}
+    assert rows["default"]["orders"] == "0.980" and rows["york1997"]["orders"] == "—"
 
 
 def test_a_value_that_is_zero_has_no_relative_error():
@@ -200,11 +297,18 @@ def test_charts_and_figures_of_a_case_are_drawn():
     assert cost.case_figures(doc, OneCase("lax"), "case-lax") == []
 
 
+def test_a_figure_tells_eight_lines_apart_and_says_how_many_there_are_besides():
+    runs = [run for number in range(11) for run in first_order("default", f"study-{number}", 1 + number)]
+    time, _ = cost.case_figures(document(first_order("default", "default", 1) + runs), OneCase("sod"), "case-sod")
+    assert len([key for key in time.keys if key.label != "Pareto front"]) == 8 and "4 further lines in the tables" in time.caption
+
+
 def test_page_with_costs(tmp_path):
     runs = first_order("default", "default", 1) + first_order("york1997", "york1997", 2)
     (tmp_path / "cost.json").write_text(json.dumps(document(runs)))
-    folder = plumbline_results.load_folder(tmp_path)
-    assert not folder.damaged and render.cost_part(folder, {"sod": OneCase("sod")})["jobs"][0]["scheme"] == "default"
+    folder = reader.load_folder(tmp_path)
+    part = render.cost_part(folder, {"sod": OneCase("sod")})
+    assert not folder.damaged and part["jobs"][0]["scheme"] == "default" and len(part["recommended"]) == 1
 
 
 @pytest.mark.parametrize("change", [
@@ -216,5 +320,5 @@ def test_damaged_document_is_listed(tmp_path, change):
     doc = document([entry("default", "default", 100, 0.01, 0.1)])
     change(doc)
     (tmp_path / "cost.json").write_text(json.dumps(doc))
-    folder = plumbline_results.load_folder(tmp_path)
+    folder = reader.load_folder(tmp_path)
     assert folder.cost == {} and [name for name, _ in folder.damaged] == ["cost.json"]

@@ -11,7 +11,7 @@ import h5py
 import numpy
 import pytest
 
-import plumbline_results
+from plumbline import reader
 import synthetic_results
 from html_page import Page, shown, source_of
 
@@ -35,7 +35,7 @@ def sealed(content):
 def test_a_sealed_file_is_read(folder, tmp_path):
     path = tmp_path / "whole.h5"
     path.write_bytes(sealed(folder["frames"]))
-    assert len(plumbline_results.load(path).frames) == len(synthetic_results.FRAME_TIMES)
+    assert len(reader.load(path).frames) == len(synthetic_results.FRAME_TIMES)
 
 
 def cut(content, dice):
@@ -70,9 +70,9 @@ def test_no_damage_goes_unnoticed(folder, tmp_path, kind, damage):
         path.unlink(missing_ok=True)  # writing over a file waits for the disk
         path.write_bytes(content)
         if content.rstrip(b"\0")[512:] == whole.rstrip(b"\0")[512:] and len(content) == len(whole):
-            continue  # in the room behind the seal
-        with pytest.raises(plumbline_results.DamagedFile):
-            plumbline_results.load(path)
+            continue  # in the space behind the seal
+        with pytest.raises(reader.DamagedFile):
+            reader.load(path)
 
 
 JUNK = (None, True, 0, -1, 1e400, "", "x", [], [None], {}, {"": []}, [[1, 2], [3]])
@@ -87,8 +87,8 @@ def test_junk_in_a_part_of_the_frames(folder, tmp_path, part):
             del file[f"frames/{part}"]
             value = junk if isinstance(junk, (numpy.ndarray, h5py.Empty)) else numpy.bytes_(json.dumps(junk))
             file[f"frames/{part}"] = value
-        with pytest.raises(plumbline_results.DamagedFile):
-            plumbline_results.load(path)
+        with pytest.raises(reader.DamagedFile):
+            reader.load(path)
 
 
 # --- documents --------------------------------------------------------------------------------------
@@ -132,7 +132,7 @@ DAMAGED = {
 def test_a_damaged_document_is_listed(tmp_path, name, content):
     said, reasons = DAMAGED[name]
     (tmp_path / name).write_text(content, encoding="utf-8")
-    assert [file for file, _ in plumbline_results.load_folder(tmp_path).damaged] == [name]
+    assert [file for file, _ in reader.load_folder(tmp_path).damaged] == [name]
     page = shown(tmp_path)
     assert said in page.text
     ((verdict, file, reason),) = [cells for _, cells in page.rows if name in cells]
@@ -178,7 +178,7 @@ def old(tmp_path):
 
 
 def test_a_run_of_format_1_is_read_whole(old):
-    result = plumbline_results.load(old)
+    result = reader.load(old)
     assert result.format == 1 and result.kind == "run" and result.run["case"] == "two-disks"
     assert result.provenance["version"] == "0.5.0" and result.settings["cells"] == 4
     assert result.measures["restitution"]["value"] == result.run["measures"]["restitution"]["value"]
@@ -194,5 +194,5 @@ def test_a_run_of_format_1_is_read_whole(old):
 
 def test_a_folder_may_hold_both_formats(old, folder):
     (old.parent / "new.h5").write_bytes(folder["run"])
-    found = plumbline_results.load_folder(old.parent)
+    found = reader.load_folder(old.parent)
     assert sorted(run.format for run in found.runs) == [1, 2] and not found.damaged

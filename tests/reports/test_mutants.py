@@ -24,12 +24,17 @@ def test_score_and_counts_are_those_of_the_matrix(folder):
     words = shown(folder).text
     for part in (
         "57.1 % of the 7 bugs that change anything (4)",
-        "2 of them a gate of a case",
+        "Gates of cases see 2 of the 8; unit tests alone see 2",
         "Of the 36 gates of the cases 8 went red at least once",
         "from commit 0123456",
         "wrong-sign is no longer killed by spring-mass, amplitude",
     ):
         assert part in words, part
+
+
+def test_a_matrix_of_another_commit_says_so():
+    assert mutants.page(synthetic_mutants.document(), "fedcba9")["elsewhere"]
+    assert not mutants.page(synthetic_mutants.document(), "0123456")["elsewhere"]
 
 
 def test_every_sort_of_cell_looks_its_own(folder):

@@ -10,7 +10,7 @@ import pytest
 import figures
 import normals
 import pictures
-import plumbline_results
+from plumbline import reader
 import raster
 import synthetic_results
 from html_page import Page, pixels_of, without_scripts
@@ -19,7 +19,7 @@ from html_page import Page, pixels_of, without_scripts
 @pytest.fixture(scope="module")
 def run(results):
     folder, names = results
-    return plumbline_results.load(folder / names["frames"])
+    return reader.load(folder / names["frames"])
 
 
 @pytest.fixture(scope="module")
@@ -27,7 +27,7 @@ def axisymmetric(tmp_path_factory):
     folder = tmp_path_factory.mktemp("axisymmetric")
     name = synthetic_results.spring_files_only(folder)
     synthetic_results.add_frames(folder / name, axisymmetric=True)
-    return plumbline_results.load(folder / name)
+    return reader.load(folder / name)
 
 
 def numbers(address, palette):
@@ -56,14 +56,14 @@ def test_reader_gives_back_what_was_written(run):
 
 def test_a_run_without_frames_has_none(results):
     folder, names = results
-    assert plumbline_results.load(folder / names["run"]).frames is None
+    assert reader.load(folder / names["run"]).frames is None
 
 
 def test_frames_of_the_previous_format_are_read_alike(tmp_path, run):
     path = tmp_path / "old.h5"
     synthetic_results.create(path, "run", {"run": {}}, version=1).close()
     synthetic_results.add_frames(path)
-    old = plumbline_results.load(path)
+    old = reader.load(path)
     assert old.format == 1 and run.format == 2 and old.frames.bodies == run.frames.bodies
     assert numpy.array_equal(old.frames.times, run.frames.times) and old.frames.grid == run.frames.grid
     for name, values in run.frames.points.items():
@@ -81,8 +81,8 @@ def with_frames(tmp_path):
 def test_frames_that_lack_a_part_are_damaged(with_frames, part):
     with h5py.File(with_frames, "a") as file:
         del file[f"frames/{part}"]
-    with pytest.raises(plumbline_results.DamagedFile):
-        plumbline_results.load(with_frames)
+    with pytest.raises(reader.DamagedFile):
+        reader.load(with_frames)
 
 
 @pytest.mark.parametrize("part", ["start", "time", "body", "stress", "position"])
@@ -91,8 +91,8 @@ def test_frames_of_unequal_length_are_damaged(with_frames, part):
         shorter = file[f"frames/{part}"][:-1]
         del file[f"frames/{part}"]
         file[f"frames/{part}"] = shorter
-    with pytest.raises(plumbline_results.DamagedFile, match="do not fit"):
-        plumbline_results.load(with_frames)
+    with pytest.raises(reader.DamagedFile, match="do not fit"):
+        reader.load(with_frames)
 
 
 # --- raster ---------------------------------------------------------------------------------------
@@ -274,7 +274,7 @@ def test_page_shows_them(page):
 
 
 def test_normals_of_each_method():
-    profile = plumbline_results.Columns(synthetic_results.normals_profile())
+    profile = reader.Columns(synthetic_results.normals_profile())
     assert sorted(normals.methods(profile)) == ["good", "wrong"]
     drawn = normals.needles(profile, "line", "file", "p")
     assert "good" in drawn.svg and "&lt; 10⁻⁶°" in drawn.svg
@@ -285,8 +285,8 @@ def test_normals_of_each_method():
 def test_profiles_without_normals_have_none():
     profile = synthetic_results.normals_profile()
     del profile["normal_x"]
-    assert normals.methods(plumbline_results.Columns(profile)) == []
-    assert normals.methods(plumbline_results.Columns(synthetic_results.spring_profile())) == []
+    assert normals.methods(reader.Columns(profile)) == []
+    assert normals.methods(reader.Columns(synthetic_results.spring_profile())) == []
 
 
 def test_needles_stand_on_their_points():

@@ -12,7 +12,7 @@ from collections import Counter
 import numpy
 import pytest
 
-import plumbline_results
+from plumbline import reader
 import render
 import synthetic_results
 from conftest import REPORTS
@@ -196,7 +196,7 @@ def test_orders_are_those_of_the_files(results, parsed):
 
     folder, _ = results
     left_out = []
-    for study in plumbline_results.load_folder(folder).studies:
+    for study in reader.load_folder(folder).studies:
         for name, values in study.measures.items():
             low, high = values["order_low"], values["order_high"]
             words = f"{values['order']:.3f} [{low:.3f}, {high:.3f}]".replace("-", "−")
@@ -486,7 +486,7 @@ def test_drift_is_scaled_to_the_stated_one(results):
     import profiles
 
     folder, names = results
-    run = plumbline_results.load(folder / names["run"])
+    run = reader.load(folder / names["run"])
     relative = profiles.relative_residual(run, "energy")
     assert relative.max() == pytest.approx(run.run["ledger"]["energy"]["relative_drift"], rel=1e-14)
     run.run["ledger"]["energy"]["largest_residual"] = (

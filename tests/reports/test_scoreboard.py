@@ -7,7 +7,7 @@ from collections import Counter
 
 import pytest
 
-import plumbline_results
+from plumbline import reader
 import scoreboard
 import synthetic_board
 import text
@@ -139,4 +139,4 @@ def test_missing_document_says_how_to_make_it(tmp_path, capsys):
 
 def test_document_that_was_read_is_the_one_that_was_written(tmp_path):
     folder = synthetic_board.write_board(tmp_path)
-    assert plumbline_results.load_scoreboard(folder / scoreboard.DOCUMENT) == synthetic_board.board()
+    assert reader.load_scoreboard(folder / scoreboard.DOCUMENT) == synthetic_board.board()

@@ -12,7 +12,7 @@ from collections import Counter
 import jsonschema
 import pytest
 
-import plumbline_results
+from plumbline import reader
 import scorecards
 import svg
 import synthetic_results
@@ -26,7 +26,7 @@ SCHEMA = json.loads((REPORTS.parent / "cases/harness/schema/plumbline.schema.jso
 
 def loaded(tmp_path, card, name="scorecard-x.json"):
     write_card(tmp_path, name, card)
-    return plumbline_results.load_scorecard(tmp_path / name)
+    return reader.load_scorecard(tmp_path / name)
 
 
 def page_of(tmp_path, card, name="scorecard-x.json"):
@@ -268,7 +268,7 @@ def test_null_everywhere_it_may_stand(tmp_path, card, monkeypatch):
     for changed in each_without(card()):
         try:
             found = loaded(tmp_path, changed)
-        except plumbline_results.DamagedFile:
+        except reader.DamagedFile:
             continue
         whole += 1
         scorecards.page([found], {})
@@ -366,7 +366,7 @@ def test_judges_of_little(tmp_path):
     assert "Proof that these gates judge" in shown(tmp_path).text
     for changed in each_without(judges()):
         write_card(tmp_path, "judges.json", changed)
-        found = plumbline_results.load_folder(tmp_path)
+        found = reader.load_folder(tmp_path)
         if not found.damaged:
             scorecards.page([], found.judges)
 

@@ -3,7 +3,7 @@
 import json
 
 import numpy
-import plumbline_results
+from plumbline import reader
 import pytest
 import render
 import trust
@@ -103,7 +103,7 @@ def test_histogram_leaves_identities_out():
 
 def test_features_are_those_of_the_runs():
     def run(**settings):
-        return plumbline_results.Result("run", "a.h5", 1, run={"case": "sod", "ledger": {"momentum_x": {}, "momentum_y": {}}}, settings=settings)
+        return reader.Result("run", "a.h5", 1, run={"case": "sod", "ledger": {"momentum_x": {}, "momentum_y": {}}}, settings=settings)
 
     found = trust.features({"sod": 1, "lax": 1}, [run(shape="cubic", density="grid"), run(shape="linear", density="grid", geometry="axisymmetric")])
     rows = {(row["feature"], row["value"]): row["counts"] for row in found["rows"]}
@@ -118,7 +118,7 @@ def test_coverage_of_lines_is_shown(tmp_path):
 
 
 def test_tables_are_had_as_csv(tmp_path):
-    folder = plumbline_results.Folder(equations={"equations": [{"tag": "York 3.19", "computed": ["a:1"], "checked": []}]})
+    folder = reader.Folder(equations={"equations": [{"tag": "York 3.19", "computed": ["a:1"], "checked": []}]})
     render.write_tables(folder, one_case(gate("default/mass", 0.95)), tmp_path)
     assert "default/mass" in (tmp_path / "tolerances.csv").read_text() and "York 3.19" in (tmp_path / "requirements.csv").read_text()
     assert numpy.loadtxt(tmp_path / "references.csv", delimiter=",", dtype=str).tolist() == list(trust.REFERENCE_COLUMNS)

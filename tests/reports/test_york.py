@@ -14,7 +14,7 @@ def part():
         gate("sod", "york1997", "york1997/density-100", "density.L1 at 100", 0.009, 0.011, "PASS", 0.0098, anchor="gate-d"),
         gate("sod", "default", "default/order", "density.L1 order", 0.9, None, "PASS", 0.98, anchor="gate-o"),
     ]
-    return render.york_part({"sod": gathering.Case("sod", gates=judged)})
+    return render.york_part({"sod": gathering.Case("sod", gates=judged)}, {})
 
 
 def row_of(part, name):
@@ -48,4 +48,4 @@ def test_counts_are_those_of_results(part):
 
 def test_page_has_the_section_where_a_case_of_his_is_there(page):
     assert 'id="york"' in page.read_text(encoding="utf-8")
-    assert york.page({"noh": gathering.Case("noh")}) is None
+    assert york.page({"noh": gathering.Case("noh")}, {}) is None

@@ -35,6 +35,12 @@ struct AirbagParameters : Parameters {
       : Parameters(std::move(given)),
         spec(defaults) {
     spec.speed = positive("speed", spec.speed, "m/s", "of the probe at impact");
+    spec.crown = number({.name = "crown",
+                         .value = spec.crown,
+                         .unit = "m",
+                         .low = tether_height,
+                         .high = 0.35,
+                         .description = "height of the upper pole in York's outline, from which the bag is blown up"});
     spec.end_time = positive("t_end", spec.end_time, "s", "end time, since impact");
   }
 };

@@ -27,7 +27,7 @@ inline constexpr double tether_radius = 0.08, tether_height = 0.299;  // of its 
 // Its material; the density is such that the bag has York's mass of 0.3672 kg.
 MembraneMaterial bag_skin(const Curve& outline);
 
-// The grid: cells of 0.5 m / `cells`, the plate at y = 0, room for the bag when it is flat and for the probe above it.
+// The grid: cells of 0.5 m / `cells`, the plate at y = 0, space for the bag when it is flat and for the probe above it.
 GridSpec airbag_grid(int cells);
 
 // Bag and gas, bodies "gas" and "bag", the outline as they stand, the gas with York's density. The skin is unstretched

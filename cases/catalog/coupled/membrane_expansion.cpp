@@ -77,7 +77,7 @@ class MembraneExpansionRun final : public Problem {
     }
     if (simulation.time() < next_look_) return;
     next_look_ += period_ / looks;
-    const BagState now = look_at(bodies[0], bodies[1], bag, corners());
+    const BagState now = look_at(bodies[0], bodies[1], bag, closing(bodies[1]));
     const auto [r0, r90, mean] = radii(bodies[1]);
     ++count_;
     sums_.radius_0 += r0;
@@ -141,6 +141,12 @@ class MembraneExpansionRun final : public Problem {
 
  private:
   static Curve corners() { return {{0, 0}}; }
+  // Of points at the middles of chords the first and the last stand half a chord from the walls that the bag ends on.
+  Curve closing(const Body& membrane) const {
+    if (by_segments()) return corners();
+    const double *x = membrane.points(column::position), *y = membrane.points(column::position, 1);
+    return {{0, y[membrane.points.points() - 1]}, {0, 0}, {x[0], 0}};
+  }
   bool by_segments() const { return settings_.text("membrane.strain") == "segments"; }
   int segments() const {
     return std::max(4, whole(std::round(settings_.number("membrane.ppc") * dog_bone_length / h_)));
@@ -197,31 +203,59 @@ class MembraneExpansionRun final : public Problem {
   int count_ = 0, escaped_ = 0;
 };
 
+// Snapshots of a run, a tenth of a second apart: York's text speaks of 0.1 s.
+int every_tenth(double end) { return 1 + whole(std::round(10 * end)); }
+
+// A level of york1997 again, which is no second run.
+StudyPlan york_to_look_at(double cells) {
+  return study("york-shapes-" + to_text(cells), "york1997 on " + to_text(cells) + " cells",
+               "To look at: Figs. 52 and 54.", {cells})
+      .of_york()
+      .in(Tier::full)
+      .pictured(every_tenth(8.5));
+}
+
+// Fig. 87: to 0.8 s. York does not say on which mesh.
+StudyPlan first_second(std::string id, std::string title, const std::string& method) {
+  return study(std::move(id), std::move(title), "One mesh, that of his simulation 3.", {16})
+      .of_york()
+      .with({{"normals", method}, {"t_end", 0.8}})
+      .in(Tier::full)
+      .pictured(17);
+}
+
 std::vector<StudyPlan> studies() {
   const Override five_seconds{"t_end", 5.0}, accumulated{"membrane.strain", "accumulated"};
-  return {study("default", "default, to 5 s",
-                "Gas and membrane meet inside cells: order 1 at least. At 5 s all is as much at rest as at "
-                "York's 8.5 s.",
-                {4, 6, 8, 12, 16})
-              .with({five_seconds})
-              .in_full({4, 6, 8, 12, 16, 24, 32})
-              .pictured(25, 16),
-          study("unfolding", "the first half second of default", "To look at: two levels, no order.", {8, 16})
-              .with({{"t_end", 0.5}})
-              .pictured(25),
-          study("york1997", "york1997, 64 points a cell: tables 5 and 6", "York's own four meshes.", {4, 8})
-              .of_york()
-              .in_full({4, 8, 16, 32}),
-          study("booked", "default, losses booked", "The end with less energy.", {8})
-              .with({{"membrane.loss", "booked"}, five_seconds})
-              .in_full({8, 16}),
-          study("connectivity", "accumulated strain, tangents by connectivity", "For comparison with the next.", {8})
-              .with({accumulated})
-              .in_full({8, 16}),
-          study("modern", "accumulated strain, tangents without connectivity",
-                "York's open problem: no order of points is known.", {8})
-              .with({accumulated, {"normals", "modern"}})
-              .in_full({8, 16})};
+  return {
+      study("default", "default, to 5 s",
+            "Gas and membrane meet inside cells: order 1 at least. At 5 s all is as much at rest as at "
+            "York's 8.5 s.",
+            {4, 6, 8, 12, 16})
+          .with({five_seconds})
+          .in_full({4, 6, 8, 12, 16, 24, 32})
+          .pictured(every_tenth(5), 16),
+      study("unfolding", "the first half second of default", "To look at: two levels, no order.", {8, 16})
+          .with({{"t_end", 0.5}})
+          .pictured(25),
+      study("york1997", "york1997, 64 points a cell: tables 5 and 6", "York's own four meshes.", {4, 8})
+          .of_york()
+          .in_full({4, 8, 16, 32})
+          .pictured(every_tenth(8.5), 8),
+      york_to_look_at(16),
+      york_to_look_at(32),
+      first_second("york-connectivity", "York's run of Fig. 87, tangents by connectivity", "connectivity"),
+      first_second("york-mass-matrix-quadratic", "the same, his quadratic mass matrix", "york-mass-matrix-quadratic"),
+      first_second("york-mass-matrix", "the same, his mass matrix with linear shapes", "york-mass-matrix"),
+      study("booked", "default, losses booked", "The end with less energy.", {8})
+          .with({{"membrane.loss", "booked"}, five_seconds})
+          .in_full({8, 16}),
+      study("connectivity", "accumulated strain, tangents by connectivity", "For comparison with the next.", {8})
+          .with({accumulated})
+          .in_full({8, 16}),
+      study("modern", "accumulated strain, tangents without connectivity",
+            "York's open problem: no order of points is known.", {8})
+          .with({accumulated, {"normals", "modern"}})
+          .in_full({8, 16})};
 }
 
 Number relative_error_at(const std::string& measure, double level) {
@@ -261,7 +295,7 @@ std::vector<CaseGate> gates_at(double level) {
       relative("radius_0", 1e-3, thousandth),
       relative("radius_90", 1e-3, thousandth),
       relative("pressure", 0.015, required("1.5 % at h = 0.1, where York's pressure is 13 % low")),
-      relative("hoop_stress", 0.015, required("1.5 % at h = 0.1, as of the pressure that it bears")),
+      relative("hoop_stress", 0.015, required("1.5 % at h = 0.1, as of the pressure that it carries")),
       value("hoop_scatter", at_most(share * 0.1),
             required("a tenth of the mean at h = 0.1; without relaxation single stresses scatter by more than "
                      "their mean")),
@@ -298,6 +332,12 @@ std::vector<CaseGate> york_gates() {
   const std::string mean =
       "his mean over interior grid points is not one over the gas: it counts cells alike, and what little gas "
       "stands beside the membrane not at all; here energy over volume, the volumes too large";
+  const std::string
+      torn_on = "2026-11-26 05844c9",
+      torn =
+          "the bag tears at 3.3 s, before that its radius, 1.42, is 2 % above his: strains summed from rates let it "
+          "grow, and "
+          "at one place the points drift apart until one flies off; gas and membrane then stand at the walls";
   // On 4 cells the second radius and the pressure are no property of the scheme: see the known limits.
   return {
       radius("radius_0", 4, 1.08)
@@ -313,16 +353,20 @@ std::vector<CaseGate> york_gates() {
       radius("radius_90", 16, 1.387),
       pressure(16, 27.0).fails(mean, around(28.6, 0.02), stamp),
       hoop(16, 417),
-      radius("radius_0", 32, 1.394),
-      radius("radius_90", 32, 1.396),
-      pressure(32, 29.0),
-      hoop(32, 447).fails("first law and virial allow a mean of 432 Pa with nothing lost; this run loses 2 % of "
-                          "the energy",
-                          {409, 426}, "2026-11-22 7c0a6a5"),
+      radius("radius_0", 32, 1.394).fails(torn, {1.5, 1.62}, torn_on),
+      radius("radius_90", 32, 1.396).fails(torn, {1.5, 1.62}, torn_on),
+      pressure(32, 29.0).fails(torn, {15.5, 18.5}, torn_on),
+      gate("york1997/hoop_stress-32",
+           number_at("hoop_stress at 32 less York's 447 Pa", "hoop_stress", 32,
+                     [](const RunResult&, const Measure& hoop) { return Measured::of(*hoop.value - 447); }),
+           between(-0.05 * 447, 0.05 * 447), literature("table 6"))
+          .fails(torn, {-447, -400}, torn_on)
+          .in(Tier::full),
 
       judged("york1997", value_at, "hoop_scatter", 8, at_most(0.1),
              requirement("a tenth of the mean, as of the default scheme at h = 0.1"))
-          .fails("strains that no node sees are frozen in as the bag unfolds: single stresses mean nothing, and "
+          .fails("strains in null-space modes of the maps are frozen in as the bag unfolds: single stresses mean "
+                 "nothing, and "
                  "scatter as roundings will (seventeen runs in cases/ensembles.json)",
                  {1.0, 11.0}, "2026-11-23 5825b24"),
       judged("york1997", value_at, "volume_ratio", 8, between(0.99, 1.01),
@@ -332,6 +376,85 @@ std::vector<CaseGate> york_gates() {
                  {1.08, 1.18}, stamp),
       judged("york1997", value_at, "virial", 8, between(0.99, 1.01),
              theory("an identity at rest; his bag still moves with 6 % of its energy"))};
+}
+
+// Energies of Figs. 49, 51, 53 and 55, of which the text gives what is lost, and what it says of the end.
+std::vector<CaseGate> york_energy_gates() {
+  const std::string stamp = "2026-11-26 05844c9";
+  const std::string noise = "much that viscosity should have brought to rest is still in motion at the end: ";
+  const auto beyond_york = [&](double cells, double york, const char* says, const char* cause, Range band) {
+    return gate("york1997/energy_lost-" + to_text(cells),
+                number_at("share of the energy lost, less York's " + to_text(york) + ", at " + to_text(cells),
+                          "energy_lost", cells,
+                          [york](const RunResult&, const Measure& lost) { return Measured::of(*lost.value - york); }),
+                between(-5e-4, 5e-4), literature(says))
+        .fails(noise + cause, band, stamp)
+        .in(cells > 8 ? Tier::full : Tier::quick);
+  };
+  const Number out_of_round = number_at("difference of the radii at 0 and 90 degrees over the one at 90, at 8",
+                                        "radius_0", 8, [](const RunResult& run, const Measure& at_0) {
+                                          return Measured::of(std::abs(*at_0.value / value_of(run, "radius_90") - 1));
+                                        });
+  return {beyond_york(4, 0.036, "York, section 6.2.1: about 3.6 % lost; half a digit",
+                      "10 % of the energy, and 0.4 % is lost", {-0.0345, -0.031}),
+          beyond_york(8, 0.034, "York, section 6.2.2: about 3.4 % lost; half a digit", "6 % of it, and 0.5 % is lost",
+                      {-0.031, -0.027}),
+          beyond_york(16, 0.012, "York, section 6.2.3: about 1.2 % lost; half a digit", "3 % of it, and 0.7 % is lost",
+                      {-0.0062, -0.0046}),
+          judged("york1997", value_at, "energy_lost", 32, at_most(0.01),
+                 literature("York, section 6.2.4: less than 1 % lost"))
+              .fails("the bag tears at 3.3 s (radius_0-32), when 0.7 % is lost; gas that streams out takes the rest",
+                     {0.07, 0.092}, stamp)
+              .in(Tier::full),
+          gate("york1997/round-8", out_of_round, at_most(0.02),
+               literature("York, section 6.2.2: radii approximately equal; 2 %, by which his bag breathes")),
+          judged("york1997", value_at, "escaped_points", 4, at_most(0),
+                 literature("York, section 6.2.1: gas does not escape")),
+          judged("york1997", value_at, "escaped_points", 8, at_most(0), nothing_passes),
+          judged("york1997", value_at, "escaped_points", 16, at_most(0), nothing_passes).in(Tier::full)};
+}
+
+// Fig. 87: normals by York's mass matrices beside those by connectivity.
+std::vector<CaseGate> mass_matrix_gates() {
+  const auto radius = [](const RunResult& run) {
+    return 0.5 * (value_of(run, "radius_0") + value_of(run, "radius_90"));
+  };
+  const auto over = [radius](const char* study, const char* name, const char* other, const char* says) {
+    return gate(std::string(study) + "/" + name,
+                number_of(std::string("mean radius at the end over that of ") + other,
+                          [=](const StudyResult& s) {
+                            return Measured::of(radius(s.level(16)->run) / radius(s.sibling(other)->level(16)->run));
+                          },
+                          {16}),
+                at_least(1), literature(says))
+        .beside({other})
+        .in(Tier::full);
+  };
+  // The first of his pictures after the start.
+  const auto apart_at_first = [](const StudyResult& s) {
+    const auto at = [](const StudyResult& of, const char* column) {
+      const Profile& history = of.level(16)->run.profile;
+      const std::vector<double>& time = history.find("t")->values;
+      const auto row = std::lower_bound(time.begin(), time.end(), 0.05) - time.begin();
+      return history.find(column)->values.at(static_cast<std::size_t>(row));
+    };
+    double most = 0;
+    for (const char* column : {"radius_0", "radius_90"}) {
+      most = larger(most, std::abs(at(s, column) - at(*s.sibling("york-connectivity"), column)));
+    }
+    return Measured::of(most);
+  };
+  return {
+      gate("york-mass-matrix-quadratic/early",
+           number_of("largest difference of the radii from those with connectivity at 0.05 s", apart_at_first, {16}),
+           at_most(0.056),
+           literature("York, p. 124: positions are similar at early times; a fiftieth of his picture, 2.8 m wide"))
+          .beside({"york-connectivity"})
+          .in(Tier::full),
+      over("york-mass-matrix-quadratic", "later", "york-connectivity",
+           "York, p. 124: the radius grows larger with the mass matrix than with connectivity"),
+      over("york-mass-matrix", "expands-more", "york-mass-matrix-quadratic",
+           "York, p. 123: linear shapes let it expand too much; quadratic ones do better")};
 }
 
 // Tangents without connectivity beside those with it.
@@ -371,6 +494,8 @@ std::vector<CaseGate> gates() {
         gate("default/pressure-order", fitted_order_of("pressure"), at_least(0.9),
              theory("order 1 is what a boundary inside cells allows; 0.1 for coarse meshes"))},
        york_gates(),
+       york_energy_gates(),
+       mass_matrix_gates(),
        {gate("booked/pressure-8", error_at("pressure", 8), at_most(0.3),
              requirement("1 % of the pressure, below the 1.5 % without losses at h = 0.1: the reference has what "
                          "the ledger booked taken off"))},

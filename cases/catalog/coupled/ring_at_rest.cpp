@@ -109,7 +109,7 @@ std::vector<StudyPlan> studies() {
                 "Forces at the edge off by a share that does not fall with h: order 1/2.", {10, 16})
               .with({{"edge", "whole"}})
               .in_full(fewer),
-          study("accumulated", "strain summed from rates", "No order: patterns that no node sees.", {10, 16})
+          study("accumulated", "strain summed from rates", "No order: null-space modes of the maps.", {10, 16})
               .with({{"membrane.strain", "accumulated"}})
               .in_full(fewer),
           study("york1997", "York's scheme, his stiff ring, whole points",
@@ -138,7 +138,7 @@ const Number spin = number_of(
 std::vector<CaseGate> gates() {
   const Because still = requirement(
       "hoop stress within 0.1 % at any time of ten periods, a hundredth of what York's was off by");
-  const Because even = requirement("from point to point as still as in the mean: what no node sees is taken out");
+  const Because even = requirement("from point to point as still as in the mean: null-space modes are taken out");
   const std::string bands = "2026-11-23 5825b24";
   std::vector<CaseGate> all{
       gate("default/hoop-8", error_at("hoop_drift", 8), at_most(1e-3), still),
@@ -163,7 +163,7 @@ std::vector<CaseGate> gates() {
                  {0.058, 0.073}, bands),
       gate("york1997/scatter-16", error_at("hoop_scatter", 16), at_most(0.1),
            requirement("from point to point within 10 % of the mean, as of York's bag in membrane-expansion"))
-          .fails("half of a membrane's strains are patterns that no node sees, and nothing stops them", {0.83, 1.02},
+          .fails("half of a membrane's strains are null-space modes of the maps, and nothing stops them", {0.83, 1.02},
                  bands),
       gate("long/hoop-22", error_at("hoop_drift", 22), at_most(1e-3), still).in(Tier::full),
       gate("default/escaped-22", error_at("escaped_points", 22), exactly(0),

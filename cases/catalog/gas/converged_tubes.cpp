@@ -1,7 +1,7 @@
 // Flows without a closed solution, judged against a converged one: Shu and Osher's, Woodward and Colella's.
+#include "cases/catalog/gas/finite_volume_comparator.hpp"
 #include "cases/catalog/gas/gas_case.hpp"
 #include "cases/catalog/gas/shock_tube.hpp"
-#include "cases/catalog/gas/stick.hpp"
 #include "reference/converged_gas.hpp"
 
 namespace plumbline {
@@ -47,7 +47,7 @@ Case converged_tube(std::string name, const reference::GasProblem& problem, Solu
                     energy_gate("default"), coverage_gate("default", 200)},
           .levels = {100, 200, 400, 800, 1600},
           .comparators = [=](const Settings&, const std::vector<double>& cells) -> std::vector<Comparator> {
-            return {finite_volume_stick(
+            return {finite_volume_comparator(
                 problem, [=](double x) { return solution().sample(x); }, cells)};
           }};
 }

@@ -126,13 +126,13 @@ Case against_centre() {
   const std::string cause =
       "between the shock, three cells wide, and the layer that was heated at the centre a shock at ten cells leaves "
       "hardly "
-      "room for a plateau: it lacks 12, 9 and 6 % at 52, 72 and 100 cells, with order 1";
+      "cells for a plateau: it lacks 12, 9 and 6 % at 52, 72 and 100 cells, with order 1";
   Case made = noh_case(
       "noh-spherical", 3, by_rings({20, 28, 36, 44, 52}).in_full({28, 40, 52, 72, 100}),
       {energy_gate("default"), shock_position_gate("default", 52, cell),
        plateau_gate("default", 52, plateau).fails(cause, {0.105 * plateau, 0.135 * plateau}, "2026-11-25 dbede7c"),
        gate("default/plateau-52-coarse", value_at("plateau_density", 52), at_least(54),
-            requirement("above five sixths of 64: what a shock at ten cells leaves room for")),
+            requirement("above five sixths of 64: what a shock at ten cells permits")),
        wall_heating_gate(52, 0.2)});
   made.sets = {{"ppc", 2.0}};
   made.may_be_undefined = {

@@ -79,10 +79,10 @@ std::vector<StudyPlan> studies() {
 }
 
 // One of the three numbers of the statement, from the points, within so much of it.
-CaseGate published(const std::string& id, const std::string& measure, double value, double room,
-                   const std::string& why_room) {
-  return gate(id + "-400", value_at(measure, 400), between(value - room, value + room),
-              literature("Rankine and Hugoniot for a piston of 1 m/s; " + why_room));
+CaseGate published(const std::string& id, const std::string& measure, double value, double margin,
+                   const std::string& why_margin) {
+  return gate(id + "-400", value_at(measure, 400), between(value - margin, value + margin),
+              literature("Rankine and Hugoniot for a piston of 1 m/s; " + why_margin));
 }
 
 // A piston is no node line. Nodes up to half a cell before it move with it, so that the gas may stand up to half a

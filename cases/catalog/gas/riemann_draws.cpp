@@ -157,7 +157,7 @@ CaseGate no_worse_than_before(const std::string& field) {
 }
 
 std::vector<CaseGate> gates() {
-  const std::string stick =
+  const std::string finite_volumes =
       " the error of second-order finite volumes (MUSCL, HLLC) on the same mesh, the method that such flows would "
       "else be computed with; as errors of jumps are of first order, that is their error with ";
   const std::string carried =
@@ -170,17 +170,17 @@ std::vector<CaseGate> gates() {
   const Because exact_enough = reference_bound(
       "the exact solution is known to 1e-12 of its values, a thousandth of this: ratios are of errors, not of bounds");
   return {gate("default/density-median", measured("density.median"), at_most(1.25),
-               requirement("a quarter beyond" + stick + "four fifths of the cells")),
+               requirement("a quarter beyond" + finite_volumes + "four fifths of the cells")),
           gate("default/velocity-median", measured("velocity.median"), at_most(1.4),
-               requirement("two fifths beyond" + stick + "seven tenths of the cells"))
+               requirement("two fifths beyond" + finite_volumes + "seven tenths of the cells"))
               .fails(carried, {1.42, 1.62}, "2026-11-25 dbede7c"),
           gate("default/pressure-median", measured("pressure.median"), at_most(1.4),
-               requirement("two fifths beyond" + stick + "seven tenths of the cells"))
+               requirement("two fifths beyond" + finite_volumes + "seven tenths of the cells"))
               .fails(read, {2.1, 2.5}, "2026-11-25 dbede7c"),
           gate("sharper/density-median", measured("density.median"), at_most(1.1),
-               requirement("a tenth beyond" + stick + "nine tenths of the cells")),
+               requirement("a tenth beyond" + finite_volumes + "nine tenths of the cells")),
           gate("sharper/velocity-median", measured("velocity.median"), at_most(1.3),
-               requirement("three tenths beyond" + stick + "three quarters of the cells"))
+               requirement("three tenths beyond" + finite_volumes + "three quarters of the cells"))
               .fails(carried, {1.3, 1.42}, "2026-11-26 0840c6d"),
           gate("sharper/stopped", measured("stopped"), exactly(0),
                requirement("each tube has an exact solution without vacuum: each run arrives at its end")),

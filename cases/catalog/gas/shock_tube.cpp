@@ -3,7 +3,7 @@
 #include <cmath>
 #include <memory>
 
-#include "cases/catalog/gas/stick.hpp"
+#include "cases/catalog/gas/finite_volume_comparator.hpp"
 #include "reference/gas_problem.hpp"
 
 namespace plumbline {
@@ -80,7 +80,7 @@ std::function<std::vector<Comparator>(const Settings&, const std::vector<double>
   return [defaults](const Settings& settings, const std::vector<double>& cells) -> std::vector<Comparator> {
     const ShockTube tube = TubeParameters(defaults, settings).tube;
     const reference::RiemannSolution exact(tube.states);
-    return {finite_volume_stick(
+    return {finite_volume_comparator(
         reference::riemann_tube(tube.states, tube.diaphragm, tube.end_time, tube.low, tube.high),
         [&](double x) { return exact.sample((x - tube.diaphragm) / tube.end_time); }, cells)};
   };

@@ -15,7 +15,7 @@
 namespace plumbline {
 namespace {
 
-constexpr double room = 0.2;  // m, of the grid beside and above the tube
+constexpr double margin = 0.2;  // m, of the grid beside and above the tube
 
 // One struct for points and reference.
 struct FilledTube : Parameters {
@@ -78,7 +78,7 @@ class GeoTubeRun final : public Problem {
     const double h = scene.grid.h = at_.tube.perimeter / settings_.number("cells");
     const double across = larger(0.5 * exact_.width().value, at_.from_circle ? radius() : 0);
     const double up = larger(exact_.height().value, at_.from_circle ? 2 * radius() : 0);
-    const auto cells = [h](double size) { return whole(std::ceil((size + room) / h)) + 1; };
+    const auto cells = [h](double size) { return whole(std::ceil((size + margin) / h)) + 1; };
     scene.grid.cells = {cells(across), cells(up), 1};
     scene.grid.walls[0] = {Wall::symmetry, Wall::free};
     scene.grid.walls[1] = {Wall::symmetry, Wall::free};
@@ -202,7 +202,7 @@ std::vector<StudyPlan> studies() {
                 {40, 56, 80, 112, 160})
               .in_full(finer),
           study("accumulated", "at rest, strain summed from rates",
-                "No order: strains of single points drift in patterns that no node sees.", {40, 80})
+                "No order: strains of single points drift in null-space modes of the maps.", {40, 80})
               .with({york_strain()})
               .in_full(finer),
           study("from-circle", "from a circle, with drag", "As at rest, once it has settled.", {28, 40, 56})
@@ -247,7 +247,7 @@ std::vector<CaseGate> gates() {
       required("accumulated", "departure", 80, 1e-4,
                "at rest: no point leaves its place by more than 1e-4 of the height, as with segments")
           .fails("nodes feel only what a cell's points pull together: strains of single points drift apart in "
-                 "patterns that no node sees, and points with them",
+                 "null-space modes of the maps, and points with them",
                  {4.3e-4, 5.3e-4}, "2026-11-23 5825b24"),
       gate("from-circle/departure-order", fitted_order_of("departure_at_end"), at_least(1),
            theory("a height of p0 h^2/8T at the end of the contact: order 2, 1 while it still lies down"))

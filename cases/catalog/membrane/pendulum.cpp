@@ -1,13 +1,16 @@
 // A heavy bob on a string of membrane points swings in the plane. [York section 5.7] Long for its gates: two ways to know the
 // strain, four meshes of York's, and three studies of what does not matter to the swing.
+#include <algorithm>
 #include <cmath>
 
+#include "cases/catalog/membrane/rotated_increments.hpp"
 #include "cases/catalog/membrane/string.hpp"
 #include "cases/harness/description/archive.hpp"
 #include "cases/harness/description/parameters.hpp"
 #include "cases/harness/files/whole.hpp"
 #include "cases/harness/judge/gates.hpp"
 #include "cases/harness/run/extremes.hpp"
+#include "reference/bar_pendulum.hpp"
 #include "reference/elastic_pendulum.hpp"
 
 namespace plumbline {
@@ -16,7 +19,12 @@ namespace {
 // One struct for points and reference.
 struct Swing : Parameters {
   reference::ElasticPendulumProblem pendulum;
-  std::string strain = text(strain_key());
+  std::string strain = text(strain_or_increments());
+  int layers = integer({.name = "layers",
+                        .value = 1.0,
+                        .low = 1,
+                        .high = 8,
+                        .description = "of points through the thickness, each with its own share of the section"});
   bool york_box = one_of("box", "wide", {"wide", "york"}, "walls out of the string's reach, or York's box") == "york";
   std::string layout = one_of("layout", "ends", {"ends", "ppc", "york"},
                               "20, 40, 80, 320 points on York's meshes, half a segment's share at the ends; ppc points "
@@ -30,6 +38,14 @@ struct Swing : Parameters {
     pendulum.density = positive("string_density", pendulum.density, "kg/m^3", "density of the string");
     pendulum.mass = positive("mass", pendulum.mass, "kg", "of the bob");
     pendulum.gravity = positive("gravity", pendulum.gravity, "m/s^2", "gravity");
+  }
+
+  // A key of this case alone: York's earlier way with strains is no choice for others.
+  static Key strain_or_increments() {
+    Key key = strain_key();
+    key.choices.push_back("increments");
+    key.description += "; or as York's first code did, increments rotated once";
+    return key;
   }
 
   bool whole_ends() const { return layout == "york"; }
@@ -70,12 +86,17 @@ class PendulumRun final : public Problem {
     Scene scene;
     scene.grid = swing_grid(at_, 1 / cells);
     scene.gravity[1] = -p.gravity;
-    const StringState state = straight_string({p.pivot_x, p.pivot_y}, {p.bob_x, p.bob_y}, points);
-    Body body = string_body("string", at_.strain, {p.youngs_modulus, p.area, p.density, p.one_way}, state, 2,
-                            at_.whole_ends() ? StringEnds::whole : StringEnds::half);
-    double& bob = body.points(column::mass)[points - 1];
-    bob = at_.whole_ends() ? p.mass : bob + p.mass;
-    scene.bodies.push_back(std::move(body));
+    for (int k = 0; k < at_.layers; ++k) {
+      const double aside = thickness * ((k + 0.5) / at_.layers - 0.5), share = 1.0 / at_.layers;
+      const StringState state = straight_string({p.pivot_x + aside, p.pivot_y}, {p.bob_x + aside, p.bob_y}, points);
+      Body body = string_body(k == 0 ? "string" : "layer-" + std::to_string(k + 1), at_.strain,
+                              {p.youngs_modulus, p.area * share, p.density, p.one_way}, state, 2,
+                              at_.whole_ends() ? StringEnds::whole : StringEnds::half);
+      if (at_.strain == "increments") rotate_increments_once(body);
+      double& bob = body.points(column::mass)[points - 1];
+      bob = share * p.mass + (at_.whole_ends() ? 0 : bob);
+      scene.bodies.push_back(std::move(body));
+    }
     apply_choices(settings_, scene);
     return scene;
   }
@@ -91,6 +112,10 @@ class PendulumRun final : public Problem {
     misalignment_ = larger(misalignment_, misalignment(points));
     kinetic_.push_back(simulation.ledger().stores.kinetic);
     elastic_.push_back(simulation.ledger().stores.elastic);
+    if (frames_.size() < frames && simulation.time() >= frame(frames_.size())) keep_frame(points);
+    squares_.points += points.points();
+    squares_.aside += squared_distances_to_chord(points);
+    if (points.has(column::tangent)) watch_stress(simulation.scene());
   }
   void history(Archive& archive) override {
     archive("times", times_);
@@ -99,6 +124,9 @@ class PendulumRun final : public Problem {
     archive("kinetic", kinetic_);
     archive("elastic", elastic_);
     archive("misalignment", misalignment_);
+    archive("frames", frames_);
+    archive("squares", squares_);
+    archive("least_strain", least_strain_);
   }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {
@@ -122,6 +150,11 @@ class PendulumRun final : public Problem {
             measure("half_loss", loss(1), exact_loss(1), "1"),
             measure("length_drift", mean_length() / exact_.length().value - 1, mean_exact_length(), "1"),
             share_measure("misalignment", misalignment_ / exact_.length().value),
+            scalar_measure("from_fem", from_fem(), 0, 0, "m"),
+            share_measure("mean_misalignment", std::sqrt(squares_.aside / squares_.points) / exact_.length().value),
+            share_measure("off_tangent", share_of(squares_.off_tangent)),
+            share_measure("stress_spread", share_of(squares_.spread)),
+            scalar_measure("least_strain", least_strain_ / static_strain(), 0, 0, "1"),
             drift_measure(simulation)};
   }
 
@@ -151,6 +184,77 @@ class PendulumRun final : public Problem {
   // reaches ten times as deep, which leaves out 1e-7 of the amplitude.
   static constexpr double angle_noise = 5e-5;
 
+  static constexpr double thickness = 0.1;  // t of York's Table 1, m
+  static constexpr std::size_t frames = 5;  // of his pictures, those of the first swing
+  static double frame(std::size_t k) { return 0.25 * (static_cast<double>(k) + 1); }  // s, Figs. 32-36
+
+  // What is summed over all points and steps.
+  struct Squares {
+    double points = 0, aside = 0, stress = 0, off_tangent = 0, spread = 0;
+    void history(Archive& archive) {
+      archive("points", points);
+      archive("aside", aside);
+      archive("stress", stress);
+      archive("off_tangent", off_tangent);
+      archive("spread", spread);
+    }
+  };
+  double share_of(double square) const { return squares_.stress > 0 ? std::sqrt(square / squares_.stress) : 0; }
+
+  double static_strain() const {
+    const reference::ElasticPendulumProblem& p = at_.pendulum;
+    return p.mass * p.gravity / (p.youngs_modulus * p.area);
+  }
+
+  void keep_frame(const Columns& points) {
+    std::vector<double> places;
+    for (int p = 0; p < points.points(); ++p) {
+      places.insert(places.end(), {points(column::position)[p], points(column::position, 1)[p]});
+    }
+    frames_.push_back(std::move(places));
+  }
+
+  // Stress that does not lie along the tangent, that differs between the outer layers, and the least strain.
+  void watch_stress(const Scene& scene) {
+    const Columns &points = scene.bodies.front().points, &other = scene.bodies.back().points;
+    const double *xx = points(column::stress), *yy = points(column::stress, 1), *xy = points(column::stress, 2);
+    const double *tx = points(column::tangent), *ty = points(column::tangent, 1);
+    for (int p = 0; p < points.points(); ++p) {
+      const double along = xx[p] * tx[p] * tx[p] + yy[p] * ty[p] * ty[p] + 2 * xy[p] * tx[p] * ty[p];
+      const double x = xx[p] - along * tx[p] * tx[p], y = yy[p] - along * ty[p] * ty[p],
+                   shear = xy[p] - along * tx[p] * ty[p];
+      const double apart = (xx[p] + yy[p] - other(column::stress)[p] - other(column::stress, 1)[p]) / 2;
+      squares_.stress += xx[p] * xx[p] + yy[p] * yy[p] + 2 * xy[p] * xy[p];
+      squares_.off_tangent += x * x + y * y + 2 * shear * shear;
+      squares_.spread += apart * apart;
+      least_strain_ = smaller(least_strain_, points(column::strain)[p]);
+    }
+  }
+
+  // Root of the mean square of the points' distances to the same places of the string by finite elements, over the
+  // frames that the run reached.
+  double from_fem() const {
+    std::vector<double> at;
+    for (std::size_t k = 0; k < frames_.size(); ++k) at.push_back(frame(k));
+    const auto nodes = reference::bar_pendulum(at_.pendulum, fem_elements, at);
+    double square = 0, count = 0;
+    for (std::size_t k = 0; k < frames_.size(); ++k) {
+      const std::size_t points = frames_[k].size() / 2;
+      for (std::size_t p = 0; p < points; ++p) {
+        const double place = static_cast<double>(p) / static_cast<double>(points - 1) * fem_elements;
+        const auto e = static_cast<std::size_t>(std::min(std::floor(place), fem_elements - 1.0));
+        for (std::size_t d = 0; d < 2; ++d) {
+          const double from = nodes[k][e][d], to = nodes[k][e + 1][d];
+          const double off = frames_[k][2 * p + d] - from - (place - static_cast<double>(e)) * (to - from);
+          square += off * off;
+        }
+        ++count;
+      }
+    }
+    return count > 0 ? std::sqrt(square / count) : std::nan("");
+  }
+  static constexpr int fem_elements = 39;  // between as many nodes as York's second mesh has points
+
   std::vector<double> times_of(const std::vector<std::size_t>& rows) const {
     std::vector<double> times;
     for (const std::size_t k : rows) times.push_back(times_[k]);
@@ -175,21 +279,32 @@ class PendulumRun final : public Problem {
   Swing at_;
   reference::ElasticPendulum exact_;
   std::vector<double> times_, angle_, length_, kinetic_, elastic_;
-  double misalignment_ = 0;
+  double misalignment_ = 0, least_strain_ = 0;
+  std::vector<std::vector<double>> frames_;  // x, y of the points
+  Squares squares_;
 };
 
 std::vector<StudyPlan> studies() {
   return {study("default", "default, the walls out of reach",
                 "Order 2: the bob's kernel adds the inertia m h^2/4 about the pivot.", {5, 10, 20})
               .in_full({5, 10, 20, 40})
-              .pictured(25),
+              .pictured(27, 20),
           study("york1997", "York's four meshes in his box", "Fig. 37: the loss shrinks with refinement.", {10})
               .of_york()
-              .in_full({5, 10, 20, 40}),
+              .in_full({5, 10, 20, 40})
+              .pictured(36, 10),
           study("york-free", "York's second mesh without the one-way law", "Fig. 38: points align less well.", {10})
               .of_york()
               .with({{"one_way", "no"}})
-              .in(Tier::full),
+              .pictured(36),
+          study("york-increments", "York's second mesh, strain increments rotated once",
+                "Section 5.4.2: what York's code did before it kept the total strain along the tangent.", {10})
+              .of_york()
+              .with({{"strain", "increments"}, {"t_end", 0.05}}),
+          study("york-layers", "York's second mesh, two layers of points through the thickness",
+                "Section 5.4.5: nothing makes their stresses equal.", {10})
+              .of_york()
+              .with({{"layers", 2.0}}),
           study("free", "default without the one-way law",
                 "The bounce on the string is too fast to matter to the swing.", {10})
               .with({{"one_way", "no"}})
@@ -229,6 +344,25 @@ Measured loss_on_10_over_20(const StudyResult& s) {
     losses.push_back(std::isnan(loss) ? 1 : loss);
   }
   return Measured::of(losses[0] / losses[1]);
+}
+
+// A measure over that of another study, at 10.
+Number over_sibling(const std::string& measure, const std::string& other) {
+  return number_of(measure + " at 10 over that of " + other,
+                   [=](const StudyResult& s) {
+                     const RunResult &own = s.level(10)->run, &its = s.sibling(other)->level(10)->run;
+                     for (const RunResult* run : {&own, &its}) {
+                       if (const auto stop = stop_of(*run)) return *stop;
+                     }
+                     return Measured::of(own.find(measure)->error / its.find(measure)->error);
+                   },
+                   {10});
+}
+
+// Of a rigid pendulum at the bottom, m/s.
+double fastest_bob() {
+  const reference::ElasticPendulum swing({});
+  return std::sqrt(2 * swing.problem().gravity * swing.length().value * (1 - std::cos(swing.angle().value)));
 }
 
 std::vector<CaseGate> gates() {
@@ -283,8 +417,36 @@ std::vector<CaseGate> gates() {
       "cannot be seen there");
   const std::string torn =
       "after a whole swing the noise of its light points has torn the string: the bob falls to the floor from 1.3 s "
-      "on, and lies there with a velocity that no node sees; some of the runs whose masses differ by 1e-14 of "
+      "on, and lies there with a velocity in the null space of the maps; some of the runs whose masses differ by 1e-14 "
+      "of "
       "themselves stop there";
+  const Because tangent = literature(
+      "York, section 5.4.2: the stress is tangent where the total strain is kept along the tangent; to rounding");
+  const Because similar = literature(
+      "York, section 5.7.3: without the one-way law the results are similar; as near to the finite elements "
+      "as is asked of those with it");
+  const Because towards_fem = literature(
+      "York, section 5.7: convergence towards the finite elements, whose frames Fig. 36 shows");
+  const std::vector<CaseGate> sections{
+      gate("york1997/frames-10", value_at("from_fem", 10), at_most(0.03 * heavy_period * fastest_bob()),
+           literature("Fig. 36 beside Fig. 33, frames until 1.25 s: York sees reasonable agreement; 3 % of a period, "
+                      "which can be told in "
+                      "Fig. 37, at the bob's greatest speed")),
+      gate("default/frames-5-10", ratio_of("from_fem", 5, 10), at_least(1), towards_fem),
+      gate("default/frames-10-20", ratio_of("from_fem", 10, 20), at_least(1), towards_fem),
+      gate("york1997/frames-10-20", ratio_of("from_fem", 10, 20), at_least(1), towards_fem).in(Tier::full),
+      gate("york-free/misaligned", over_sibling("mean_misalignment", "york1997"), at_least(1),
+           literature("York, section 5.7.3, Fig. 38: without the one-way law points are not aligned as well"))
+          .beside({"york1997"}),
+      gate("york-free/frames-10", value_at("from_fem", 10), at_most(0.03 * heavy_period * fastest_bob()), similar),
+      gate("york-free/compressed", value_at("least_strain", 10), at_most(0),
+           literature("York, section 5.7.3, Fig. 38: what may misalign points is that oscillations along the string "
+                      "compress some")),
+      gate("york1997/tangent", value_at("off_tangent", 10), at_most(1e-12), tangent),
+      gate("york-increments/tangent", value_at("off_tangent", 10), at_most(1e-12), tangent),
+      gate("york-layers/constant-stress", value_at("stress_spread", 10), at_most(0.1),
+           literature("York, section 5.4.5: stress must be constant through the thickness, a tenth of it left"))};
+
   // Once the string has torn, a run is as roundings will: these bands hold what ensembles of runs show (ci/ensembles).
   const StopBand on_20{125000, 175000, "velocity"}, on_40{270000, 350000, "position"};
   const std::vector<CaseGate> york{
@@ -312,7 +474,7 @@ std::vector<CaseGate> gates() {
                  {0.05, 0.99}, bands)
           .or_stops(on_20)
           .in(Tier::full)};
-  return joined({all, rows, york});
+  return joined({all, rows, sections, york});
 }
 
 Case pendulum() {

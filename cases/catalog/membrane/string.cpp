@@ -58,6 +58,12 @@ Chord chord(const Columns& points) {
   return {x[last] - x[0], y[last] - y[0], std::hypot(x[last] - x[0], y[last] - y[0])};
 }
 
+// Distance of a point from the line.
+double aside(const Columns& points, int p, const Chord& line) {
+  const double *x = points(column::position), *y = points(column::position, 1);
+  return std::abs((x[p] - x[0]) * line.y - (y[p] - y[0]) * line.x) / line.length;
+}
+
 }  // namespace
 
 Key strain_key() {
@@ -106,12 +112,16 @@ Body string_body(const std::string& name, const std::string& strain, const Strin
 
 double misalignment(const Columns& points) {
   const Chord line = chord(points);
-  const double *x = points(column::position), *y = points(column::position, 1);
   double largest = 0;
-  for (int p = 0; p < points.points(); ++p) {
-    largest = std::max(largest, std::abs((x[p] - x[0]) * line.y - (y[p] - y[0]) * line.x) / line.length);
-  }
+  for (int p = 0; p < points.points(); ++p) largest = std::max(largest, aside(points, p, line));
   return largest;
+}
+
+double squared_distances_to_chord(const Columns& points) {
+  const Chord line = chord(points);
+  double sum = 0;
+  for (int p = 0; p < points.points(); ++p) sum += aside(points, p, line) * aside(points, p, line);
+  return sum;
 }
 
 double chord_length(const Columns& points) { return chord(points).length; }

@@ -53,6 +53,8 @@ Body string_body(const std::string& name, const std::string& strain, const Strin
 
 // Largest distance of a point from the straight line through the first and the last one, m. In the plane.
 double misalignment(const Columns& points);
+// Sum of the squared distances of all points from that line, m^2. In the plane.
+double squared_distances_to_chord(const Columns& points);
 
 // Distance between the first and the last point, m. In the plane.
 double chord_length(const Columns& points);

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "cases/catalog/coupled/dog_bone.hpp"
 #include "cases/catalog/normals/marked_points.hpp"
 #include "cases/harness/files/whole.hpp"
 
@@ -31,6 +32,19 @@ MarkedPoints quarter(int points, double b, int cells, int inside) {
   return all;
 }
 
+// At the middles of equal arcs of the dog-bone's outline, between the tenths of an arc that the outline is known at.
+MarkedPoints dog_bone(int points) {
+  constexpr int fine = 10;
+  const Curve outline = dog_bone_outline(points * fine);
+  MarkedPoints all;
+  for (int p = 0; p < points; ++p) {
+    const auto at = static_cast<std::size_t>(p * fine + fine / 2);
+    const auto &here = outline[at], &before = outline[at - 1], &after = outline[at + 1];
+    all.add(here[0], here[1], after[1] - before[1], before[0] - after[0]);
+  }
+  return all;
+}
+
 const std::vector<Key> keys{{.name = "interior",
                              .value = "empty",
                              .choices = {"empty", "4", "16"},
@@ -46,7 +60,11 @@ const std::vector<Key> keys{{.name = "interior",
                              .value = 1.0,
                              .low = 0.2,
                              .high = 1,
-                             .description = "height over width of the ellipse; 1: York's circle"}};
+                             .description = "height over width of the ellipse; 1: York's circle"},
+                            {.name = "outline",
+                             .value = "ellipse",
+                             .choices = {"dog-bone", "ellipse"},
+                             .description = "York's dog-bone (membrane-expansion), empty, or an ellipse"}};
 
 std::unique_ptr<Problem> first_step(const Settings& settings) {
   const int cells = settings.integer("cells");
@@ -61,7 +79,8 @@ std::unique_ptr<Problem> first_step(const Settings& settings) {
   grid.h = 1.0 / cells;
   grid.cells[0] = grid.cells[1] = whole(std::round(domain * cells));
   grid.walls[0][0] = grid.walls[1][0] = Wall::symmetry;
-  return normals_problem(settings, grid, quarter(points, b, cells, inside));
+  return normals_problem(settings, grid,
+                         settings.text("outline") == "dog-bone" ? dog_bone(points) : quarter(points, b, cells, inside));
 }
 
 const std::vector<double> finer{10, 14, 20, 28, 40};
@@ -73,6 +92,9 @@ StudyPlan filled(std::string id, std::string title, const char* interior) {
 std::vector<StudyPlan> studies() {
   return {filled("empty", "nothing inside", "empty"), filled("four", "4 gas points per cell inside", "4"),
           filled("sixteen", "16 gas points per cell inside", "16"),
+          study("dog-bone", "the dog-bone before it expands",
+                "York's one mesh: cells of 0.1 m and points as in his simulation 3.", {york_cells})
+              .with({{"outline", "dog-bone"}, {"membrane_points", 200.0}}),
           study("ellipse", "an ellipse half as high as wide, points in proportion to cells",
                 "Order 2 in the distance of points.", finer)
               .with({{"aspect", 0.5}, {"membrane_points", std::monostate{}}, {"ppc", 12.0}})};
@@ -109,6 +131,9 @@ std::vector<CaseGate> gates() {
   const std::string measured_on = "2026-11-23 5825b24";
   const std::string one_layer =
       "one layer of points has the same colour on both sides: its gradient is what the grid makes of it (York's Figs. ";
+  const std::string
+      on_dog_bone = "2026-11-26 05844c9",
+      corners = "where straight sides meet corners of 0.06 m, less than a cell, in an outline that is not York's";
   const std::string further = "York: further with more points inside";
   const std::string better = "York: with points inside the cubic method is the better one";
   const std::string quadratic = "york-quadratic.mean_angle_error_deg", cubic = "york-cubic.mean_angle_error_deg";
@@ -134,6 +159,13 @@ std::vector<CaseGate> gates() {
             literature("York: only a small difference from connectivity (Fig. 72), less than a drawn arrow shows")),
       angle("empty", "york-mass-matrix-quadratic", drawn,
             literature("York: accurate (Fig. 86), as far as a drawn arrow shows")),
+      angle_gate("dog-bone", "york-mass-matrix-quadratic", york_cells, drawn,
+                 literature("York, p. 123: accurate (Fig. 86), as far as a drawn arrow shows"), "mean"),
+      angle("dog-bone", "york-mass-matrix-quadratic", drawn, literature("as of the mean (Fig. 86), at every point"))
+          .fails(corners, {3.0, 3.4}, on_dog_bone),
+      angle("dog-bone", "connectivity", drawn, literature("York, Fig. 86: what the mass matrix is compared with")),
+      angle("dog-bone", "modern", drawn, literature("as of York's (Fig. 86), at every point"))
+          .fails(corners, {6.3, 8.3}, on_dog_bone),
 
       angle("empty", "york-simple", drawn, literature(as_drawn)).fails(one_layer + "67 (a))", {74, 90}, measured_on),
       angle("four", "york-simple", drawn, literature(as_drawn))

@@ -139,9 +139,9 @@ class ElasticBarProblem final : public Problem, public JudgedAtEnd {
   GridSpec grid() const {
     GridSpec grid;
     grid.h = h_;
-    const int room = whole(std::ceil(bar_.margin / h_)) + 2;
-    grid.cells[0] = settings_.integer("cells") + (bar_.fixed ? 1 : 2) * room;
-    grid.origin[0] = bar_.fixed ? 0 : -room * h_;
+    const int margin_cells = whole(std::ceil(bar_.margin / h_)) + 2;
+    grid.cells[0] = settings_.integer("cells") + (bar_.fixed ? 1 : 2) * margin_cells;
+    grid.origin[0] = bar_.fixed ? 0 : -margin_cells * h_;
     grid.walls[0] = {bar_.fixed ? Wall::symmetry : Wall::free, Wall::free};
     return grid;
   }

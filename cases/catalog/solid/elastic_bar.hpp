@@ -21,7 +21,7 @@ struct BarSample {
 struct ElasticBar {
   double youngs_modulus = 1, density = 1, length = 1;  // Pa, kg/m^3, m
   bool fixed = false;                                  // at x = 0; else both ends are free
-  double margin = 0;                                   // room beyond a free end, m
+  double margin = 0;                                   // of the grid beyond a free end, m
   double end_time = 0;                                 // s
   std::function<BarSample(double x, double time)> exact = {};
   std::function<double(double x)> velocity_gradient = {};  // at the start, where it is smooth; else empty: zero

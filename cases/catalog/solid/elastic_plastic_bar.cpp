@@ -171,11 +171,11 @@ class ElasticPlasticBarProblem final : public Problem {
   }
 
   GridSpec grid() const {
-    constexpr int room = 2;  // cells beyond either end: the plate is compressed by less than one
+    constexpr int margin = 2;  // cells beyond either end: the plate is compressed by less than one
     GridSpec grid;
     grid.h = bar_.length / settings_.number("cells");
-    grid.cells[0] = settings_.integer("cells") + 2 * room;
-    grid.origin[0] = -room * grid.h;
+    grid.cells[0] = settings_.integer("cells") + 2 * margin;
+    grid.origin[0] = -margin * grid.h;
     return grid;
   }
   Body points() const {

@@ -66,10 +66,11 @@ CaseGate energy_monotone_gate(const std::string& study) {
     for (const double rise : values_of(s, "energy_rise")) largest = larger(largest, rise);
     return Measured::of(largest);
   };
-  return gate(study + "/energy-monotone",
-              number_of("largest rise of the energy in a step, over that of the start", largest_rise), at_most(1e-13),
-              theory("of linear elasticity the midpoint step raises the energy in no step (kernel/README.md, "
-                     "Midpoint); 1e-13 for the rounding of sums"));
+  return gate(
+      study + "/energy-monotone",
+      number_of("largest rise of the energy in a step, over that of the start", largest_rise), at_most(1e-13),
+      theory("of linear elasticity the midpoint step raises the energy in no step (reports/docs/theory/step.md, "
+             "Midpoint); 1e-13 for the rounding of sums"));
 }
 
 CaseGate missed_order(const std::string& study, const std::vector<double>& levels, double order,
@@ -91,7 +92,7 @@ CaseGate missed_order(const std::string& study, const std::vector<double>& level
               number_of(fmt::format("fitted order of {} from {} to {} cells", worst, levels.front(), levels.back()),
                         fit, levels),
               at_least(order),
-              requirement("second order, as with points that stay in their cells; what is missing to 2 is room for "
+              requirement("second order, as with points that stay in their cells; what is missing to 2 allows for "
                           "coarse meshes"))
       .fails(cause, band, "2026-11-23 5825b24");
 }

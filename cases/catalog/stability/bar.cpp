@@ -1,4 +1,4 @@
-// An elastic bar without ends.
+// An infinite (periodic) elastic bar.
 #include <cmath>
 #include <numbers>
 

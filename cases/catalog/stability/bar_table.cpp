@@ -180,7 +180,7 @@ std::vector<CaseGate> table_gates() {
     add("worst.departure", 1e-5, exact);
     add("table.departure", 0.01,
         requirement("within 1 % of a table computed before this program was, of the waves that 24 cells hold, a tenth "
-                    "of the room that cfl=auto leaves below a limit"));
+                    "of the margin that cfl=auto leaves below a limit"));
     add("table.worst_departure", 0.01, requirement("within 1 % of the same table at the worst place"));
   }
   return all;

@@ -1,4 +1,4 @@
-// A gas without ends.
+// An infinite (periodic) gas.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-// A taut or slack string without ends, along the grid or across it.
+// An infinite (periodic) string, taut or slack, along the grid or across it.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// A mass on a spring: what a time integrator alone bears.
+// A mass on a spring: the stability limit of a time integrator alone.
 #include <cmath>
 
 #include "cases/catalog/stability/orders_in_time.hpp"

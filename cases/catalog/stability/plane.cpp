@@ -1,4 +1,4 @@
-// An elastic plate without ends.
+// An infinite (periodic) elastic plate.
 #include <algorithm>
 #include <cmath>
 

@@ -116,7 +116,7 @@ std::vector<CaseGate> gates() {
   const auto within_one = [](const std::string& study, const std::string& column) {
     return gate(study + "/" + column, error_of(column + ".departure"), at_most(0.01),
                 requirement("within 1 % of a table computed before this program was, to three digits, a tenth of the "
-                            "room that cfl=auto leaves below a limit"));
+                            "margin that cfl=auto leaves below a limit"));
   };
   std::vector<CaseGate> all;
   for (const Column& column : table()) {

@@ -61,7 +61,7 @@ std::vector<CaseGate> gates() {
   std::vector<CaseGate> all{observed_gate("default-touching"), observed_gate("default-apart")};
   for (const std::string study : {"default-touching", "default-apart", "york1997-touching", "york1997-apart"}) {
     all.push_back(gate(study + "/above-safe-step", value_of("least"), at_least(0.5),
-                       requirement("cases of solids run at half of h/c, which contact must bear"))
+                       requirement("cases of solids run at half of h/c, at which contact must be stable"))
                       .in(tier_of(study)));
   }
   const std::string switches = "the criterion switches between two linear steps, each stable; their products are not";

@@ -39,7 +39,7 @@ std::vector<Member> limited() {
   std::vector<Member> all;
   for (const char* name : {"usf", "usl", "musl"}) all.push_back(member(name, OscillatorMethod::symplectic_euler));
   for (const char* name : {"usavg", "leapfrog"}) all.push_back(member(name, OscillatorMethod::leapfrog));
-  all.push_back({"midpoint", {{"integrator", "midpoint"}}, 2, 2, 2});  // kernel/README.md, "Midpoint"
+  all.push_back({"midpoint", {{"integrator", "midpoint"}}, 2, 2, 2});  // reports/docs/theory/step.md, "Midpoint"
   all.push_back(member("ssp-rk3", OscillatorMethod::ssp_rk3));
   all.push_back(member("rk4", OscillatorMethod::rk4));
   all.push_back(member("central-difference", OscillatorMethod::leapfrog));
@@ -182,7 +182,7 @@ std::vector<CaseGate> gates() {
              theory("predicted limits equal the closed form; 1e-6 for finding the step at which a radius leaves 1")));
     all.push_back(gate("runs/" + m.label, error_of(m.label + ".observed"), at_most(0.01),
                        requirement("observed limits within 1 % of the predicted ones, all of which are above 1, a "
-                                   "tenth of the room that cfl=auto leaves below a limit")));
+                                   "tenth of the margin that cfl=auto leaves below a limit")));
   }
   const std::string keeps = "the implicit midpoint rule keeps the energy of an oscillator";
   is_true("limits", "implicit-midpoint.always_stable", keeps);

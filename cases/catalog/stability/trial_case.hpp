@@ -14,8 +14,8 @@ Number value_of(const std::string& measure);
 
 // Why what runs show must be near what is predicted; where runs tell growth from noise less well, within 2 %.
 inline const std::string observed_limits =
-    "observed limits within 1 % of the predicted ones, a tenth of the room that cfl=auto leaves below a limit";
+    "observed limits within 1 % of the predicted ones, a tenth of the margin that cfl=auto leaves below a limit";
 inline const std::string roughly_observed_limits =
-    "observed limits within 2 % of the predicted ones, a fifth of the room that cfl=auto leaves below a limit";
+    "observed limits within 2 % of the predicted ones, a fifth of the margin that cfl=auto leaves below a limit";
 
 }  // namespace plumbline

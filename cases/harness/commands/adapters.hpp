@@ -1,4 +1,4 @@
-// Other programs behind adapters: `adapter CASE.h5 RESULT.h5`, as cases/harness/exchange/README.md says.
+// Other programs behind adapters: `adapter CASE.h5 RESULT.h5`, as reports/docs/how-to/score-another-code.md says.
 #pragma once
 
 #include <string>

@@ -129,16 +129,16 @@ class Bench {
         return k[key].is_null() ? std::string("-") : fmt::format("{:.{}f}", factor * k[key].get<double>(), digits);
       };
       out_.line("  {:38} {:>9} {:>7} {:>9} {:>17} {:>7} {:>7} {:>7} {:>9} {:>9} {:>8.0e}", flow.name(), timing.points,
-                timing.threads, text("point_steps_per_s", 1e-6, 2),
+                timing.threads, text("particle_steps_per_s", 1e-6, 2),
                 text("slowest", 1e-6, 2) + " ... " + text("fastest", 1e-6, 2), text("bytes_per_point", 1, 0),
                 text("flops_per_point", 1, 0), text("memory_bytes_per_point", 1, 0), text("bandwidth_fraction", 1, 2),
                 text("flop_fraction", 1, 2), timing.energy_drift);
       if (part != "target" || timing.threads > 2 || timing.points < 900000) continue;
-      const double rate = k["point_steps_per_s"].get<double>(), least = timing.threads == 1 ? 45e6 : 80e6;
+      const double rate = k["particle_steps_per_s"].get<double>(), least = timing.threads == 1 ? 45e6 : 80e6;
       targets_.push_back(
           target_entry(fmt::format("{}, {:.0e} points, {} thread{}", flow.name(), static_cast<double>(timing.points),
                                    timing.threads, timing.threads == 1 ? "" : "s"),
-                       "point-steps/s", rate, least, {}));
+                       "particle-steps/s", rate, least, {}));
     }
   }
 
@@ -152,7 +152,7 @@ class Bench {
   void measure(const TimedRun& run) {
     auto [kernel, target] = time_run(run, common_.settings, full_ ? bench_repeats : 3);
     out_.line("  {:38} {:>9} {:>7} {:>9.2f}   {} steps in {:.4g} s", run.name, kernel["points"].get<long>(), 1,
-              1e-6 * kernel["point_steps_per_s"].get<double>(), kernel["steps"].get<long>(),
+              1e-6 * kernel["particle_steps_per_s"].get<double>(), kernel["steps"].get<long>(),
               kernel["wall_s"].get<double>());
     kernels_.push_back(std::move(kernel));
     targets_.push_back(std::move(target));
@@ -170,14 +170,14 @@ class Bench {
 
 // Median, and how far the repeats lie apart, of every run with a time.
 void print_costs(const Output& out, const Json& runs) {
-  out.line("{:20} {:28} {:22} {:>8} {:>12} {:>10} {:>22} {:>3}", "case", "scheme", "study", "value", "point-steps", "s",
-           "least ... most", "of");
+  out.line("{:20} {:28} {:22} {:>8} {:>12} {:>10} {:>22} {:>3}", "case", "scheme", "study", "value", "particle-steps",
+           "s", "least ... most", "of");
   for (const Json& run : runs) {
     auto times = run["wall_s"].get<std::vector<double>>();
     std::sort(times.begin(), times.end());
     out.line("{:20} {:28} {:22} {:>8} {:>12} {:>10.4g} {:>22} {:>3}{}", run["case"].get<std::string>(),
              run["scheme"].get<std::string>(), run["study"].get<std::string>(), run["value"].get<double>(),
-             run["point_steps"].get<long>(), times[times.size() / 2],
+             run["particle_steps"].get<long>(), times[times.size() / 2],
              fmt::format("{:.4g} ... {:.4g}", times.front(), times.back()), times.size(),
              run["source"] == "stored" ? ", stored" : "");
   }

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "cases/harness/description/prose.hpp"
 #include "cases/harness/files/hdf5_file.hpp"
 #include "cases/harness/files/signals.hpp"
 #include "cases/harness/verify/verification.hpp"
@@ -29,6 +30,19 @@ void add_plan(const Case& entry, const StudyPlan& plan, Tier tier, std::vector<C
   }
 }
 
+// The problem that the study `default` solves: what is compared with it must solve the same.
+std::vector<Override> problem_of_default(const Case& entry) {
+  std::vector<Override> chosen, problem;
+  for (const StudyPlan& plan : entry.studies) {
+    if (plan.id == "default") chosen = plan.overrides;
+  }
+  const Settings settings = entry.settings("default", chosen);
+  for (const Key& key : entry.keys) {
+    if (!is_numerical(entry, key.name)) problem.emplace_back(key.name, settings[key.name]);
+  }
+  return problem;
+}
+
 // Whatever a scheme costs at one level says little: York's own is compared at the levels of the default scheme.
 void add_york_levels(const Case& entry, const std::vector<StudyPlan>& plans, Tier tier, std::vector<CostRun>& runs) {
   const bool is_compared = std::any_of(plans.begin(), plans.end(), [](const StudyPlan& plan) {
@@ -37,6 +51,7 @@ void add_york_levels(const Case& entry, const std::vector<StudyPlan>& plans, Tie
   if (!is_compared) return;
   StudyPlan plan{.id = york_levels, .title = "York 1997", .why = "His scheme at the levels of the default."};
   plan.scheme = "york1997";
+  plan.overrides = problem_of_default(entry);
   plan.values = entry.levels;
   add_plan(entry, plan, tier, runs);
 }
@@ -129,7 +144,7 @@ Json errors_of(const Json& measures) {
   return errors;
 }
 
-// Of the case's own parameters those that are not the default scheme's: where there are any it may be another problem.
+// Of the case's own keys those that are not the default scheme's: where some that are not numerical differ, so does the problem.
 Json own_choices(const CostRun& run) {
   const Settings usual = run.entry->settings("default", {});
   Json choices = Json::object();
@@ -153,6 +168,7 @@ std::vector<CostRun> cost_runs(const Case& entry, Tier tier) {
   if (entry.any_integrator) {
     for (const IntegratorEntry& integrator : integrators()) {
       StudyPlan plan = integrator_plan(entry, integrator.name);
+      for (Override& choice : problem_of_default(entry)) plan.overrides.push_back(std::move(choice));
       plan.values = entry.levels;
       add_plan(entry, plan, tier, runs);
     }
@@ -212,7 +228,7 @@ Json cost_entry(const CostRun& run, const CostSample& sample) {
                 {"dt", time / static_cast<double>(steps)},
                 {"points", points},
                 {"steps", steps},
-                {"point_steps", points * steps},
+                {"particle_steps", points * steps},
                 {"finished", document["finished"]},
                 {"source", is_timed ? "timed" : "stored"},
                 {"wall_s", is_timed ? Json(sample.wall_s) : Json::array({document["wall_s"]})},

@@ -72,7 +72,7 @@ Json kernel_entry(const std::string& part, const BenchFlow& flow, const StepTimi
           {"threads", timing.threads},
           {"steps", timing.steps},
           {"repeats", bench_repeats},
-          {"point_steps_per_s", rate},
+          {"particle_steps_per_s", rate},
           {"fastest", timing.rate(timing.fastest)},
           {"slowest", timing.rate(timing.slowest)},
           {"bytes_per_point", or_null(work ? std::optional(work->bytes) : std::nullopt)},
@@ -101,7 +101,7 @@ std::vector<Json> scale_targets(const Json& kernels) {
   for (const Json& kernel : kernels) {
     const long points = kernel.at("points").get<long>();
     if (kernel.at("part") != "scale" || points < 9000) continue;  // whole cells: 1e4 may be a little less
-    const double cost = 1 / kernel.at("point_steps_per_s").get<double>();
+    const double cost = 1 / kernel.at("particle_steps_per_s").get<double>();
     Costs& costs = by_threads[kernel.at("threads").get<int>()];
     if (costs.smallest == 0) costs.smallest = points;
     costs.largest = points;

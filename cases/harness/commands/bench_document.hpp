@@ -30,7 +30,7 @@ Json kernel_entry(const std::string& part, const BenchFlow& flow, const StepTimi
 Json target_entry(const std::string& name, const std::string& unit, double measured, std::optional<double> low,
                   std::optional<double> high);
 
-// Cost of a point-step at the dearest size over that at the cheapest, among sizes from 1e4 to 1e7 points; one entry per
+// Largest over smallest cost of a particle-step among sizes from 1e4 to 1e7 points; one entry per
 // number of threads. `kernels`: entries of part scale.
 std::vector<Json> scale_targets(const Json& kernels);
 

@@ -17,7 +17,7 @@ std::pair<Json, Json> time_run(const TimedRun& timed, const std::vector<std::str
   for (int k = 0; k < repeats; ++k) times.push_back(run_experiment(entry, timed.scheme, settings).wall_s);
   std::sort(times.begin(), times.end());
   const double median = times[times.size() / 2];
-  const double point_steps = static_cast<double>(run.points) * static_cast<double>(run.steps);
+  const double particle_steps = static_cast<double>(run.points) * static_cast<double>(run.steps);
   Json kernel{{"name", timed.name},
               {"part", "run"},
               {"dimension", run.dim},
@@ -32,9 +32,9 @@ std::pair<Json, Json> time_run(const TimedRun& timed, const std::vector<std::str
               {"steps", run.steps},
               {"wall_s", median},
               {"repeats", repeats},
-              {"point_steps_per_s", point_steps / median},
-              {"fastest", point_steps / times.front()},
-              {"slowest", point_steps / times.back()},
+              {"particle_steps_per_s", particle_steps / median},
+              {"fastest", particle_steps / times.front()},
+              {"slowest", particle_steps / times.back()},
               {"bytes_per_point", nullptr},
               {"flops_per_point", nullptr},
               {"fraction_of_limit", nullptr},
@@ -42,7 +42,7 @@ std::pair<Json, Json> time_run(const TimedRun& timed, const std::vector<std::str
               {"energy_drift", run.ledger.energy.relative_drift(false)}};
   Json target = timed.target_is_time
                     ? target_entry(timed.name, "s", median, {}, timed.target)
-                    : target_entry(timed.name, "point-steps/s", point_steps / median, timed.target, {});
+                    : target_entry(timed.name, "particle-steps/s", particle_steps / median, timed.target, {});
   return {std::move(kernel), std::move(target)};
 }
 

@@ -12,7 +12,7 @@ namespace plumbline {
 struct TimedRun {
   std::string name, case_name, scheme;
   int cells;
-  double target;  // point-steps per second, or seconds where target_is_time
+  double target;  // particle-steps per second, or seconds where target_is_time
   bool target_is_time;
   std::vector<Override> overrides = {};  // of the scheme
 };

@@ -19,7 +19,7 @@ struct StepTiming {
   double stored_bytes = 0;                      // columns and number of a point, counted
   std::optional<double> allocated_bytes;        // per point, measured: grid, bins and buffers included
   double energy_drift = 0;                      // relative, over the whole run
-  double rate(double seconds) const { return static_cast<double>(points) / seconds; }  // point-steps/s
+  double rate(double seconds) const { return static_cast<double>(points) / seconds; }  // particle-steps/s
 };
 
 double seconds(const std::function<void()>& work);

@@ -9,12 +9,14 @@ namespace {
 struct ConvergeOptions {
   std::string case_name, vary = "cells";
   std::vector<int> cells;
+  std::vector<double> values;
 };
 
-std::vector<double> levels(const Case& entry, Vary vary, const std::vector<int>& cells) {
+std::vector<double> levels(const Case& entry, Vary vary, const ConvergeOptions& options) {
+  if (!options.values.empty()) return options.values;
   switch (vary) {
     case Vary::cells:
-      return cells.empty() ? entry.levels : std::vector<double>(cells.begin(), cells.end());
+      return options.cells.empty() ? entry.levels : std::vector<double>(options.cells.begin(), options.cells.end());
     case Vary::dt:
       return {1, 0.5, 0.25, 0.125, 0.0625};
     case Vary::ppc:
@@ -38,12 +40,21 @@ ChosenPlan plan_for(const Case& entry, const SchemeChoice& choice, Vary vary, co
                  .scheme = choice.scheme,
                  .overrides = choice.overrides,
                  .vary = vary,
-                 .values = levels(entry, vary, options.cells)};
+                 .values = levels(entry, vary, options)};
   std::vector<double> sorted = plan.values;
   std::sort(sorted.begin(), sorted.end());
+  const char* const option = options.values.empty() ? "--cells" : "--values";
   if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end()) {
-    throw UsageError("--cells", fmt::format("{}", *twice), "each mesh once", {},
-                     fmt::format("--cells names {} twice: each mesh is wanted once", *twice));
+    throw UsageError(option, fmt::format("{}", *twice), "each once", {},
+                     fmt::format("{} names {} twice: each is wanted once", option, *twice));
+  }
+  if (vary == Vary::cells && !options.values.empty()) {
+    throw UsageError("--values", fmt::format("{}", options.values.front()), "with --vary dt, ppc or offset",
+                     {"--cells"}, "--values is of --vary dt, ppc or offset: --cells names meshes");
+  }
+  if (vary == Vary::dt && sorted.front() <= 0) {
+    throw UsageError("--values", fmt::format("{}", sorted.front()), "(0, inf)", {},
+                     fmt::format("--values names {}: a factor of the step must be positive", sorted.front()));
   }
   if (vary != Vary::cells && options.cells.size() > 1) {
     throw UsageError("--cells", fmt::format("{} meshes", options.cells.size()), "one mesh", {},
@@ -159,6 +170,9 @@ Command add_converge(const Arguments& program, Invocation& invocation) {
   sub.option("case", options->case_name, "the case").required();
   sub.option("--cells", options->cells, "meshes, separated by commas").separated_by_commas().whole_number();
   sub.option("--vary", options->vary, "what is refined: cells, dt, ppc or offset");
+  sub.option("--values", options->values,
+             "of what is refined, separated by commas: factors of the step, points per cell, or offsets in cells")
+      .separated_by_commas();
   add_run_options(sub, invocation.options);
   add_reuse(sub, invocation.options);
   return {sub, [&invocation, options] { return execute(invocation, *options); }};

@@ -43,7 +43,7 @@ int execute(const Invocation& invocation, const ExportOptions& options) {
 Command add_export(const Arguments& program, Invocation& invocation) {
   const Arguments sub = program.command("export", "the start of a case for other programs: HDF5 with a description",
                                         "Example: plumbline export sod --cells 100 --output sod.h5\nWhat the file "
-                                        "holds: cases/harness/exchange/README.md");
+                                        "holds: reports/docs/how-to/score-another-code.md");
   auto options = std::make_shared<ExportOptions>();
   sub.option("case", options->case_name, "the case").required();
   sub.option("--cells", options->cells, "cells along the case's reference length").whole_number();

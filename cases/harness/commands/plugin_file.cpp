@@ -162,7 +162,7 @@ void check_plugin_file(const std::string& path, const std::string& file) {
     any = true;
     start = stamps.find_first_not_of('\0', end);
   }
-  if (!any) library.refuse("it bears no stamp of Plumbline's: it registers nothing, or was built for 0.6.0 or older");
+  if (!any) library.refuse("it has no stamp of Plumbline's: it registers nothing, or was built for 0.6.0 or older");
 }
 
 }  // namespace plumbline

@@ -69,8 +69,8 @@ void print(const Output& out, const RunResult& run, const std::vector<JudgedGate
   if (is_trial) {
     out.line("{}, trial {}: {:.4g} s", run.case_name, run.settings.text("trial"), run.wall_s);
   } else {
-    out.line("{} under {}: {} points, {} steps to t = {:.6g} s in {:.4g} s, {:.3g} point-steps/s", run.case_name,
-             run.scheme, run.points, run.steps, run.end_time, run.wall_s, run.point_steps_per_s());
+    out.line("{} under {}: {} points, {} steps to t = {:.6g} s in {:.4g} s, {:.3g} particle-steps/s", run.case_name,
+             run.scheme, run.points, run.steps, run.end_time, run.wall_s, run.particle_steps_per_s());
   }
   if (run.stop) {
     out.line("STOPPED at step {} (t = {:.6g} s): {}; point {}, field {}, value {:.6g}", run.stop->step, run.stop->time,

@@ -73,7 +73,7 @@ Command add_score(const Arguments& program, Invocation& invocation) {
   const Arguments sub = program.command(
       "score", "judges final states of another program by a case's norms and gates",
       "Example: plumbline score sod --result my-100.h5 --result my-200.h5\nWhat such a file holds: "
-      "cases/harness/exchange/README.md");
+      "reports/docs/how-to/score-another-code.md");
   auto options = std::make_shared<ScoreOptions>();
   sub.option("case", options->case_name, "the case").required();
   sub.option("--result", options->results, "a final state (repeatable: a refinement series of one program)")

@@ -23,7 +23,7 @@ namespace plumbline {
 namespace {
 
 struct VerifyOptions {
-  std::vector<std::string> patterns;
+  std::vector<std::string> patterns, gates;
   std::string tier = "quick", junit;
   std::string against;
   bool core = false, until_red = false;
@@ -171,15 +171,35 @@ Scorecards judge_integrators(const CommonOptions& common, const VerifyOptions& o
   return scorecards;
 }
 
+// Each pattern of a gate must match one of those that the selection of some case may judge.
+void refuse_unknown_gates(const std::vector<const Case*>& entries, const Selection& selection, Tier tier) {
+  if (selection.gates.empty()) return;
+  std::vector<std::string> names;
+  for (const Case* entry : entries) {
+    for (const std::string& name : gate_names(*entry, tier, selection)) {
+      names.push_back(name);
+      names.push_back(regression_of(name));
+    }
+  }
+  for (const std::string& pattern : selection.gates) {
+    Selection one;
+    one.gates = {pattern};
+    if (std::none_of(names.begin(), names.end(), [&](const std::string& name) { return one.takes(name); }))
+      throw unknown_name("gate", pattern, names);
+  }
+}
+
 // A case that is asked for by its own name must work with what was chosen; one that a pattern matches is listed.
 void verify_cases(const CommonOptions& common, const VerifyOptions& options, RunStore& store,
                   Verification& verification) {
   const auto& asked = options.patterns;
-  for (const Case* entry : matching_cases(asked)) {
-    const bool by_name = std::find(asked.begin(), asked.end(), entry->name) != asked.end();
-    const Selection selection{common.schemes, common.integrators, common.settings, by_name, &recorded_values()};
-    verify_case(*entry, options.tier == "full" ? Tier::full : Tier::quick, selection, common.threads, store,
-                terminal_progress(entry->name), verification);
+  const Tier tier = options.tier == "full" ? Tier::full : Tier::quick;
+  const std::vector<const Case*> entries = matching_cases(asked);
+  Selection selection{common.schemes, common.integrators, common.settings, false, &recorded_values(), options.gates};
+  refuse_unknown_gates(entries, selection, tier);
+  for (const Case* entry : entries) {
+    selection.by_name = std::find(asked.begin(), asked.end(), entry->name) != asked.end();
+    verify_case(*entry, tier, selection, common.threads, store, terminal_progress(entry->name), verification);
     end_progress();
   }
 }
@@ -198,6 +218,10 @@ std::vector<JudgedGate> worth_a_line(std::vector<JudgedGate> gates) {
 int execute(const Invocation& invocation, const VerifyOptions& options) {
   const CommonOptions& common = invocation.options;
   refuse_cases(options.parts, options.patterns);
+  if (!options.gates.empty() && options.patterns.empty()) {
+    throw UsageError("--gate", options.gates.front(), "with the name of a case", {},
+                     "--gate names gates of cases: name the case, too");
+  }
   const std::vector<std::string> tiers{"quick", "full"};
   if (options.tier != tiers[0] && options.tier != tiers[1]) throw unknown_name("--tier", options.tier, tiers);
   if (!options.junit.empty()) require_writable(options.junit);
@@ -228,8 +252,9 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
                       {"parts", parts},
                       {"tier", options.tier},
                       {"provenance", to_json(provenance)}};
-  if (!parts_alone) folder.write_verdicts(document, verification.entries, options.tier, provenance);
-  out.gates(worth_a_line(verification.gates));
+  const bool some_gates = !options.gates.empty();
+  if (!parts_alone && !some_gates) folder.write_verdicts(document, verification.entries, options.tier, provenance);
+  out.gates(some_gates ? verification.gates : worth_a_line(verification.gates));
   for (const NotApplicable& one : verification.not_applicable) {
     out.line("not applicable: {} with {}: {}", one.what, one.integrator, CannotWork(one.lacks).what());
   }
@@ -240,7 +265,7 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
   const std::string expected = words(failures);
   out.line("{} gates executed, {} not applicable, {} declared:{}{}", verification.gates.size(),
            verification.not_applicable.size(), verification.declared, counts, expected.empty() ? "" : "; " + expected);
-  print_recorded(out, verification, options.tier);
+  if (!some_gates) print_recorded(out, verification, options.tier);
   for (const Json& card : scorecards.all) {
     for (const std::string& line : scorecard_lines(card)) out.line("{}", line);
   }
@@ -270,6 +295,9 @@ Command add_verify(const Arguments& program, Invocation& invocation) {
   auto options = std::make_shared<VerifyOptions>();
   sub.option("pattern", options->patterns, "case names or patterns; all cases if none");
   sub.option("--tier", options->tier, "quick or full");
+  sub.option("--gate", options->gates,
+             "of the cases these gates alone, by name or pattern, with the runs that they need (repeatable)")
+      .repeatable();
   sub.option("--junit", options->junit, "write JUnit XML to a file");
   sub.option("--against", options->against,
              "of --integrator: an integrator, or the file of an earlier scorecard, to be set beside");

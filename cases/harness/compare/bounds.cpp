@@ -23,7 +23,7 @@ bool exceeds(const StopBand& before, const StopBand& after) {
   return before.field != after.field || after.step_low < before.step_low || after.step_high > before.step_high;
 }
 
-// A range without ends contains nothing, not everything.
+// An unbounded range contains nothing, not everything.
 bool has_end(const std::optional<Range>& range) { return range && (range->low || range->high); }
 
 std::string why_widened(const Bounds& before, const Bounds& after) {

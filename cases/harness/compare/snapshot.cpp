@@ -253,7 +253,8 @@ void take_costs(const Json& document, Snapshot& snapshot) {
     record.cells = number(run, "cells").value_or(0);
     record.wall_s = run.at("wall_s").get<std::vector<double>>();
     record.instructions = number(run, "instructions");
-    record.point_steps = number(run, "point_steps");
+    record.particle_steps = number(
+        run, run.contains("particle_steps") ? "particle_steps" : "point_steps");  // its name to 0.6.0
     snapshot.costs[record.key()].push_back(std::move(record));
   }
   snapshot.timed_machine = machine_of(document.at("machine"));

@@ -65,7 +65,7 @@ struct CostRecord {
   double value = 0, cells = 0;
   std::vector<double> wall_s;  // samples
   std::optional<double> instructions;
-  std::optional<double> point_steps;
+  std::optional<double> particle_steps;
   using Key = std::tuple<std::string, std::string, std::string, std::string>;
   Key key() const { return {case_name, scheme, study, vary}; }
 };

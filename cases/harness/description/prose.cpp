@@ -177,6 +177,29 @@ Statement statement_of(const Prose& prose, std::string sketch) {
   return s;
 }
 
+std::vector<std::string> numerical_keys(const Prose& prose) {
+  const std::string heading = "Numerical keys";
+  std::vector<std::string> keys;
+  for (const std::string& item : prose.items(heading)) {
+    const std::size_t end = item.find(": ");
+    if (end == std::string::npos) throw prose.wrong(heading, "'KEY: why' is wanted, not '" + item + "'");
+    keys.push_back(item.substr(0, end));
+  }
+  return keys;
+}
+
+bool is_numerical(const Case& entry, const std::string& key) {
+  const auto is_own = [&entry](const std::string& name) {
+    return std::any_of(entry.keys.begin(), entry.keys.end(), [&](const Key& own) { return own.name == name; });
+  };
+  if (!is_own(key)) return true;
+  const Prose prose = written_prose(entry.name);
+  const std::vector<std::string> said = numerical_keys(prose);
+  const auto unknown = std::find_if_not(said.begin(), said.end(), is_own);
+  if (unknown != said.end()) throw prose.wrong("Numerical keys", "the case has no key '" + *unknown + "' of its own");
+  return std::find(said.begin(), said.end(), key) != said.end();
+}
+
 RegisterProse::RegisterProse(const char* name, const char* markdown, const char* sketch) {
   texts().emplace(name, Written{markdown, sketch});
 }

@@ -51,6 +51,13 @@ std::string written_sketch(const std::string& name);
 // `MEASURE, ... of order NUMBER: why`, the number as 2 or 4/3), [Known limits] (items).
 Statement statement_of(const Prose& prose, std::string sketch);
 
+// The keys of the items `KEY: why` of the section [Numerical keys].
+std::vector<std::string> numerical_keys(const Prose& prose);
+
+// Whether a key of a case chooses how its problem is solved, and not which one it is: all keys of schemes do, and of the case's own
+// those that its text says. Throws std::invalid_argument where the text names a key that is none of its own.
+bool is_numerical(const Case& entry, const std::string& key);
+
 // Of the source that the build makes of the texts.
 struct RegisterProse {
   RegisterProse(const char* name, const char* markdown, const char* sketch);

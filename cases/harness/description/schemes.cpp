@@ -69,7 +69,7 @@ std::string scheme_title(const std::string& scheme) {
 }
 
 std::string scheme_source(const std::string& scheme) {
-  return scheme == "york1997" ? "York 1997, SAND97-1893" : "kernel/README.md";
+  return scheme == "york1997" ? "York 1997, SAND97-1893" : "reports/docs/theory";
 }
 
 namespace {
@@ -134,8 +134,8 @@ std::vector<Key> described_keys() {
       choice("membrane.loss", {"booked", "gas"},
              "what maps and strains take from membranes heats the gas at their nodes, or is booked as lost"),
       number("membrane.relaxation",
-             "theta: how much of what no node sees of the segments' motion is taken out each step", 1),
-      number("membrane.smoothing", "kappa: how fast what no node sees of accumulated strains is taken out"),
+             "theta: how much of the segments' null-space modes of motion is taken out each step", 1),
+      number("membrane.smoothing", "kappa: how fast null-space modes of accumulated strains are taken out"),
       choice("normals", names(normals_methods()), "how membranes with accumulated strain know their tangents")};
   const auto key = [&](const char* name) -> Key& {
     return *std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == name; });

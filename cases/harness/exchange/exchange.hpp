@@ -1,4 +1,4 @@
-// What is common to the files by which other programs take a case's start and hand in their final state: README.md here.
+// What is common to the files by which other programs take a case's start and hand in their final state: reports/docs/how-to/score-another-code.md.
 #pragma once
 
 #include <string>

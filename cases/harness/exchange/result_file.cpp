@@ -19,14 +19,16 @@ namespace {
 std::string wanted_text(const ForeignFile& file, const std::string& name) {
   const auto text = file.text_attribute(name);
   if (!text)
-    refuse(file, "the attribute " + name + " is missing; cases/harness/exchange/README.md lists what a result holds");
+    refuse(file, "the attribute " + name +
+                     " is missing; reports/docs/how-to/score-another-code.md lists what a result holds");
   return *text;
 }
 
 double wanted_number(const ForeignFile& file, const std::string& name) {
   const auto number = file.number_attribute(name);
   if (!number)
-    refuse(file, "the attribute " + name + " is missing; cases/harness/exchange/README.md lists what a result holds");
+    refuse(file, "the attribute " + name +
+                     " is missing; reports/docs/how-to/score-another-code.md lists what a result holds");
   return *number;
 }
 

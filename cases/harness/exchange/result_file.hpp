@@ -1,4 +1,4 @@
-// The final state that another program hands in: README.md here says what it holds.
+// The final state that another program hands in: reports/docs/how-to/score-another-code.md says what it holds.
 #pragma once
 
 #include <string>

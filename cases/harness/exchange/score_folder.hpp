@@ -1,4 +1,4 @@
-// The folder of a scoreboard: exported starts, and the final states of each program. README.md here shows it.
+// The folder of a scoreboard: exported starts, and the final states of each program. reports/docs/how-to/score-another-code.md shows it.
 #pragma once
 
 #include <optional>

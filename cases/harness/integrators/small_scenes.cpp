@@ -169,7 +169,7 @@ Scene turning() {
   return scene;
 }
 
-// A bar without walls, room on both sides, its ends in the middle of cells.
+// A bar without walls, space on both sides, its ends in the middle of cells.
 Scene free_bar() {
   constexpr double low = 3.5, length = 8;
   Scene scene;

@@ -62,8 +62,8 @@ CaseGate gate(std::string id, Number number, Range expected, Because because) {
 }
 
 CaseGate recorded(std::string id, Number number, double value, double share, std::string stamp, std::string reason) {
-  const double room = share * std::abs(value);
-  CaseGate made = gate(std::move(id), std::move(number), between(value - room, value + room),
+  const double margin = share * std::abs(value);
+  CaseGate made = gate(std::move(id), std::move(number), between(value - margin, value + margin),
                        {Origin::regression, std::move(reason)});
   made.gate.measured_on = std::move(stamp);
   return made;

@@ -84,7 +84,7 @@ std::vector<RecordedValue::Key> Regressions::of_case(const std::string& case_nam
 
 JudgedGate judge_regression(const JudgedGate& judged, const RecordedValue& recorded) {
   JudgedGate result = judged;
-  result.gate = gate(judged.gate.id + std::string(suffix), {judged.gate.quantity, {}}, *recorded.within,
+  result.gate = gate(regression_of(judged.gate.id), {judged.gate.quantity, {}}, *recorded.within,
                      {Origin::regression,
                       fmt::format(
                           "recorded: {:.6g}; the gate's own bound lets pass more than {:g} times that. Where the "
@@ -97,6 +97,8 @@ JudgedGate judge_regression(const JudgedGate& judged, const RecordedValue& recor
   result.judgement = judge(result.gate, result.measured);
   return result;
 }
+
+std::string regression_of(const std::string& gate) { return gate + std::string(suffix); }
 
 bool of_record(const JudgedGate& judged) { return judged.gate.id.ends_with(suffix); }
 

@@ -60,6 +60,9 @@ class Regressions {
 // its bound does not enter.
 JudgedGate judge_regression(const JudgedGate& judged, const RecordedValue& recorded);
 
+// The name of the gate on the recorded value of the gate of this name.
+std::string regression_of(const std::string& gate);
+
 // Whether a judged gate is one on a recorded value.
 bool of_record(const JudgedGate& judged);
 

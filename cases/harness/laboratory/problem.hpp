@@ -52,7 +52,7 @@ struct MeasuredOrder {
 };
 
 // Where points stand in their shares of a cell when one limit is to speak for all places: regular, between, and next to
-// a face, which bears least.
+// a face, where the limit is least.
 inline constexpr std::array<double, 3> sampled_places{0.5, 0.25, 0.01};
 
 // A place where a problem occurs in a scene that is to be run.

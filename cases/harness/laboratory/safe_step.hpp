@@ -13,7 +13,7 @@ struct SafeStep {
   int order = 2;  // of the transfers xpic and fmpm
   int ppc = 1;
   double regular = 0;                 // limit with points at the centres of their shares of a cell, h/c
-  double limit = 0, place = 0.5;      // least over the places sampled in a bar without ends, and where
+  double limit = 0, place = 0.5;      // least over the places sampled in an infinite (periodic) bar, and where
   double edge = 0, edge_depth = 0.5;  // least over the depths of the last point behind a free end
   double worst() const { return limit < edge ? limit : edge; }
 };

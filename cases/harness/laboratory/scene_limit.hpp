@@ -1,4 +1,4 @@
-// Which Courant number a scene bears: the smallest limit over what it contains.
+// The stability limit of a scene as a Courant number: the smallest limit over what it contains.
 #pragma once
 
 #include <string>

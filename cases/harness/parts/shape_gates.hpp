@@ -21,7 +21,7 @@ struct ShapeSubject {
 using SharedSubject = std::shared_ptr<const ShapeSubject>;
 
 // Sums of values of order one over the nodes that a point reaches, times the grid's cells: a few thousand roundings, which
-// leaves room for shapes that solve small systems of equations.
+// allows for shapes that solve small systems of equations.
 inline constexpr double shape_rounding = 1e-12;
 
 std::vector<MeasuredGate> shape_gates(const ShapeEntry& shape);

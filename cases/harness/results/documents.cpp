@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "cases/harness/description/prose.hpp"
 #include "cases/harness/judge/expected_failures.hpp"
 
 namespace plumbline {
@@ -57,7 +59,43 @@ Json declared_gate(const Case& entry, const StudyPlan& plan, const CaseGate& g) 
   return gate;
 }
 
+// The scheme that a result's name of it, "default+usl", is made from.
+std::string chosen_scheme(const std::string& shown) { return shown.substr(0, shown.find('+')); }
+
+// Those of a run; none of a case that is not registered.
+Json run_choices(const RunResult& run) {
+  const auto entry = std::find_if(cases().begin(), cases().end(),
+                                  [&](const Case* c) { return c->name == run.case_name; });
+  return entry == cases().end() ? Json::object() : choices(**entry, chosen_scheme(run.scheme), run.settings);
+}
+
+// Those that all levels of a study share, beside what it varies.
+Json shared_choices(const StudyResult& study) {
+  if (study.levels.empty()) return Json::object();
+  const StudyLevel& first = study.levels.front();
+  Settings settings = first.run.settings;
+  if (study.plan.vary == Vary::dt) {
+    const char* step = settings.is_set("dt") ? "dt" : "cfl";
+    settings.set(step, settings.number(step) / first.value, study.entry->name);
+  }
+  Json shared = choices(*study.entry, study.plan.scheme, settings);
+  if (study.plan.vary != Vary::dt) shared.erase(name(study.plan.vary));
+  return shared;
+}
+
 }  // namespace
+
+Json choices(const Case& entry, const std::string& scheme, const Settings& settings) {
+  std::vector<Override> cells;
+  if (settings.has("cells")) cells.emplace_back("cells", settings["cells"]);
+  const Settings plain = entry.settings(scheme, cells);
+  Json chosen = Json::object();
+  for (const Key& key : settings.keys()) {
+    if (key.value == plain[key.name]) continue;
+    chosen[key.name] = std::holds_alternative<std::monostate>(key.value) ? Json("none") : to_json(key.value);
+  }
+  return chosen;
+}
 
 Json to_json(const Value& value) {
   if (const double* x = std::get_if<double>(&value)) {
@@ -174,11 +212,8 @@ Json to_json(const OrderFit& fit) {
 
 Json run_document(const RunResult& run, const std::vector<JudgedGate>& gates, const Provenance& provenance) {
   const auto all = verdicts(gates);
-  Json document{{"case", run.case_name},
-                {"scheme", run.scheme},
-                {"settings", to_json(run.settings)},
-                {"verdict", name(overall(all))},
-                {"finished", run.finished}};
+  Json document{{"case", run.case_name},       {"scheme", run.scheme},          {"settings", to_json(run.settings)},
+                {"choices", run_choices(run)}, {"verdict", name(overall(all))}, {"finished", run.finished}};
   if (run.stop) {
     const Stop& s = *run.stop;
     document["stop"] = {{"reason", s.reason}, {"step", s.step},   {"time", number(s.time)},
@@ -191,7 +226,7 @@ Json run_document(const RunResult& run, const std::vector<JudgedGate>& gates, co
   document["h"] = number(run.h);
   document["time"] = number(run.end_time);
   document["wall_s"] = number(run.wall_s);
-  document["point_steps_per_s"] = number(run.point_steps_per_s());
+  document["particle_steps_per_s"] = number(run.particle_steps_per_s());
   document["measures"] = to_json(run.measures);
   document["ledger"] = to_json(run.ledger, run.dim, run.axisymmetric);
   document["gates"] = to_json(gates);
@@ -211,9 +246,11 @@ Json study_document(const StudyResult& study, const std::vector<JudgedGate>& gat
   for (const auto& [measure, fit] : study.fits) fits[measure] = to_json(fit);
   const Settings shared = study.levels.empty() ? study.entry->settings(study.plan.scheme, study.plan.overrides)
                                                : study.levels.front().run.settings;
-  return {{"scheme", study.scheme},      {"vary", name(study.plan.vary)}, {"settings", to_json(shared)},
-          {"id", study.plan.id},         {"title", study.plan.title},     {"why", study.plan.why},
-          {"levels", std::move(levels)}, {"measures", std::move(fits)},   {"gates", to_json(gates)}};
+  return {{"scheme", study.scheme},      {"vary", name(study.plan.vary)},
+          {"settings", to_json(shared)}, {"choices", shared_choices(study)},
+          {"id", study.plan.id},         {"title", study.plan.title},
+          {"why", study.plan.why},       {"levels", std::move(levels)},
+          {"measures", std::move(fits)}, {"gates", to_json(gates)}};
 }
 
 Json counts_document(const std::vector<JudgedGate>& gates) {
@@ -229,6 +266,7 @@ Json catalog_entry(const Case& entry) {
   const Settings settings = entry.settings("default", {});
   for (const Key& key : settings.keys()) {
     parameters.push_back({{"key", key.name},
+                          {"numerical", is_numerical(entry, key.name)},
                           {"value", to_json(key.value)},
                           {"default", to_json(key.value)},
                           {"unit", key.unit},

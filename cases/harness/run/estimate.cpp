@@ -34,7 +34,7 @@ RunEstimate estimate_run(const Case& entry, const Settings& settings) {
   require_memory(size, settings);
   const auto simulation = stepped_once(entry, settings, std::move(scene));
   throw_if_interrupted();
-  constexpr double rate = 1e7;  // point-steps per second of one slow core
+  constexpr double rate = 1e7;  // particle-steps per second of one slow core
   RunEstimate estimate;
   estimate.points = simulation->points();
   estimate.steps = std::ceil(problem->end_time() / simulation->last_dt());

@@ -57,7 +57,7 @@ struct RunResult {
   std::string file;  // its name in a results folder
 
   const Measure* find(const std::string& measure) const;
-  double point_steps_per_s() const {
+  double particle_steps_per_s() const {
     return wall_s > 0 ? static_cast<double>(points) * static_cast<double>(steps) / wall_s : 0;
   }
 };

@@ -129,8 +129,8 @@ void add_body(const Body& body, const std::string& kind, const GridSpec& grid, l
 long thinning(const Scene& scene, long most_points) {
   long in_chains = 0, others = 0;
   for (const Body& body : scene.bodies) (body.material->chain() ? in_chains : others) += body.points.points();
-  const long room = std::max(most_points - in_chains, 1L);
-  return most_points > 0 && others > room ? (others + room - 1) / room : 1;
+  const long free = std::max(most_points - in_chains, 1L);
+  return most_points > 0 && others > free ? (others + free - 1) / free : 1;
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ std::optional<Origin> origin_from(std::string_view name);
 // Closed interval; an end that is absent does not bind.
 struct Range {
   std::optional<double> low, high;
-  bool contains(double value) const;  // false for NaN, and for a range without ends
+  bool contains(double value) const;  // false for NaN, and for an unbounded range
 };
 
 // A run that stops at a step in [step_low, step_high] on this field.
@@ -103,7 +103,7 @@ Measured measured_order(const OrderFit& fit);
 // not fail).
 void validate(const Gate& gate);
 
-// The gate's tolerance, the room it leaves: half the width of a two-sided range, the size of the bound of a
+// The gate's tolerance, its margin: half the width of a two-sided range, the size of the bound of a
 // one-sided one (an error of at most 0.007 has the tolerance 0.007; a bound of 0 has none).
 double tolerance(const Range& expected);
 

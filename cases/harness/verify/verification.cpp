@@ -1,7 +1,10 @@
 #include "cases/harness/verify/verification.hpp"
 
+#include <fnmatch.h>
+
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <mutex>
 #include <numeric>
 #include <set>
@@ -213,6 +216,7 @@ std::vector<RecordedValue::Key> lost_gates(const Case& entry, Tier tier, const S
                                            const std::set<RecordedValue::Key>& executed) {
   std::set<RecordedValue::Key> wanted;
   for (const CaseGate& gate : declared) {
+    if (!selection.takes(gate.gate.id)) continue;
     const bool selected = selection.everything() || std::any_of(studies.begin(), studies.end(), [&](const auto& study) {
                             return study.plan.id == gate.study;
                           });
@@ -228,6 +232,12 @@ std::vector<RecordedValue::Key> lost_gates(const Case& entry, Tier tier, const S
 
 }  // namespace
 
+bool Selection::takes(const std::string& gate) const {
+  return gates.empty() || std::any_of(gates.begin(), gates.end(), [&](const std::string& pattern) {
+           return ::fnmatch(pattern.c_str(), gate.c_str(), 0) == 0;
+         });
+}
+
 bool complete(const Verification& verification) {
   return static_cast<int>(verification.gates.size() + verification.not_applicable.size()) == verification.declared;
 }
@@ -236,18 +246,76 @@ std::vector<StudyPlan> selected_studies(const Case& entry, Tier tier, const Sele
   return selected_plans(entry, tier, selection).all;
 }
 
+namespace {
+
+std::vector<CaseGate> declared_gates(const Case& entry, Tier tier, const Selection& selection) {
+  std::vector<CaseGate> declared;
+  for (const CaseGate& gate : entry.gates) {
+    if (in_tier(gate.tier, tier) && selection.settings.empty()) declared.push_back(gate);
+  }
+  return declared;
+}
+
+// Whether a gate is selected, or the one on its recorded value.
+bool takes_either(const Selection& selection, const std::string& gate) {
+  return selection.takes(gate) || selection.takes(regression_of(gate));
+}
+
+// Of the plans those that the selected gates need, and of these the levels. A study that another's gate compares with is needed
+// whole.
+void keep_needed(const Case& entry, Tier tier, const Selection& selection, Plans& plans) {
+  if (selection.gates.empty()) return;
+  const std::vector<CaseGate> declared = declared_gates(entry, tier, selection);
+  std::map<std::string, std::set<double>> needed;  // by study; no levels: all
+  std::set<std::string> whole;
+  for (const StudyPlan& plan : plans.all) {
+    StudyResult study;
+    study.entry = &entry;
+    study.plan = plan;
+    for (const CaseGate& gate : gates_on(study, declared)) {
+      if (!takes_either(selection, gate.gate.id)) continue;
+      needed[plan.id].insert(gate.levels.begin(), gate.levels.end());
+      if (gate.levels.empty()) whole.insert(plan.id);
+      for (const std::string& other : gate.also) whole.insert(other);
+    }
+  }
+  const auto is_needed = [&](const StudyPlan& plan) { return whole.count(plan.id) + needed.count(plan.id) > 0; };
+  const auto own_end = plans.all.begin() + static_cast<std::ptrdiff_t>(plans.own);
+  plans.own = static_cast<std::size_t>(std::count_if(plans.all.begin(), own_end, is_needed));
+  std::erase_if(plans.all, [&](const StudyPlan& plan) { return !is_needed(plan); });
+  for (StudyPlan& plan : plans.all) {
+    if (whole.count(plan.id) > 0) continue;
+    const std::set<double>& levels = needed[plan.id];
+    for (std::vector<double>* values : {&plan.values, &plan.full_values})
+      std::erase_if(*values, [&](double value) { return levels.count(value) == 0; });
+  }
+  plans.not_applicable.clear();
+}
+
+}  // namespace
+
+std::vector<std::string> gate_names(const Case& entry, Tier tier, const Selection& selection) {
+  std::vector<std::string> names;
+  const std::vector<CaseGate> declared = declared_gates(entry, tier, selection);
+  for (const StudyPlan& plan : selected_plans(entry, tier, selection).all) {
+    StudyResult study;
+    study.entry = &entry;
+    study.plan = plan;
+    for (const CaseGate& gate : gates_on(study, declared)) names.push_back(gate.gate.id);
+  }
+  return names;
+}
+
 void verify_case(const Case& entry, Tier tier, const Selection& selection, int threads, RunStore& store,
                  const Progress& progress, Verification& verification) {
-  const Plans plans = selected_plans(entry, tier, selection);
+  Plans plans = selected_plans(entry, tier, selection);
+  keep_needed(entry, tier, selection, plans);
   std::vector<std::vector<PlannedRun>> planned;  // all of them before the first run: a wrong call must not cost time
   for (const StudyPlan& plan : plans.all) planned.push_back(planned_runs(entry, plan, tier, selection.settings));
   StudySet studies;
   for (std::size_t k = 0; k < plans.all.size(); ++k)
     studies.push_back(run_or_fail(entry, plans.all[k], planned[k], threads, progress, store));
-  std::vector<CaseGate> declared;
-  for (CaseGate gate : entry.gates) {
-    if (in_tier(gate.tier, tier) && selection.settings.empty()) declared.push_back(std::move(gate));
-  }
+  const std::vector<CaseGate> declared = declared_gates(entry, tier, selection);
   std::set<RecordedValue::Key> executed;
   const std::size_t before = verification.gates.size();
   for (std::size_t k = 0; k < studies.size(); ++k) {
@@ -255,8 +323,11 @@ void verify_case(const Case& entry, Tier tier, const Selection& selection, int t
     study.siblings = &studies;
     std::vector<JudgedGate> judged = judge_gates(gates_on(study, declared), study);
     for (const JudgedGate& gate : judged) executed.emplace(gate.case_name, gate.study, gate.gate.id, tier_name(tier));
+    std::erase_if(judged, [&](const JudgedGate& gate) { return !takes_either(selection, gate.gate.id); });
     add_regressions(selection, tier, k < plans.own, judged, verification);
-    if (study.failure.empty()) store.folder().write_study(study, judged, store.provenance(entry));
+    std::erase_if(judged, [&](const JudgedGate& gate) { return !selection.takes(gate.gate.id); });
+    if (study.failure.empty() && selection.gates.empty())
+      store.folder().write_study(study, judged, store.provenance(entry));
     verification.gates.insert(verification.gates.end(), judged.begin(), judged.end());
   }
   const auto lost = lost_gates(entry, tier, selection, declared, studies, executed);

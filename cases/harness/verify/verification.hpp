@@ -34,19 +34,25 @@ struct Verification {
 bool complete(const Verification& verification);
 
 // What to verify of a case: everything, or the studies of some schemes and the generic gates of some integrators. Keys
-// that are set leave the generic gates alone to be judged: the declared numbers hold for the declared choices.
+// that are set leave the generic gates alone to be judged: the declared numbers hold for the declared choices. `gates`: of all
+// these those alone whose names match one of the patterns, on the levels that they need.
 struct Selection {
   std::vector<std::string> schemes, integrators, settings;
   bool by_name = false;  // integrators that cannot work with the case are an error, and not merely listed
   const Regressions* recorded = nullptr;  // judged beside the gates, unless keys are set; null: none
-  bool everything() const { return schemes.empty() && integrators.empty() && settings.empty(); }
+  std::vector<std::string> gates = {};
+  bool everything() const { return schemes.empty() && integrators.empty() && settings.empty() && gates.empty(); }
+  bool takes(const std::string& gate) const;
 };
+
+// The names of all gates that a selection may judge, those on recorded values but for their ending.
+std::vector<std::string> gate_names(const Case& entry, Tier tier, const Selection& selection);
 
 // The studies of a selection in a tier, those of the integrators last. Throws UsageError for unknown names.
 std::vector<StudyPlan> selected_studies(const Case& entry, Tier tier, const Selection& selection);
 
-// All gates of one case in a tier, and those on recorded values; runs and studies go to the store and its folder. Adds to `verification`. Throws
-// UsageError for unknown names.
+// All gates of one case in a tier, and those on recorded values; runs and studies go to the store and its folder, but no study
+// of which some gates alone were selected. Adds to `verification`. Throws UsageError for unknown names.
 void verify_case(const Case& entry, Tier tier, const Selection& selection, int threads, RunStore& store,
                  const Progress& progress, Verification& verification);
 

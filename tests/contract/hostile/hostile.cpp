@@ -32,9 +32,9 @@ void loop() {
 }
 
 int use_up_the_stack(int depth) {
-  volatile char room[4096];
-  room[0] = static_cast<char>(depth);
-  return depth < 0 ? 0 : use_up_the_stack(depth + 1) + room[0];
+  volatile char frame[4096];
+  frame[0] = static_cast<char>(depth);
+  return depth < 0 ? 0 : use_up_the_stack(depth + 1) + frame[0];
 }
 
 void boom() { throw std::runtime_error("boom"); }

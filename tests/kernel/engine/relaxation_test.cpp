@@ -1,4 +1,4 @@
-// Motions and strains of a chain of points that no node sees. [Coupling 2] [Coupling 3]
+// Null-space modes of the motions and strains of a chain of points. [Coupling 2] [Coupling 3]
 #include <numbers>
 
 #include "tests/kernel/coupled_scenes.hpp"

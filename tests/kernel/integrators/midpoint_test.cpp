@@ -18,17 +18,17 @@ TEST(Midpoint, Order) {
                                 "move_points dt midpoint", "strain_points dt midpoint", "evaluate_stress midpoint"}));
 }
 
-// By hand: a force pass gives the midpoint velocity that foretells the strain half a step on, a second one the velocities.
+// By hand: a force pass gives the midpoint velocity that predicts the strain half a step on, a second one the velocities.
 // [Midpoint 1-4]
 TEST(Midpoint, StepsAsByHand) {
   expect_steps_as_by_hand("midpoint", [](OnePointOscillator& o, double dt) {
     const double n = o.weight(), start = o.v;
     const auto tension = [&](double strain) { return strain > 0 ? o.modulus * strain : 0; };
     const auto pull = [&](double stress) { return -o.volume * stress / o.h / (o.m * n); };
-    const double first = start + dt / 2 * pull(o.stress);              // [Midpoint 1]
-    const double foretold = tension(o.strain + dt / 2 * first / o.h);  // [Midpoint 2]
-    const double a = pull(foretold), middle = start + dt / 2 * a;      // [Midpoint 3]
-    o.x += dt * n * middle;                                            // [Midpoint 4]
+    const double first = start + dt / 2 * pull(o.stress);               // [Midpoint 1]
+    const double predicted = tension(o.strain + dt / 2 * first / o.h);  // [Midpoint 2]
+    const double a = pull(predicted), middle = start + dt / 2 * a;      // [Midpoint 3]
+    o.x += dt * n * middle;                                             // [Midpoint 4]
     o.v += dt * n * a;
     o.stretch(dt * middle / o.h);
   });

@@ -129,7 +129,7 @@ TEST_P(J2, StressFollowsTheLawPointByPoint) {
 
 // `ahead`: the returned stress of where the velocity gradient leads, tau A^-T / J with A = 1 + ahead grad v; nothing moves on.
 // [J2 3, 4]
-TEST_P(J2, ForetellsAReturnedStress) {
+TEST_P(J2, PredictsAReturnedStress) {
   J2Plasticity inviscid = solid();
   inviscid.viscosity_linear = 0;
   Walk walk(GetParam(), inviscid);

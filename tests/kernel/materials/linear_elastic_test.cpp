@@ -152,7 +152,7 @@ TEST_P(Hooke, AdvancesByItsRates) {
 }
 
 // `ahead`: the stress that the strain rates lead to, while nothing is advanced. [Hooke 1]
-TEST_P(Hooke, ForetellsItsStress) {
+TEST_P(Hooke, PredictsItsStress) {
   const LinearElastic material = law();
   Columns points = points_of(material, GetParam());
   const auto strain = some_strain(GetParam());

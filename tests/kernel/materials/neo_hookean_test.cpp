@@ -128,7 +128,7 @@ TEST_P(Finite, StressIsTheSlopeOfTheEnergy) {
 
 // `ahead`: P of the deformation that the velocity gradient leads to, over the deformation and volume as they are; no longer
 // symmetric. [Neo-Hookean 1, 2]
-TEST_P(Finite, ForetellsItsStress) {
+TEST_P(Finite, PredictsItsStress) {
   Columns points = points_of(GetParam());
   const double ahead = 0.05;
   const Matrix f = tensor.of(some_deformation(), 1), l = tensor.of(some_rate(), 0);

@@ -162,7 +162,7 @@ TEST(SegmentMembrane, SlackSegmentsDoNotPush) {
 }
 
 // `ahead`: the force where points will be if they keep the velocities that the grid has for them. [Segments 2]
-TEST(SegmentMembrane, ForetellsItsForces) {
+TEST(SegmentMembrane, PredictsItsForces) {
   for_all_chains([](const SegmentMembrane& material, int dim) {
     Columns points = chain(material, dim);
     for (int p = 0; p < points.points(); ++p) {

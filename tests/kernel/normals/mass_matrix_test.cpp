@@ -157,6 +157,20 @@ TEST(MassMatrix, AGhostCellReachesBehindAMirror) {
   EXPECT_LT(test::angle(n.x[0], n.y[0], 0, 1), 1e-9);
 }
 
+// York's other answer: nothing of the neighbours, until the point has had no normal yet. [York section 7.8]
+TEST(MassMatrix, APointAloneMayKeepItsNormalInsteadOfAGhostCell) {
+  const test::Curve c = test::line(0.44, 0.46, 30, {0, -0.06, -0.09, 0.07, 0.1});
+  std::vector<double> nx(5), ny(5), none(5, 0);
+  std::vector<double> before_x(5, 0.6), before_y(5, -0.8);
+  const auto kept = make_normals("york-mass-matrix-kept");
+  kept->find({test::square(10, 0.1), c.x, c.y, {}, {}, before_x, before_y, false}, nx, ny);
+  EXPECT_EQ(nx[0], 0.6);
+  EXPECT_EQ(ny[0], -0.8);
+  for (std::size_t p = 1; p < 5; ++p) EXPECT_LT(test::angle(nx[p], ny[p], c.nx[p], c.ny[p]), 1e-9) << p;
+  kept->find({test::square(10, 0.1), c.x, c.y, {}, {}, none, none, false}, nx, ny);
+  EXPECT_LT(test::angle(nx[0], ny[0], c.nx[0], c.ny[0]), 1e-9);
+}
+
 TEST(MassMatrix, AlonePointsKeepThePreviousNormal) {
   const test::Curve one = test::line(0.55, 0.55, 0, {0});
   const std::vector<double> before_x{0.6}, before_y{-0.8};

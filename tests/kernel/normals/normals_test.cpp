@@ -8,7 +8,7 @@ namespace plumbline {
 namespace {
 
 TEST(Normals, EveryNameMakesAMethodAndOthersDoNot) {
-  EXPECT_EQ(normals_methods().size(), 7u);
+  EXPECT_EQ(normals_methods().size(), 8u);
   for (const Choice& choice : normals_methods()) {
     EXPECT_NE(make_normals(choice.name), nullptr) << choice.name;
     EXPECT_FALSE(choice.title.empty() || choice.source.empty()) << choice.name;

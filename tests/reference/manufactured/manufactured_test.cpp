@@ -58,9 +58,9 @@ TEST(ManufacturedIdentity,
           }
         }
         // truncation h^4 times a fifth derivative, at most (2 pi/width)^5 = 1e5 of the stress; rounding 1e-16 E/h
-        const double room = 1e-9 * s.youngs_modulus() + 1e-10 * largest(divergence);
+        const double margin = 1e-9 * s.youngs_modulus() + 1e-10 * largest(divergence);
         for (int i = 0; i < dim; ++i) {
-          EXPECT_NEAR(s.density() * (here.acceleration[i] - here.body_force[i]), divergence[i], room);
+          EXPECT_NEAR(s.density() * (here.acceleration[i] - here.body_force[i]), divergence[i], margin);
         }
       }
     }

@@ -483,21 +483,21 @@ TEST(ConvergedTubes, AreJudgedOverTheirDomainAlone) {
   EXPECT_LT(measure(run, "density.L1").reference_bound, 0.05 * measure(run, "density.L1").error);
 }
 
-// --- the stick --------------------------------------------------------------------------------------------------------
+// --- the comparator --------------------------------------------------------------------------------------------------------
 
-TEST(Stick, StandsBesideTheStudyInItsFile) {
+TEST(FiniteVolumeComparator, StandsBesideTheStudyInItsFile) {
   const Case& sod = find_case("sod");
-  const auto sticks = sod.comparators(sod.settings("default", {}), {50, 100});
-  ASSERT_EQ(sticks.size(), 1u);
-  ASSERT_EQ(sticks[0].levels.size(), 2u);
-  EXPECT_EQ(sticks[0].levels[1].cells, 100);
-  EXPECT_EQ(sticks[0].levels[1].cell_steps, 100 * sticks[0].levels[1].steps);
-  EXPECT_EQ(sticks[0].levels[1].errors[0].first, "density.L1");
-  EXPECT_NEAR(sticks[0].levels[1].errors[0].second, 0.0041, 0.0003);  // second-order finite volumes on Sod's tube
-  EXPECT_LT(sticks[0].levels[1].errors[0].second, sticks[0].levels[0].errors[0].second);
+  const auto beside = sod.comparators(sod.settings("default", {}), {50, 100});
+  ASSERT_EQ(beside.size(), 1u);
+  ASSERT_EQ(beside[0].levels.size(), 2u);
+  EXPECT_EQ(beside[0].levels[1].cells, 100);
+  EXPECT_EQ(beside[0].levels[1].cell_steps, 100 * beside[0].levels[1].steps);
+  EXPECT_EQ(beside[0].levels[1].errors[0].first, "density.L1");
+  EXPECT_NEAR(beside[0].levels[1].errors[0].second, 0.0041, 0.0003);  // second-order finite volumes on Sod's tube
+  EXPECT_LT(beside[0].levels[1].errors[0].second, beside[0].levels[0].errors[0].second);
 }
 
-TEST(Stick, FollowsTheStates) {
+TEST(FiniteVolumeComparator, FollowsTheStates) {
   for (const char* name : {"sod", "toro-3"}) {
     const Case& tube = find_case(name);
     const auto as_given = tube.comparators(tube.settings("default", {}), {50});

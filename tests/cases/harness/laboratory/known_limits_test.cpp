@@ -23,7 +23,7 @@ const KnownLimit& row_of(const std::vector<KnownLimit>& rows, const std::string&
   throw std::out_of_range(problem);
 }
 
-// The light node behind a point at the depth d of its cell alone bears sqrt(2 d), to the order of d.
+// The light node behind a point at the depth d of its cell alone is stable to sqrt(2 d), to the order of d.
 TEST(KnownLimits, TheSmallestStandsFirstAndNamesItsProblem) {
   const std::vector<KnownLimit> rows = limits_of({"usl", {}}, 1, problems({"bar", "bar-edge", "oscillator"}));
   ASSERT_EQ(rows.size(), 5U);

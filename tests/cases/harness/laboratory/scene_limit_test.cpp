@@ -84,7 +84,7 @@ TEST(SceneLimit, RunsHoldAtIt) {
   }
 }
 
-// The free end bears a fifth of what the inside does.
+// The limit of the free end is a fifth of that of the inside.
 TEST(SceneLimit, FreeEdgesCount) {
   const std::vector<Override> choices{{"integrator", "usl"}, {"shape", "linear"}, {"transfer", "flip"}};
   SampleRun free{"bar-vibration", {{"cells", 13.0}}, {}};

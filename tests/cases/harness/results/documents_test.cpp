@@ -75,7 +75,7 @@ TEST(Documents, OfAFinishedRun) {
   EXPECT_TRUE(d["stop"].is_null());
   EXPECT_EQ(d["steps"], 10);
   EXPECT_EQ(d["points"], 3);
-  EXPECT_EQ(d["point_steps_per_s"], 60);
+  EXPECT_EQ(d["particle_steps_per_s"], 60);
   EXPECT_EQ(d["measures"]["period"]["error"], 0.5);
   EXPECT_EQ(d["measures"]["period"]["relative_error"], 0.5);
   EXPECT_EQ(d["measures"]["period"]["value"], 1.5);

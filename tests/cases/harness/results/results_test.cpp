@@ -167,10 +167,10 @@ TEST(StudyFile, HoldsLevelsGatesAndCatalog) {
 TEST(StudyFile, HasTheComparatorsTable) {
   Toy with;
   with.comparators = [](const Settings& settings, const std::vector<double>& cells) {
-    Comparator stick{"stick", "another method"};
-    for (const double n : cells) stick.levels.push_back({n, 3, static_cast<long>(3 * n), 0.5, {{"error", 1 / n}}});
-    stick.levels.back().errors[0].second += settings.number("weight");
-    return std::vector<Comparator>{stick};
+    Comparator comparator{"comparator", "another method"};
+    for (const double n : cells) comparator.levels.push_back({n, 3, static_cast<long>(3 * n), 0.5, {{"error", 1 / n}}});
+    comparator.levels.back().errors[0].second += settings.number("weight");
+    return std::vector<Comparator>{comparator};
   };
   const Case entry = toy_case(with);
   StudyResult study = toy_study();
@@ -180,11 +180,11 @@ TEST(StudyFile, HasTheComparatorsTable) {
   const ResultsFolder results(folder.path());
   results.write_study(study, {}, Provenance{});
   const std::string file = folder / study.file;
-  EXPECT_EQ(read_hdf5_numbers(file, "/comparator/stick/cells"), (std::vector<double>{4, 8}));
-  EXPECT_EQ(read_hdf5_numbers(file, "/comparator/stick/steps"), (std::vector<double>{3, 3}));
-  EXPECT_EQ(read_hdf5_numbers(file, "/comparator/stick/cell_steps"), (std::vector<double>{12, 24}));
-  EXPECT_EQ(read_hdf5_numbers(file, "/comparator/stick/wall_s"), (std::vector<double>{0.5, 0.5}));
-  EXPECT_EQ(read_hdf5_numbers(file, "/comparator/stick/error"), (std::vector<double>{0.25, 1.125}));
+  EXPECT_EQ(read_hdf5_numbers(file, "/comparator/comparator/cells"), (std::vector<double>{4, 8}));
+  EXPECT_EQ(read_hdf5_numbers(file, "/comparator/comparator/steps"), (std::vector<double>{3, 3}));
+  EXPECT_EQ(read_hdf5_numbers(file, "/comparator/comparator/cell_steps"), (std::vector<double>{12, 24}));
+  EXPECT_EQ(read_hdf5_numbers(file, "/comparator/comparator/wall_s"), (std::vector<double>{0.5, 0.5}));
+  EXPECT_EQ(read_hdf5_numbers(file, "/comparator/comparator/error"), (std::vector<double>{0.25, 1.125}));
   for (const auto& change : std::vector<std::function<void(StudyPlan&)>>{[](StudyPlan& p) { p.vary = Vary::dt; },
                                                                          [](StudyPlan& p) { p.scheme = "york1997"; },
                                                                          [](StudyPlan& p) {
@@ -193,7 +193,7 @@ TEST(StudyFile, HasTheComparatorsTable) {
     StudyResult other = study;
     change(other.plan);
     results.write_study(other, {}, Provenance{});
-    EXPECT_TRUE(read_hdf5_numbers(folder / other.file, "/comparator/stick/cells").empty());
+    EXPECT_TRUE(read_hdf5_numbers(folder / other.file, "/comparator/comparator/cells").empty());
   }
 }
 

@@ -104,7 +104,7 @@ TEST(Experiment, WallTimeIsThatOfStepping) {
   const RunResult result = run(toy_case(toy));
   EXPECT_GT(result.wall_s, 0);
   EXPECT_LT(result.wall_s, 0.05);
-  EXPECT_DOUBLE_EQ(result.point_steps_per_s(), 30 / result.wall_s);
+  EXPECT_DOUBLE_EQ(result.particle_steps_per_s(), 30 / result.wall_s);
 }
 
 TEST(Experiment, AStopIsRecordedWithStepPointAndField) {

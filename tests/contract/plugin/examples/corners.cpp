@@ -63,10 +63,10 @@ class Corners final : public ListedShape<dim> {
     for (int d = 0; d < dim; ++d) {
       double extent = 0;
       for (const Vec& edge : edges) extent += std::abs(edge[d]);
-      const double low = x[d], high = grid_.cells(d) - x[d], room = std::min({low, high, furthest});
-      const bool squeezed = extent > room;
-      scale[d] = squeezed ? room / extent : 1;
-      change[d] = !squeezed || room == furthest ? 0 : (low < high ? 1 : -1) / extent;
+      const double low = x[d], high = grid_.cells(d) - x[d], distance = std::min({low, high, furthest});
+      const bool squeezed = extent > distance;
+      scale[d] = squeezed ? distance / extent : 1;
+      change[d] = !squeezed || distance == furthest ? 0 : (low < high ? 1 : -1) / extent;
     }
     for (int c = 0; c < 1 << dim; ++c) {
       Vec off = Vec::Zero();

@@ -1,10 +1,10 @@
 """Reads the result files of Plumbline: one run, one refinement study or one set of verdicts per HDF5 file.
 
-    import plumbline_results
-    run = plumbline_results.load("results/sod-default-100-0123456789ab.h5")
+    from plumbline import reader
+    run = reader.load("results/sod-default-100-0123456789ab.h5")
     run.measures["density.L1"]["error"], run.profile["density"], run.ledger["energy"]["residual"]
 
-    python plumbline_results.py FILE --csv gates > gates.csv
+    python -m plumbline FILE --csv gates > gates.csv
 
 Needs numpy and h5py. Numbers keep the units the file states; non-finite numbers are None in the JSON parts.
 Exit status: 0; 2 the file has no such table; 4 the file is damaged, missing or of a newer format.
@@ -18,7 +18,9 @@ import pathlib
 import re
 import sys
 import zlib
+from collections.abc import Iterable
 from dataclasses import dataclass, field
+from typing import Any, TextIO
 
 import h5py
 import numpy
@@ -26,6 +28,7 @@ import numpy
 FORMAT_VERSION = 2
 OLDEST_FORMAT_VERSION = 1
 KINDS = ("run", "study", "verdicts")
+URGENCY = ("INVALID", "FAIL", "XPASS", "INCONCLUSIVE", "XFAIL", "PASS", "NONE")  # the order of lists: missed first
 SEAL_SIZE = 512  # bytes in front of the HDF5 part: how many follow, and their checksum
 BENCH_FILE = "bench.json"
 STABILITY_FILE = "stability.json"
@@ -63,11 +66,21 @@ LEVEL_COLUMNS = (
     "points",
     "steps",
     "wall_s",
-    "point_steps_per_s",
+    "particle_steps_per_s",
     "verdict",
     "finished",
     "file",
 )
+
+
+def urgency(verdict: str | None) -> int:
+    """Place of a verdict in URGENCY; one that is not known comes before all."""
+    return URGENCY.index(verdict) if verdict in URGENCY else -1
+
+
+def most_urgent(gates: Iterable[Any]) -> str:
+    """The most urgent verdict among those of the gates; NONE where nothing was judged."""
+    return min((gate.get("verdict") for gate in gates), key=urgency, default="NONE")
 
 
 class ResultsError(Exception):
@@ -89,10 +102,17 @@ class NoSuchTable(ResultsError, KeyError):
         return self.args[0]
 
 
-class Columns(dict):
+class Columns(dict[str, numpy.ndarray]):
     """Columns of equal length by name (float64 arrays), with `units`, `labels`, `abscissa` and `kind`."""
 
-    def __init__(self, columns, units=None, labels=None, abscissa="", kind=""):
+    def __init__(
+        self,
+        columns: dict[str, numpy.ndarray],
+        units: dict[str, str] | None = None,
+        labels: dict[str, str] | None = None,
+        abscissa: str = "",
+        kind: str = "",
+    ) -> None:
         super().__init__(columns)
         self.units = units or {}
         self.labels = labels or {}
@@ -107,17 +127,17 @@ class Frames:
     """
 
     times: numpy.ndarray
-    bodies: list
-    grid: dict
-    units: dict
-    every: int = 1  # one point in so many is there of bodies that are no chain
-    points: dict = field(default_factory=dict)  # by field: the values of all frames one after another
-    starts: numpy.ndarray = None  # where each frame begins in them, and their end
+    bodies: list[dict]
+    grid: dict[str, Any]
+    units: dict[str, str]
+    every: int  # one point in so many is there of bodies that are no chain
+    points: dict[str, numpy.ndarray]  # by field: the values of all frames one after another
+    starts: numpy.ndarray  # where each frame begins in them, and their end
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self.times)
 
-    def body(self, frame, number):
+    def body(self, frame: int, number: int) -> dict[str, numpy.ndarray]:
         """{field: values} of one body at one frame: id, position and velocity (n, 3), pressure, stress."""
         part = slice(self.starts[frame], self.starts[frame + 1])
         chosen = self.points["body"][part] == number
@@ -131,24 +151,59 @@ class Result:
     kind: str
     name: str
     format: int
-    run: dict = field(default_factory=dict)
-    study: dict = field(default_factory=dict)
-    verdicts: dict = field(default_factory=dict)
-    measures: dict = field(default_factory=dict)
-    gates: list = field(default_factory=list)
-    provenance: dict = field(default_factory=dict)
-    settings: dict = field(default_factory=dict)
-    catalog: dict = field(default_factory=dict)
-    ledger: dict = field(default_factory=dict)
+    run: dict[str, Any] = field(default_factory=dict)
+    study: dict[str, Any] = field(default_factory=dict)
+    verdicts: dict[str, Any] = field(default_factory=dict)
+    measures: dict[str, Any] = field(default_factory=dict)
+    gates: list[dict] = field(default_factory=list)
+    provenance: dict[str, Any] = field(default_factory=dict)
+    settings: dict[str, Any] = field(default_factory=dict)
+    catalog: dict[str, Any] = field(default_factory=dict)
+    ledger: dict[str, Columns] = field(default_factory=dict)
     profile: Columns = field(default_factory=lambda: Columns({}))
-    comparators: dict = field(default_factory=dict)  # of a study: levels of other methods, by name
-    frames: Frames = None  # of a run that kept any
+    comparators: dict[str, Columns] = field(default_factory=dict)  # of a study: levels of other methods, by name
+    frames: Frames | None = None  # of a run that kept any
 
-    def table_names(self):
+    @property
+    def case(self) -> str:
+        """Name of the case; of verdicts, which may be those of many, empty."""
+        return (self.run or self.study).get("case", "")
+
+    @property
+    def scheme(self) -> str:
+        """Name of the scheme; of verdicts empty."""
+        return (self.run or self.study).get("scheme", "")
+
+    @property
+    def verdict(self) -> str:
+        """The one the file states of a run, else the most urgent of its gates'."""
+        stated = self.run.get("verdict")
+        return stated if stated else most_urgent(self.gates or self.study.get("gates") or self.verdicts.get("gates") or [])
+
+    def errors(self, measure: str) -> tuple[numpy.ndarray, numpy.ndarray]:
+        """Cell sizes in m and errors of a study's levels, in the order of its file. Levels without that error are left out."""
+        levels = [(level.get("h"), (level.get("measures", {}).get(measure) or {}).get("error")) for level in self.study.get("levels", [])]
+        known = [(h, error) for h, error in levels if h is not None and error is not None]
+        if not known:
+            there = sorted({name for level in self.study.get("levels", []) for name in level.get("measures", {})})
+            raise KeyError(f"no errors of '{measure}' here; there are: {', '.join(there) or 'none'}")
+        h, error = numpy.array(known, dtype=float).T
+        return h, error
+
+    def plot(self, name: str = "", axes: Any = None) -> Any:
+        """Draws a field of a run over its reference, or the errors of a study over the cell size; returns the axes of matplotlib.
+
+        Without `name` the first field or fitted measure; without `axes` on those of pyplot. Raises KeyError for a name not there.
+        """
+        from plumbline import plots
+
+        return plots.draw(self, name, axes)
+
+    def table_names(self) -> list[str]:
         """Names of the tables that this file can give as CSV."""
         return [name for name, build in _TABLES.items() if build(self)[1]]
 
-    def table(self, name):
+    def table(self, name: str) -> tuple[list[str], list[list]]:
         """(header, rows) of a table; raises NoSuchTable."""
         if name not in _TABLES:
             raise NoSuchTable(f"unknown table '{name}'; there are: {', '.join(_TABLES)}")
@@ -157,7 +212,7 @@ class Result:
             raise NoSuchTable(f"{self.name} has no table '{name}'; it has: {', '.join(self.table_names())}")
         return header, rows
 
-    def to_csv(self, name, target):
+    def to_csv(self, name: str, target: str | os.PathLike[str] | TextIO) -> None:
         """Writes a table to `target`, a path or an open text stream."""
         write_csv(*self.table(name), target)
 
@@ -173,23 +228,23 @@ class Folder:
     `listed`: that of `plumbline list` under LIST_FILE; `scorecards`: those of `plumbline verify --integrator` under SCORECARD_FILES.
     """
 
-    runs: list = field(default_factory=list)
-    studies: list = field(default_factory=list)
-    verdicts: list = field(default_factory=list)
-    damaged: list = field(default_factory=list)
-    bench: dict = field(default_factory=dict)
-    stability: dict = field(default_factory=dict)
-    mutants: dict = field(default_factory=dict)
-    cost: dict = field(default_factory=dict)
-    equations: dict = field(default_factory=dict)
-    listed: dict = field(default_factory=dict)
-    coverage: dict = field(default_factory=dict)
-    diff: dict = field(default_factory=dict)  # of `plumbline diff` under DIFF_FILE
-    judges: dict = field(default_factory=dict)
-    scorecards: list = field(default_factory=list)
+    runs: list[Result] = field(default_factory=list)
+    studies: list[Result] = field(default_factory=list)
+    verdicts: list[Result] = field(default_factory=list)
+    damaged: list[tuple[str, str]] = field(default_factory=list)
+    bench: dict[str, Any] = field(default_factory=dict)
+    stability: dict[str, Any] = field(default_factory=dict)
+    mutants: dict[str, Any] = field(default_factory=dict)
+    cost: dict[str, Any] = field(default_factory=dict)
+    equations: dict[str, Any] = field(default_factory=dict)
+    listed: dict[str, Any] = field(default_factory=dict)
+    coverage: dict[str, Any] = field(default_factory=dict)
+    diff: dict[str, Any] = field(default_factory=dict)  # of `plumbline diff` under DIFF_FILE
+    judges: dict[str, Any] = field(default_factory=dict)
+    scorecards: list[dict] = field(default_factory=list)
 
 
-def load(path):
+def load(path: str | os.PathLike[str]) -> Result:
     """Reads one file. Raises DamagedFile, NewerFormat, or FileNotFoundError."""
     path = pathlib.Path(path)
     if not path.exists():
@@ -204,7 +259,7 @@ def load(path):
         raise DamagedFile(_why_unreadable(error)) from error
 
 
-def check_seal(path):
+def check_seal(path: str | os.PathLike[str]) -> None:
     """Raises DamagedFile if a sealed file is not what was written: HDF5 may not come back from what is damaged."""
     content = pathlib.Path(path).read_bytes()
     if content.startswith(b"\x89HDF\r\n\x1a\n"):  # without a seal: of format 1, or made by another program
@@ -219,7 +274,7 @@ def check_seal(path):
         raise DamagedFile("its content is not what was written")
 
 
-def load_folder(path):
+def load_folder(path: str | os.PathLike[str]) -> Folder:
     """Reads every *.h5 file directly in the folder; what cannot be used is listed, never raised."""
     path = pathlib.Path(path)
     if not path.is_dir():
@@ -312,9 +367,9 @@ def load_cost(path):
     return cost
 
 
-_COST_PARTS = {
+_COST_PARTS: dict[str, Any] = {
     **dict.fromkeys(("case", "scheme", "study", "kind", "vary", "source"), str),
-    **dict.fromkeys(("value", "cells", "points", "steps", "point_steps"), (int, float)),
+    **dict.fromkeys(("value", "cells", "points", "steps", "particle_steps"), (int, float)),
     **dict.fromkeys(("differs", "errors"), dict),
     "wall_s": list,
     "finished": bool,
@@ -417,16 +472,16 @@ def _formed(value, form, place):
 
 
 _KINDS = {str: "a text", bool: "true or false"}
-_RANGE = {"low": float, "high": float}
-_GATE_PARTS = {
+_RANGE: dict[str, Any] = {"low": float, "high": float}
+_GATE_PARTS: dict[str, Any] = {
     **dict.fromkeys(("id", "case", "scheme", "study", "quantity", "origin", "reason", "verdict", "cause", "note", "explanation"), str),
     "expected": _RANGE,
     "measured": float,
     "interval": [float],
     "margin": float,
 }
-_FACTOR_PARTS = {"case": str, "factor": float, "low": float, "high": float, "note": str}
-_HALF_PARTS = {
+_FACTOR_PARTS: dict[str, Any] = {"case": str, "factor": float, "low": float, "high": float, "note": str}
+_HALF_PARTS: dict[str, Any] = {
     **dict.fromkeys(("integrator", "title", "source", "effort", "sentence", "verdict"), str),
     "parameters": (float,),
     "needs": [str],
@@ -446,7 +501,7 @@ _HALF_PARTS = {
         }
     ],
 }
-_SCORECARD_PARTS = {
+_SCORECARD_PARTS: dict[str, Any] = {
     **_HALF_PARTS,
     "against": _HALF_PARTS,
     "factors": [_FACTOR_PARTS],
@@ -461,7 +516,7 @@ _JUDGED_PARTS = {
     "proven": bool,
     "known": [{"quantity": str, "known": float, "measured": float, "agrees": bool}],
 }
-_JUDGES_PARTS = {
+_JUDGES_PARTS: dict[str, Any] = {
     **dict.fromkeys(("wrong", "weak", "right"), [_JUDGED_PARTS]),
     "systematic": {"stages": (dict.fromkeys(("changes", "killed", "equivalent", "survived"), float),), "changes": [_JUDGED_PARTS]},
     "smallest": [{"gate": str, **dict.fromkeys(("strain", "force", "motion"), float)}],
@@ -590,7 +645,7 @@ def _known_limits(lists):
 
 
 # What the parts of a document of `plumbline stability` are made of; a matrix is checked with the axes of its map.
-_STABILITY_PARTS = {
+_STABILITY_PARTS: dict[str, Any] = {
     "problem": {"configurations": "parts", "maps": "parts", "safe": "parts", "equations": "texts"},
     "configuration": {
         "settings": "object",
@@ -756,13 +811,20 @@ def _parsed(words):
     return json.loads(words, parse_constant=_refuse_constant, object_hook=_renamed)
 
 
-_FORMER_ORIGINS = {"frozen": "regression", "target": "requirement"}
+_FORMER_KEYS = {f"point_{name}": f"particle_{name}" for name in ("steps", "steps_per_s")}
+_FORMER_VALUES = {
+    "origin": {"frozen": "regression", "target": "requirement"},
+    "unit": {"point" + "-steps/s": "particle-steps/s"},
+}
 
 
 def _renamed(entry):
-    """Until 0.8: what files of the previous version call the origins `regression` and `requirement`."""
-    was = entry.get("origin")
-    return {**entry, "origin": _FORMER_ORIGINS[was]} if isinstance(was, str) and was in _FORMER_ORIGINS else entry
+    """Until 0.8: names that files of the previous version have for what has another name now."""
+    entry = {_FORMER_KEYS.get(key, key): value for key, value in entry.items()}
+    for key, names in _FORMER_VALUES.items():
+        if isinstance(entry.get(key), str):
+            entry[key] = names.get(entry[key], entry[key])
+    return entry
 
 
 def _refuse_constant(name):
@@ -946,6 +1008,7 @@ _TABLES = {
 
 def main(arguments=None):
     parser = argparse.ArgumentParser(
+        prog="python -m plumbline",
         description="Shows what a result file holds, or writes one of its tables as CSV."
     )
     parser.add_argument("file", metavar="FILE")
@@ -972,9 +1035,6 @@ def main(arguments=None):
 
 
 def _complain(message, status):
-    print(f"plumbline_results: {message}", file=sys.stderr)
+    print(f"plumbline: {message}", file=sys.stderr)
     return status
 
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -9,11 +9,11 @@ import h5py
 import numpy
 import pytest
 
-import plumbline_results
+from plumbline import reader
 import synthetic_mutants
 import synthetic_results
 from conftest import REPORTS
-from plumbline_results import DamagedFile, NewerFormat
+from plumbline.reader import DamagedFile, NewerFormat
 
 
 def as_rows(path):
@@ -23,7 +23,7 @@ def as_rows(path):
 
 def test_run_gives_back_what_was_written(results):
     folder, names = results
-    run = plumbline_results.load(folder / names["run"])
+    run = reader.load(folder / names["run"])
     profile = synthetic_results.spring_profile()
     assert run.kind == "run" and run.run["case"] == "spring-mass" and run.name == names["run"]
     assert run.measures["period"]["reference"] == 0.0198592
@@ -38,10 +38,10 @@ def test_run_gives_back_what_was_written(results):
 
 def test_study_and_verdicts(results):
     folder, names = results
-    study = plumbline_results.load(folder / names["study"])
+    study = reader.load(folder / names["study"])
     assert len(study.study["levels"]) == 5 and study.measures == study.study["measures"]
     assert study.catalog["name"] == "sod" and study.settings["points"] == "equal-mass"
-    verdicts = plumbline_results.load(folder / names["verdicts"])
+    verdicts = reader.load(folder / names["verdicts"])
     assert verdicts.gates == synthetic_results.all_gates() and verdicts.verdicts["executed"] == 10
     assert set(verdicts.catalog) == {"sod", "spring-mass"}
 
@@ -57,24 +57,34 @@ def test_the_origin_name_of_the_previous_version_is_read(tmp_path, was, name):
         file["gates"] = json.dumps([before])
         file["catalog"] = json.dumps({"sod": {"gates": [before]}})
     now = {**before, "origin": name}
-    read = plumbline_results.load(path)
+    read = reader.load(path)
     assert read.gates == [now] and read.verdicts["gates"] == [now] and read.catalog["sod"]["gates"] == [now]
     matrix = json.loads(json.dumps(synthetic_mutants.document()).replace('"origin": "regression"', f'"origin": "{name}"'))
     path = tmp_path / "mutants.json"
     path.write_text(json.dumps(matrix).replace(f'"origin": "{name}"', f'"origin": "{was}"'), encoding="utf-8")
-    assert f'"{was}"' in path.read_text(encoding="utf-8") and plumbline_results.load_mutants(path) == matrix
+    assert f'"{was}"' in path.read_text(encoding="utf-8") and reader.load_mutants(path) == matrix
+
+
+def test_keys_and_units_of_the_previous_version_are_read(tmp_path):
+    """Until 0.8: particle-steps had another name."""
+    bench = synthetic_results.bench_document()
+    now = json.dumps(bench)
+    before = now.replace("particle_steps_per_s", "point_steps_per_s").replace("particle-steps/s", "point" + "-steps/s")
+    path = tmp_path / "bench.json"
+    path.write_text(before, encoding="utf-8")
+    assert before != now and reader.load_bench(path) == json.loads(now)
 
 
 def test_comparator_of_a_study(results):
     folder, names = results
-    (columns,) = plumbline_results.load(folder / names["study"]).comparators.values()
+    (columns,) = reader.load(folder / names["study"]).comparators.values()
     assert columns.labels["title"] == "Finite volumes, MUSCL-HLLC"
     assert list(columns["cells"]) == list(synthetic_results.CELLS) and columns["density.L1"][0] == 0.0041
 
 
 def test_folder_sorts_by_kind_and_lists_the_damaged(results):
     folder, names = results
-    found = plumbline_results.load_folder(folder)
+    found = reader.load_folder(folder)
     assert [name for name, _ in found.damaged] == [names["truncated"]]
     assert "truncated" in found.damaged[0][1]
     assert len(found.studies) == 5 and len(found.verdicts) == 1
@@ -91,7 +101,7 @@ def test_truncated_at_any_length_is_damaged(results, tmp_path):
     for length in (0, 7, 100, len(content) // 3, len(content) - 1):
         path.write_bytes(content[:length])
         with pytest.raises(DamagedFile):
-            plumbline_results.load(path)
+            reader.load(path)
 
 
 def _file(path, kind="verdicts", version=1, **parts):
@@ -123,27 +133,27 @@ def _file(path, kind="verdicts", version=1, **parts):
 )
 def test_what_is_refused_and_why(tmp_path, what, reason):
     with pytest.raises(DamagedFile, match=reason):
-        plumbline_results.load(_file(tmp_path / "bad.h5", **what))
+        reader.load(_file(tmp_path / "bad.h5", **what))
 
 
 def test_newer_format_is_told_apart(tmp_path):
-    version = plumbline_results.FORMAT_VERSION + 1
+    version = reader.FORMAT_VERSION + 1
     path = _file(tmp_path / "new.h5", version=version, verdicts="{}")
     with pytest.raises(NewerFormat, match=f"format {version}"):
-        plumbline_results.load(path)
-    assert plumbline_results.load_folder(tmp_path).damaged[0][0] == "new.h5"
+        reader.load(path)
+    assert reader.load_folder(tmp_path).damaged[0][0] == "new.h5"
 
 
 def test_missing_file_and_folder(tmp_path):
     with pytest.raises(FileNotFoundError):
-        plumbline_results.load(tmp_path / "nowhere.h5")
+        reader.load(tmp_path / "nowhere.h5")
     with pytest.raises(NotADirectoryError):
-        plumbline_results.load_folder(tmp_path / "nowhere")
+        reader.load_folder(tmp_path / "nowhere")
 
 
 def test_csv_gives_the_same_numbers_back(results, tmp_path):
     folder, names = results
-    run = plumbline_results.load(folder / names["run"])
+    run = reader.load(folder / names["run"])
     run.to_csv("profile", tmp_path / "profile.csv")
     rows = as_rows(tmp_path / "profile.csv")
     assert rows[0][0] == "time" and len(rows) == 401
@@ -156,7 +166,7 @@ def test_csv_gives_the_same_numbers_back(results, tmp_path):
 
 def test_a_ledger_table_has_every_row_from_the_first(results):
     folder, names = results
-    run = plumbline_results.load(folder / names["run"])
+    run = reader.load(folder / names["run"])
     header, rows = run.table("ledger")
     step = header.index("step")
     for quantity, columns in run.ledger.items():
@@ -165,7 +175,7 @@ def test_a_ledger_table_has_every_row_from_the_first(results):
 
 def test_a_frame_holds_all_its_points_and_no_others(results):
     folder, names = results
-    frames = plumbline_results.load(folder / names["frames"]).frames
+    frames = reader.load(folder / names["frames"]).frames
     for number in range(len(frames)):
         bodies = [frames.body(number, body) for body in range(len(frames.bodies))]
         made = synthetic_results.frame_bodies(number)
@@ -175,31 +185,31 @@ def test_a_frame_holds_all_its_points_and_no_others(results):
 def test_verdicts_without_a_part_of_gates_give_those_of_their_object(tmp_path):
     gate = synthetic_results.all_gates()[0]
     path = _file(tmp_path / "verdicts.h5", verdicts=json.dumps({"gates": [gate]}))
-    header, rows = plumbline_results.load(path).table("gates")
+    header, rows = reader.load(path).table("gates")
     assert rows[0][header.index("id")] == gate["id"]
 
 
 def test_the_ends_of_a_two_sided_gate_keep_their_places():
     gate = {"id": "a", "expected": {"low": 1.0, "high": 2.0}, "interval": [1.2, 1.4]}
-    row = dict(zip(plumbline_results.GATE_COLUMNS, plumbline_results.gate_row(gate)))
+    row = dict(zip(reader.GATE_COLUMNS, reader.gate_row(gate)))
     assert (row["low"], row["high"], row["interval_low"], row["interval_high"]) == (1.0, 2.0, 1.2, 1.4)
 
 
 def test_documents_that_are_none_are_refused(tmp_path):
     (tmp_path / "bench.json").write_text('{"machine": {}}', encoding="utf-8")
     with pytest.raises(DamagedFile, match="no list of kernels"):
-        plumbline_results.load_bench(tmp_path / "bench.json")
+        reader.load_bench(tmp_path / "bench.json")
     document = synthetic_results.stability_document()
     found = next(problem["maps"][0] for problem in document["problems"] if problem.get("maps"))
     found["values"].append(list(found["values"][0]))
     (tmp_path / "stability.json").write_text(json.dumps(document), encoding="utf-8")
     with pytest.raises(DamagedFile, match="is not a matrix of"):
-        plumbline_results.load_stability(tmp_path / "stability.json")
+        reader.load_stability(tmp_path / "stability.json")
 
 
 def test_every_table_of_every_file(results, tmp_path):
     folder, _ = results
-    found = plumbline_results.load_folder(folder)
+    found = reader.load_folder(folder)
     expected = {
         "run": {"measures", "ledger", "profile", "settings", "provenance"},
         "study": {"measures", "levels", "settings", "provenance"},
@@ -216,7 +226,8 @@ def test_every_table_of_every_file(results, tmp_path):
 
 def _command(*arguments):
     return subprocess.run(
-        [sys.executable, REPORTS / "plumbline_results.py", *map(str, arguments)],
+        [sys.executable, "-m", "plumbline", *map(str, arguments)],
+        cwd=REPORTS,
         capture_output=True,
         text=True,
         check=False,
@@ -246,4 +257,4 @@ def test_strings_may_be_fixed_or_variable(tmp_path):
         file.attrs["plumbline_format"] = numpy.array([1])
         file.attrs["kind"] = numpy.bytes_("verdicts")
         file["verdicts"] = numpy.bytes_(json.dumps({"executed": 3}))
-    assert plumbline_results.load(tmp_path / "fixed.h5").verdicts == {"executed": 3}
+    assert reader.load(tmp_path / "fixed.h5").verdicts == {"executed": 3}

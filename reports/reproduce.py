@@ -1,0 +1,79 @@
+"""The command that makes a number of the page again, from what the result file itself states.
+
+A command names case, scheme, cells and the choices in which the run differs from its scheme; what a file of an earlier version does
+not state leaves no command rather than one that runs another problem. Commands are told as they are typed, "plumbline" first.
+"""
+
+import shlex
+
+PROGRAM = "plumbline"
+
+
+def run(level):
+    """One run, of a file or of a level of a study; "" where it does not state its choices."""
+    if not level.get("case") or level.get("choices") is None:
+        return ""
+    return _command("run", level["case"], _cells(level), *_choices(level["scheme"], level["choices"]))
+
+
+def study(entry, case):
+    """The levels of a line of the figures, with the orders fitted to them; a single run where nothing is refined."""
+    if len(entry.levels) < 2 or "trial" in entry.settings:
+        return gates(case, f"{entry.study}/*") if "trial" in entry.settings and entry.study else run(entry.levels[-1]) if entry.levels else ""
+    if entry.choices is None or not entry.vary:
+        return ""
+    values = ",".join(_plain(level.get("value")) for level in entry.levels)
+    refined = ["--cells", values] if entry.vary == "cells" else ["--vary", entry.vary, "--values", values, *_cells(entry.levels[0])]
+    return _command("converge", case, refined, *_choices(entry.scheme, entry.choices))
+
+
+def gate(judged):
+    """The gate alone, with the runs that it needs; one of an integrator or a part with all of its kind."""
+    case, scheme, name = judged.get("case"), judged.get("scheme"), judged.get("id")
+    if case == "integrator":
+        return _command("verify", "", ["--integrator", scheme, "--core"])
+    if not case or not name:
+        return ""
+    return gates(case, name, judged.get("tier"))
+
+
+def gates(case, pattern, tier=""):
+    return _command("verify", case, ["--gate", pattern, *(["--tier", tier] if tier == "full" else [])])
+
+
+def scorecard(name):
+    return _command("verify", "", ["--integrator", name])
+
+
+def limit(integrator, problem):
+    """The predicted limit of an integrator on a problem of the laboratory."""
+    return _command("stability", problem, ["--integrator", integrator, "--no-runs"])
+
+
+def costs(case):
+    """Errors are the same again; times are those of the machine."""
+    return _command("bench", "", ["--cases", case])
+
+
+def _command(name, case, *parts):
+    words = [PROGRAM, name, *([case] if case else []), *(word for part in parts for word in part)]
+    return shlex.join(str(word) for word in words)
+
+
+def _cells(level):
+    cells = (level.get("settings") or {}).get("cells")
+    return ["--cells", _plain(cells)] if cells is not None else []
+
+
+def _choices(scheme, choices):
+    """--scheme and --set; an integrator that the scheme's name carries is among the choices."""
+    base = scheme.split("+")[0]
+    named = [] if base == "default" else ["--scheme", base]
+    return named, [word for key, value in sorted(choices.items()) if key != "cells" for word in ("--set", f"{key}={_plain(value)}")]
+
+
+def _plain(value):
+    """A number with all its digits, as --set and --cells read it."""
+    if isinstance(value, float) and value.is_integer() and abs(value) < 1e15:
+        return str(int(value))
+    return repr(value) if isinstance(value, float) else "none" if value is None else str(value)
