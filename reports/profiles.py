@@ -74,7 +74,7 @@ def profile(entry, name, levels, prefix):
     if not present:
         return None
 
-    label = _label(last, name)
+    label = column_label(last, name)
     sizes = [f"{which} {_size(level)}" if len(levels) > 1 else _size(level) for which, level, _ in present]
 
     def paint(axes):
@@ -85,10 +85,10 @@ def profile(entry, name, levels, prefix):
         for size, (which, _, columns) in zip(sizes, present):
             _computed(upper, lower, which, columns, name, size)
         upper.set_ylabel(axis_label(last, name))
-        _few_ticks(upper.yaxis)
+        few_ticks(upper.yaxis)
         _error_axis(lower)
         lower.set_xlabel(axis_label(last, last.abscissa))
-        _few_ticks(lower.xaxis)
+        few_ticks(lower.xaxis)
 
     caption = (
         ""
@@ -135,7 +135,7 @@ def _computed(upper, lower, which, columns, name, label):
         below.set_gid(f"class:level-{which}")
 
 
-def _few_ticks(axis):
+def few_ticks(axis):
     axis.set_major_locator(figures.MaxNLocator(6, steps=[1, 2, 2.5, 5, 10]))
     figures.plain_axis(axis)
 
@@ -165,13 +165,13 @@ def _size(level):
     return f"{text.count(cells)} cells" if isinstance(cells, (int, float)) else level.get("file") or "?"
 
 
-def _label(columns, name):
+def column_label(columns, name):
     return columns.labels.get(name) or name.replace("_", " ")
 
 
 def axis_label(columns, name):
     """Label with unit; the name of the column where the label is too long for an axis."""
-    label = _label(columns, name)
+    label = column_label(columns, name)
     label = label if len(label) <= _LONGEST_LABEL else name.replace("_", " ")
     unit = columns.units.get(name)
     return f"{label} in {text.unit(unit)}" if unit and unit != "1" else label
@@ -216,7 +216,7 @@ def drifts(quantities, finest, prefix, worth_drawing=0.0):
             figures.log_axis(panel.yaxis, *panel.get_ylim())
             panel.yaxis.set_minor_locator(figures.NullLocator())
         every[-1].set_xlabel("time in s")
-        _few_ticks(every[-1].xaxis)
+        few_ticks(every[-1].xaxis)
 
     entries = {entry.label: entry for lines in panels.values() for entry, _, _ in lines}
     some = f" Drawn are {len(entries)} of {count} lines." if len(entries) < count else ""

@@ -1,9 +1,10 @@
-"""Makes one self-contained HTML page from a folder of result files.
+"""Makes a folder of HTML pages, or one self-contained page, from a folder of result files.
 
-    python render.py RESULTS_DIR OUTPUT.html [--csv DIR] [--baseline DIR] [--diff FILE] [--history FILE]
+    python render.py RESULTS_DIR OUTPUT_DIR [--csv DIR] [--baseline DIR] [--diff FILE] [--history FILE]
+    python render.py RESULTS_DIR OUTPUT.html --single-file
 
 Verdicts, orders and intervals are shown as the files state them; nothing is judged again. The same files
-give the same bytes. Exit status: 0; 1 the page is written and larger than five megabytes; 2 wrong call; 4 the folder or
+give the same bytes. Exit status: 0; 1 the pages are written and one is larger than it may be; 2 wrong call; 4 the folder or
 the output cannot be used, or a file in the folder is damaged (the page is then written all the same, and lists it as
 INVALID).
 """
@@ -22,6 +23,7 @@ import threading
 
 import baseline
 import cases as gathering
+import catalog
 import cost
 import cost_charts
 import distributions
@@ -30,10 +32,12 @@ import frame
 import history
 import mutants
 import normals
+import pages
 import pictures
 from plumbline import reader
 import profiles
 import scorecards
+import solutions
 import speed
 import stability
 import svg
@@ -53,22 +57,27 @@ MOST_BUDGETS = 2  # lines of a case whose budgets are shown in full; those of al
 MOST_TOLERANCES = 200  # in the ledger of the page; all are in its CSV
 
 
-def render(folder, earlier=None, kept=None):
-    """The whole page as text; `earlier`: the folder of a baseline, whose curves are drawn along; `kept`: the file of the history."""
+def report(folder, earlier=None, kept=None, whole=True):
+    """What the report shows; `earlier`: the folder of a baseline, whose curves are drawn along; `kept`: the file of the history; `whole`: with the figures
+    that a single file has no room for."""
     cases = gathering.gather(folder)
     if earlier:
         baseline.attach(cases, gathering.gather(earlier))
     results = {result.name: result for result in folder.runs}
-    pages = case_pages(cases, results, folder.cost)
-    front = front_page(folder, cases)
-    front["changed"] = history.section(kept) if kept else None
-    return frame.page("page.html", front["stability"].get("style", ""), pages=pages, **front)
+    drawn = case_pages(cases, results, folder.cost, whole)
+    changed = history.section(kept) if kept else None
+    return {"pages": drawn, "catalog": catalog.grid(folder, cases, drawn), **front_page(folder, cases), "changed": changed}
 
 
-def case_pages(cases, results, costs):
+def single_file(shown):
+    """The whole report as the text of one page."""
+    return frame.page("page.html", shown["stability"].get("style", ""), **shown)
+
+
+def case_pages(cases, results, costs, whole):
     """The pages of all cases, drawn side by side: most of the time goes into figures."""
     film_characters = pictures.film_characters(cases.values(), results)
-    drawn = functools.partial(case_page, results=results, film_characters=film_characters, costs=costs)
+    drawn = functools.partial(case_page, results=results, film_characters=film_characters, costs=costs, whole=whole)
     workers = min(len(os.sched_getaffinity(0)), len(cases))
     if workers < 2:
         return [drawn(case) for case in cases.values()]
@@ -105,9 +114,6 @@ class _Worker:
 
 
 def front_page(folder, cases):
-    overview = [tables.case_row(case) for case in cases.values()]
-    for row in overview:
-        row["anchor"] = anchor(row["name"])
     parts = {
         "cost": cost_part(folder, cases),
         "mutants": mutants.page(folder.mutants, (tables.origin(folder) or {}).get("commit", "")),
@@ -116,14 +122,15 @@ def front_page(folder, cases):
     }
     return {
         **parts,
+        "sentence": verdict_sentence(folder, cases, parts["expected_failures"]),
         "glance": glance(cases, parts),
         "strips": tables.strips(folder, cases),
         "missed": _anchored(tables.missed(cases)),
         "expected_failure_count": sum(len(one["rows"]) for one in parts["expected_failures"]),
-        "overview": overview,
+        "gates": tables.gate_rows(gate for case in cases.values() for gate in case.all_gates),
         "choices": tables.choices(cases),
         "schemes": tables.schemes(folder.listed),
-        "verdicts_present": [name for name in gathering.URGENCY if any(case.counts[name] for case in cases.values())],
+        "verdicts_present": catalog.verdicts(cases),
         "damaged": folder.damaged,
         "meanings": tables.MEANINGS,
         "origin": tables.origin(folder),
@@ -136,6 +143,24 @@ def front_page(folder, cases):
         "compared": baseline.section(folder.diff, {name: anchor(name) for name in cases}),
         "file_count": len(folder.runs) + len(folder.studies) + len(folder.verdicts),
     }
+
+
+def verdict_sentence(folder, cases, failures):
+    """What the gates say, in one sentence."""
+    counts = sum((case.counts for case in cases.values()), collections.Counter())
+    judged = sum(counts.values()) - counts["NONE"]
+    if not judged:
+        return "No gate was judged in this folder; its figures are reported only." if cases else "There is no readable result file in this folder."
+    missed = sum(count for verdict, count in counts.items() if verdict not in gathering.GREEN)
+    words = f"{judged - missed if missed else 'All'} {'of ' if missed else ''}{text.plural(judged, 'gate')} meet expectation over {text.plural(len(cases), 'case')}"
+    if counts["XFAIL"]:
+        of_default = sum(len(one["rows"]) for one in failures if one["owner"] == "default")
+        words += f"; {counts['XFAIL']} of them fail as known, {of_default or 'none'} by the default scheme"
+    if missed:
+        words += "; " + text.listing(f"{counts[verdict]} {verdict}" for verdict in gathering.URGENCY if counts[verdict] and verdict not in gathering.GREEN)
+    if folder.damaged:
+        words += f"; {text.plural(len(folder.damaged), 'file')} could not be read"
+    return words + "."
 
 
 def glance(cases, parts):
@@ -266,7 +291,7 @@ def _anchored(rows):
 # --- a case ---------------------------------------------------------------------------------------
 
 
-def case_page(case, results, film_characters, costs):
+def case_page(case, results, film_characters, costs, whole):
     """What the template of a case shows, in the order of the page."""
     name, catalog = anchor(case.name), case.catalog
     finest = finest_results(case, results)
@@ -305,6 +330,7 @@ def case_page(case, results, film_characters, costs):
         "pictures": picture_groups(case, results, name, film_characters),
         "normals": frame.ready(normals.drawings(case, results, f"{name}-normals")),
         **case_figures(case, results, finest, name, costs),
+        "results": [frame.ready(group) for group in solutions.figures_of(case, results, f"{name}-result")] if whole else [],
     }
 
 
@@ -437,11 +463,10 @@ def finest_results(case, results):
 
 
 def main(arguments=None):
-    parser = argparse.ArgumentParser(
-        description="Makes one self-contained HTML page from a folder of result files."
-    )
+    parser = argparse.ArgumentParser(description="Makes a folder of HTML pages from a folder of result files, and prints the path of its index.")
     parser.add_argument("results", metavar="RESULTS_DIR")
-    parser.add_argument("output", metavar="OUTPUT.html")
+    parser.add_argument("output", metavar="OUTPUT", help="folder for the pages; with --single-file the page")
+    parser.add_argument("--single-file", action="store_true", help="write one self-contained page instead, to be sent")
     parser.add_argument("--csv", metavar="DIR", help="also write every table as CSV into this folder")
     parser.add_argument("--baseline", metavar="DIR", help="results folder whose curves are drawn along")
     parser.add_argument(
@@ -451,13 +476,17 @@ def main(arguments=None):
         "--history", metavar="FILE", help=f"what earlier results were (default: {history.HISTORY_FILE} in the results folder)"
     )
     options = parser.parse_args(arguments)
+    output = pathlib.Path(options.output)
+    if not options.single_file and output.suffix == ".html":
+        parser.error(f"OUTPUT is {output}, and a folder is written; for one page add --single-file")
     try:
         folder = reader.load_folder(options.results)
         earlier = reader.load_folder(options.baseline) if options.baseline else None
         if options.diff:
             folder.diff = load_diff(options.diff)
-        page = render(folder, earlier, options.history or pathlib.Path(options.results) / history.HISTORY_FILE)
-        frame.write_whole(pathlib.Path(options.output), page)
+        kept = options.history or pathlib.Path(options.results) / history.HISTORY_FILE
+        shown = report(folder, earlier, kept, whole=not options.single_file)
+        large = write_single_file(shown, output) if options.single_file else write_folder(shown, output)
         if options.csv:
             write_tables(folder, gathering.gather(folder), pathlib.Path(options.csv))
     except (OSError, reader.ResultsError) as error:
@@ -468,13 +497,26 @@ def main(arguments=None):
         return 4
     for name, reason in folder.damaged:
         print(f"render: {name}: {reason}", file=sys.stderr)
+    for path, size, most in large:
+        print(f"render: {path} has {size / 1e6:.2f} MB, more than {most / 1e6:g}", file=sys.stderr)
     if folder.damaged:
         return 4
+    return 1 if large else 0
+
+
+def write_single_file(shown, output):
+    """Writes the page; [(path, bytes, most)] where it is larger than it may be."""
+    page = single_file(shown)
+    frame.write_whole(output, page)
     size = len(page.encode())
-    if size > MOST_BYTES:
-        print(f"render: {options.output} has {size / 1e6:.2f} MB, more than {MOST_BYTES / 1e6:g}", file=sys.stderr)
-        return 1
-    return 0
+    return [(output, size, MOST_BYTES)] if size > MOST_BYTES else []
+
+
+def write_folder(shown, target):
+    """Writes the pages and says where they begin; [(path, bytes, most)] of those larger than they may be."""
+    files = pages.write(shown, target)
+    print(target / "index.html")
+    return pages.too_large(files)
 
 
 def write_tables(folder, cases, target):

@@ -1,4 +1,4 @@
-// Search, filters, links to everything, the dark page and printing. The page is whole without this script.
+// Filters, links to everything, and the dark page. The page is whole without this script.
 'use strict';
 (() => {
   const all = (selector, part = document) => [...part.querySelectorAll(selector)];
@@ -39,7 +39,7 @@
         ? part.querySelector('th')
         : part.matches('svg')
           ? part.parentElement.querySelector('.plot-title')
-          : part.querySelector('h2, h3, h4');
+          : part.querySelector('h1, h2, h3, h4');
       if (
         !place ||
         place.querySelector('.anchor') ||
@@ -61,98 +61,21 @@
     }
   }
 
-  // --- search over cases -----------------------------------------------------------------------------
+  // --- the catalog by verdict ------------------------------------------------------------------------
 
-  const MOST_GATES = 12;
-
-  function searchIndex() {
-    return all('article.case').map(article => ({
-      id: article.id,
-      text: plain(
-        [
-          ...all(':scope > header, .claim-text', article),
-          document.querySelector(`#overview tr[data-case="${article.id}"]`),
-        ]
-          .map(part => part?.textContent || '')
-          .join(' '),
-      ),
-      gates: all('table.gates tbody tr[id], .identities [id]', article).map(row => ({
-        row,
-        text: plain(
-          row.id +
-            ' ' +
-            (row.cells ? row.querySelector('th').textContent + row.cells[2].textContent : row.textContent),
-        ),
-      })),
-    }));
-  }
-
-  function addSearch() {
-    const box = document.getElementById('search'),
-      list = document.getElementById('found'),
-      count = document.getElementById('found-count');
-    const chosen = { verdict: new Set(), kind: new Set() };
-    let index;
-    const rows = all('#overview tr[data-case]'),
-      links = all('.case-links li');
-    function update() {
-      index ??= searchIndex();
-      const words = split(box.value),
-        found = new Set(),
-        gates = [];
-      for (const entry of index) {
-        const row = rows.find(other => other.dataset.case === entry.id);
-        const allowed =
-          (!chosen.verdict.size || (row?.dataset.verdicts || '').split(' ').some(name => chosen.verdict.has(name))) &&
-          (!chosen.kind.size || chosen.kind.has(row?.dataset.kind));
-        if (!allowed) continue;
-        const own = matches(entry.text, words);
-        const hits = words.length
-          ? entry.gates.filter(gate =>
-              own ? matches(gate.text, words) : matches(`${entry.text} ${gate.text}`, words),
-            )
-          : [];
-        if (own || hits.length) found.add(entry.id);
-        gates.push(...hits);
-      }
-      for (const row of rows) row.hidden = !found.has(row.dataset.case);
-      for (const item of links) item.hidden = !found.has(item.firstElementChild.hash.slice(1));
-      list.replaceChildren(
-        ...gates
-          .slice(0, MOST_GATES)
-          .map(({ row }) => make('li', {}, make('a', { href: `#${row.id}` }, row.id.replace(/^gate-/, '')))),
-      );
-      const narrowed = words.length || chosen.verdict.size || chosen.kind.size;
-      count.textContent = !narrowed
-        ? ''
-        : `${found.size} of ${index.length} cases` +
-          (gates.length
-            ? `, ${gates.length} ${gates.length === 1 ? 'gate' : 'gates'}${gates.length > MOST_GATES ? `, the first ${MOST_GATES} below` : ''}`
-            : '');
-      for (const note of all('[data-found-count]')) note.textContent = count.textContent;
-    }
-    if (!box) return;
-    box.addEventListener('input', update);
-    box.addEventListener('keydown', event => {
-      if (event.key === 'Escape') {
-        box.value = '';
-        update();
-      }
-      if (event.key !== 'Enter') return;
-      const first = document.querySelector('#found a, .case-links li:not([hidden]) a');
-      if (box.value && first) location.hash = first.hash;
-    });
-    for (const input of all('#overview [data-choose]'))
-      input.addEventListener('change', () => {
-        chosen[input.dataset.choose][input.checked ? 'add' : 'delete'](input.value);
-        update();
-      });
-    document.addEventListener('keydown', event => {
-      if (event.key === '/' && !event.target.closest('input, textarea, select')) {
-        event.preventDefault();
-        box.focus();
-      }
-    });
+  function addCatalogFilter() {
+    const boxes = all('#overview [data-choose]'),
+      cards = all('.catalog [data-case]'),
+      said = document.getElementById('cases-shown');
+    const update = () => {
+      const chosen = boxes.filter(box => box.checked).map(box => box.value);
+      for (const card of cards)
+        card.hidden = chosen.length > 0 && !card.dataset.verdicts.split(' ').some(name => chosen.includes(name));
+      said.textContent = chosen.length
+        ? `${cards.filter(card => !card.hidden).length} of ${cards.length} cases`
+        : '';
+    };
+    for (const box of boxes) box.addEventListener('change', update);
   }
 
   // --- tables with a filter --------------------------------------------------------------------------
@@ -212,7 +135,7 @@
           part.setAttribute('role', roles[part.tagName] || { col: 'columnheader' }[part.scope] || 'rowheader');
   }
 
-  // --- dark page, printing ---------------------------------------------------------------------------
+  // --- dark page -------------------------------------------------------------------------------------
 
   function addThemeSwitch() {
     const button = document.getElementById('theme');
@@ -232,16 +155,6 @@
     label();
   }
 
-  let closed = [];
-  addEventListener('beforeprint', () => {
-    closed = all('details:not([open])');
-    for (const part of closed) part.open = true;
-  });
-  addEventListener('afterprint', () => {
-    for (const part of closed) part.open = false;
-    closed = [];
-  });
-
   // Of the comparisons with earlier results the chosen one is shown.
   function addComparison() {
     document.querySelector('[data-compare]')?.addEventListener('change', event => {
@@ -255,7 +168,7 @@
     addComparison();
     addTableRoles();
     addLinks();
-    addSearch();
+    addCatalogFilter();
     for (const table of all('table[data-filter]')) addTableFilter(table);
     addEventListener('hashchange', followHash);
     document.addEventListener('click', event => {

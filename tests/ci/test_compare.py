@@ -115,7 +115,7 @@ def test_page_is_rendered_by_the_python_of_the_build_and_leaves_the_verdict(pair
     result = pair.run("--rounds", "0", "--page")
     assert result.returncode == 1 and "no page (exit status 3)" in result.stdout
     assert (pair.folder / "rendered").read_text().split()[1:] == [str(pair.folder / "out" / word) if word[0] != "-" else word
-                                                                   for word in ("head", "index.html", "--baseline", "base")]
+                                                                   for word in ("head", "index.html", "--single-file", "--baseline", "base")]
 
 
 @pytest.mark.parametrize("status", [0, 1, 4])

@@ -8,7 +8,7 @@ from contract import ROOT, edited
 
 def render(folder):
     page = folder / "report" / "index.html"   # in a folder that does not exist yet
-    process = subprocess.run([sys.executable, "-B", str(ROOT / "reports/render.py"), str(folder / "results"), str(page)],
+    process = subprocess.run([sys.executable, "-B", str(ROOT / "reports/render.py"), str(folder / "results"), str(page.parent)],
                              capture_output=True, text=True, timeout=600, cwd=folder)
     return process, page.read_text(encoding="utf-8") if page.exists() else ""
 

@@ -86,7 +86,7 @@ def test_verify_killed_while_it_writes(plumbline, number):
 
 
 def render(folder, **options):
-    command = [sys.executable, "-B", str(ROOT / "reports/render.py"), "results", "page/index.html"]
+    command = [sys.executable, "-B", str(ROOT / "reports/render.py"), "results", "page"]
     return subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8", **options)
 
 

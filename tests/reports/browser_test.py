@@ -306,31 +306,9 @@ def type_into(browser, selector, words):
     )
 
 
-def test_search_finds_cases_and_gates(browser, page):
-    browser.messages.clear()
-    browser.open(page, *SIZES["desk"])
-    cases = visible("#overview tbody tr") + ".map(row => row.dataset.case)"
-    assert browser.evaluate(cases) == ["case-sod", "case-spring-mass"]
-    type_into(browser, "#search", "mass SPRING")
-    assert browser.evaluate(cases) == ["case-spring-mass"]
-    assert browser.evaluate(visible(".case-links li") + ".length") == 1
-    assert "1 of 2 cases" in browser.evaluate("document.getElementById('found-count').textContent")
-    type_into(browser, "#search", "amplitude")
-    found = browser.evaluate("[...document.querySelectorAll('#found a')].map(link => link.hash)")
-    assert found and all("amplitude" in name for name in found)
-    browser.evaluate("document.querySelector('#found a').click()")
-    browser.evaluate(WAIT)
-    box = browser.evaluate(f"(() => {{ const box = document.querySelector({json.dumps(found[0])}).getBoundingClientRect(); return [box.top, box.height]; }})()")
-    assert -1 <= box[0] < SIZES["desk"][1] and box[1] > 0
-    type_into(browser, "#search", "no such thing")
-    assert browser.evaluate(cases) == [] and "0 of 2 cases" in browser.evaluate("document.getElementById('found-count').textContent")
-    type_into(browser, "#search", "")
-    assert len(browser.evaluate(cases)) == 2 and browser.messages == []
-
-
 def test_cases_by_verdict(browser, page):
     browser.open(page, *SIZES["desk"])
-    cases = visible("#overview tbody tr") + ".map(row => row.dataset.case)"
+    cases = visible(".catalog [data-case]") + ".map(card => card.dataset.case)"
     box = "document.querySelector('[data-choose=verdict][value=%s]')"
     browser.evaluate(box % "XPASS" + ".click()")
     assert browser.evaluate(cases) == ["case-spring-mass"]
@@ -351,7 +329,7 @@ def long_page(tmp_path_factory):
     ]  # fmt: skip
     write_verdicts(folder, gates, declared=30)
     output = tmp_path_factory.mktemp("page") / "index.html"
-    assert render.main([str(folder), str(output)]) == 0
+    assert render.main([str(folder), str(output), "--single-file"]) == 0
     return output
 
 
@@ -452,7 +430,7 @@ def test_without_the_library_the_page_works_but_does_not_enlarge(browser, result
     monkeypatch.setattr(libraries, "ROOTS", (tmp_path,))
     monkeypatch.setattr(libraries.zoom, "__defaults__", ((tmp_path,),))
     output = tmp_path / "index.html"
-    render.main([str(results[0]), str(output)])
+    render.main([str(results[0]), str(output), "--single-file"])
     browser.messages.clear()
     browser.open(output, *SIZES["desk"])
     points = browser.evaluate(FIRST_COST)
@@ -473,8 +451,8 @@ def test_page_prints(browser, long_page, page, tmp_path):
         target = tmp_path / "page.pdf"
         target.write_bytes(printed)
         words = subprocess.run(["pdftotext", "-layout", target, "-"], capture_output=True, text=True, check=True).stdout
-        assert "Verification report" in words and "Search cases" not in words
-        assert "number-3" in words or source is page, "what is folded away is printed too"
+        assert "Verification report" in words and "Dark" not in words
+        assert ("number-3" in words) is False or source is page, "what is folded away stays so in print"
 
 
 # --- for all readers ----------------------------------------------------------------------------------
@@ -605,7 +583,7 @@ def test_real_results(browser, tmp_path):
     folder, output = tmp_path / "results", tmp_path / "index.html"
     done = subprocess.run([program, "verify", "spring-mass", "--tier", "quick", "--results", folder], capture_output=True, check=False)
     assert done.returncode in (0, 1), done.stderr
-    assert render.main([str(folder), str(output)]) == 0
+    assert render.main([str(folder), str(output), "--single-file"]) == 0
     browser.messages.clear()
     for size in SIZES.values():
         browser.open(output, *size)

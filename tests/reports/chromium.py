@@ -124,10 +124,36 @@ class Chromium:
         self.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
         self.call("Page.navigate", url="about:blank")  # so that a page is loaded anew when only the part after # differs
         self.call("Page.navigate", url=pathlib.Path(path).resolve().as_uri() + hash)
+        self._wait_for_file()
+
+    def follow(self, expression):
+        """Evaluates what leads to another file, and waits for it."""
+        self.evaluate(f"globalThis.left = true; {expression}; 0")
+        deadline = time.monotonic() + 10
+        while time.monotonic() < deadline:
+            try:
+                if self.evaluate("globalThis.left") is None:
+                    break
+            except RuntimeError:  # between two files
+                pass
+            time.sleep(0.02)
+        self._wait_for_file()
+
+    def _wait_for_file(self):
         deadline = time.monotonic() + self.timeout
-        while self.evaluate("document.readyState + location.protocol") != "completefile:":
+        while not self._is_loaded():
             if time.monotonic() > deadline:
                 raise TimeoutError("the page does not finish loading")
+
+    def _is_loaded(self):
+        try:
+            return self.evaluate("document.readyState + location.protocol") == "completefile:"
+        except RuntimeError:  # one page leads to another
+            return False
+
+    def is_there(self, name):
+        """Whether the page, once it is loaded, has a part of this identifier."""
+        return self._is_loaded() and self.evaluate(f"Boolean(document.getElementById({json.dumps(name)}))")
 
     def allow_scripts(self, allowed):
         """Whether scripts of pages opened from now on run; evaluate() works either way."""

@@ -40,9 +40,19 @@ def results(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def page(results, tmp_path_factory):
-    """The report of that folder as a file; read-only for the tests."""
+    """The report of that folder as a single file; read-only for the tests."""
     import render
 
     output = tmp_path_factory.mktemp("page") / "index.html"
+    assert render.main([str(results[0]), str(output), "--single-file"]) == 4
+    return output
+
+
+@pytest.fixture(scope="session")
+def folder(results, tmp_path_factory):
+    """The report of that folder as a folder of pages; read-only for the tests."""
+    import render
+
+    output = tmp_path_factory.mktemp("folder")
     assert render.main([str(results[0]), str(output)]) == 4
     return output

@@ -130,7 +130,7 @@ class Page(HTMLParser):
 
 
 def source_of(folder):
-    return render.render(reader.load_folder(folder))
+    return render.single_file(render.report(reader.load_folder(folder), whole=False))
 
 
 def shown(folder):
@@ -140,7 +140,7 @@ def shown(folder):
 
 def tables_of(folder, output, names):
     """Tables of a folder as the report writes them, read back from CSV: {name: rows}."""
-    assert render.main([str(folder), str(output / "page.html"), "--csv", str(output / "csv")]) == 0
+    assert render.main([str(folder), str(output / "page.html"), "--single-file", "--csv", str(output / "csv")]) == 0
     tables = {}
     for name in names:
         with open(output / "csv" / f"{name}.csv", encoding="utf-8", newline="") as stream:

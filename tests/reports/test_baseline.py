@@ -108,9 +108,9 @@ def test_no_document_no_section():
 
 def test_command_line(tmp_path):
     results, output, diff = sod_studies(tmp_path / "results"), tmp_path / "page.html", tmp_path / "d.json"
-    assert render.main([str(results), str(output), "--baseline", str(tmp_path / "none")]) == 4
+    assert render.main([str(results), str(output), "--single-file", "--baseline", str(tmp_path / "none")]) == 4
     diff.write_text("[]")
-    assert render.main([str(results), str(output), "--diff", str(diff)]) == 4 and not output.exists()
+    assert render.main([str(results), str(output), "--single-file", "--diff", str(diff)]) == 4 and not output.exists()
     (results / "diff.json").write_text(json.dumps(document([])))
-    assert render.main([str(results), str(output)]) == 0
+    assert render.main([str(results), str(output), "--single-file"]) == 0
     assert "<strong>Nothing changed.</strong>" in output.read_text(encoding="utf-8")

@@ -20,7 +20,7 @@ def trial(folder, name, ratios):
 
 def page_of(tmp_path):
     output = tmp_path / "index.html"
-    assert render.main([str(tmp_path), str(output)]) == 0
+    assert render.main([str(tmp_path), str(output), "--single-file"]) == 0
     return output.read_text(encoding="utf-8")
 
 

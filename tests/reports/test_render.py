@@ -85,9 +85,9 @@ def test_an_area_that_belongs_to_a_line_is_no_mark():
 def test_a_page_too_large_to_send_is_written_and_said(tmp_path, monkeypatch, capsys):
     synthetic_results.spring_files_only(tmp_path)
     output = tmp_path / "page.html"
-    assert render.main([str(tmp_path), str(output)]) == 0
+    assert render.main([str(tmp_path), str(output), "--single-file"]) == 0
     monkeypatch.setattr(render, "MOST_BYTES", 1000)
-    assert render.main([str(tmp_path), str(output)]) == 1
+    assert render.main([str(tmp_path), str(output), "--single-file"]) == 1
     assert "MB, more than 0.001" in capsys.readouterr().err and output.stat().st_size > 1000
 
 
@@ -105,7 +105,7 @@ def test_same_files_give_the_same_bytes(results, tmp_path):
             "LC_ALL": "C.UTF-8" if seed == "1" else "C",
         }
         done = subprocess.run(
-            [sys.executable, REPORTS / "render.py", source, output],
+            [sys.executable, REPORTS / "render.py", source, output, "--single-file"],
             env=environment,
             check=False,
             capture_output=True,
@@ -306,12 +306,12 @@ def test_exit_status(tmp_path, capsys):
     folder = tmp_path / "results"
     synthetic_results.spring_files_only(folder)
     output = tmp_path / "page.html"
-    assert render.main([str(folder), str(output)]) == 0
+    assert render.main([str(folder), str(output), "--single-file"]) == 0
     (folder / "broken.h5").write_bytes(b"no HDF5")
-    assert render.main([str(folder), str(output)]) == 4 and "broken.h5" in output.read_text(encoding="utf-8")
+    assert render.main([str(folder), str(output), "--single-file"]) == 4 and "broken.h5" in output.read_text(encoding="utf-8")
     assert "broken.h5" in capsys.readouterr().err
-    assert render.main([str(tmp_path / "nowhere"), str(output)]) == 4
-    assert render.main([str(folder), str(output / "below-a-file.html")]) == 4
+    assert render.main([str(tmp_path / "nowhere"), str(output), "--single-file"]) == 4
+    assert render.main([str(folder), str(output / "below-a-file.html"), "--single-file"]) == 4
     with pytest.raises(SystemExit) as stop:
         render.main([])
     assert stop.value.code == 2
@@ -420,7 +420,7 @@ def test_sketches_are_checked():
 
 def test_csv_of_the_whole_folder(results, tmp_path):
     folder, names = results
-    assert render.main([str(folder), str(tmp_path / "page.html"), "--csv", str(tmp_path / "csv")]) == 4
+    assert render.main([str(folder), str(tmp_path / "page.html"), "--single-file", "--csv", str(tmp_path / "csv")]) == 4
     gates = (tmp_path / "csv" / "gates.csv").read_text(encoding="utf-8").splitlines()
     assert len(gates) == 11 and gates[0].startswith("case,id,scheme")
     assert names["truncated"] in (tmp_path / "csv" / "damaged.csv").read_text(encoding="utf-8")
