@@ -268,7 +268,7 @@ def test_second_compiler_is_installed_for_its_presets(tree):
     for preset in ("clang", "sanitize", "tsan"):
         assert tree.run("test", "--preset", preset).returncode == 0
     setups = [call for call in tree.calls() if call.startswith("setup")]  # with a browser where the system has its package
-    assert len(setups) == 3 and all(call.startswith("setup --with clang --with slurm --with vtk") for call in setups)
+    assert len(setups) == 3 and all(call.startswith("setup --with clang --with slurm --with vtk --with python") for call in setups)
 
 
 @pytest.fixture
