@@ -12,7 +12,7 @@ import frame
 import search_index
 
 SHARED = "shared/"  # style sheet, scripts, words and pictures, beside the pages
-OWNED = ("cases", "integrators", "stability")  # folders in which nothing but pages of the report stands
+OWNED = ("cases", "integrators")  # folders in which nothing but pages of the report stands
 MOST_BYTES_OF_A_PAGE = 1_500_000
 MOST_BYTES_OF_THE_INDEX = 200_000
 
