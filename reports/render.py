@@ -59,7 +59,7 @@ MOST_TOLERANCES = 200  # in the ledger of the page; all are in its CSV
 
 def report(folder, earlier=None, kept=None, whole=True):
     """What the report shows; `earlier`: the folder of a baseline, whose curves are drawn along; `kept`: the file of the history; `whole`: with the figures
-    that a single file has no room for."""
+    that a single file has no space for."""
     cases = gathering.gather(folder)
     if earlier:
         baseline.attach(cases, gathering.gather(earlier))

@@ -138,7 +138,7 @@ def _known_row(entry):
         "integrator": entry["integrator"],
         "parameters": ", ".join(f"{key} {text.exact(value)}" for key, value in entry["parameters"].items()),
         "smallest": floored(smallest["limit"]) if smallest else "",
-        "least": smallest["limit"] if smallest else math.inf,
+        "least": smallest["limit"] if smallest and smallest["limit"] is not None else math.inf,
         "command": reproduce.limit(entry["integrator"], smallest["problem"]) if smallest else "",
         "problem": _where_known(smallest) if smallest else "",
         "others": [f"{floored(row['limit'])} on {_where_known(row)}" for row in limits],

@@ -103,6 +103,6 @@ def test_the_page_shows_the_comparison(results, tmp_path):
         history.append(path, entry)
     with path.open("a", encoding="utf-8") as stream:
         stream.write('{"commit": "c", "mach')
-    page = render.render(reader.load_folder(results[0]), None, path)
+    page = render.single_file(render.report(reader.load_folder(results[0]), None, path))
     assert 'id="changed"' in page and "line 3 of history.jsonl is damaged" in page and "<polyline" in page
     assert "1 worse" in page and page.count("data-comparison=") == 1

@@ -120,7 +120,7 @@ def test_a_limit_of_the_table_of_schemes_names_its_problem():
     usl["scheme"] = "default"
     words = cost._limit(document, {"kind": "solid", "scheme": "default"})
     limit = text.number(usl["predicted"][0]["high"], 3)
-    assert words == f"{limit} h/c on contact; smallest known: 0.0141 on bar-edge"
+    assert words == f"0.0141 on bar-edge (smallest known); {limit} h/c on contact"
 
 
 def test_growth_just_above_a_limit_is_given():
