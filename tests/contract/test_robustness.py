@@ -44,6 +44,11 @@ def check_whole(folder):
         elif path.suffix == ".series":
             for entry in json.loads(path.read_text(encoding="utf-8"))["files"]:
                 reader.check_seal(path.with_name(entry["name"]))
+        elif path.suffix in (".js", ".css"):
+            assert path.read_text(encoding="utf-8").rstrip().endswith(("}", ";", ")", "]")), path
+        elif path.suffix == ".webp":
+            content = path.read_bytes()
+            assert content.startswith(b"RIFF") and int.from_bytes(content[4:8], "little") + 8 == len(content), path
         elif path.suffix in (".json", ".html", ".xml"):
             assert path.read_text(encoding="utf-8").rstrip().endswith(("}", "]", "</html>", "</testsuite>")), path
         else:
@@ -330,7 +335,7 @@ def test_the_page_shows_what_an_older_version_made(plumbline, old_run):
     process = render(plumbline.folder)
     _, said = process.communicate(timeout=300)
     assert process.returncode == 0, said
-    assert old_run.name in (plumbline.folder / "page/index.html").read_text(encoding="utf-8")
+    assert old_run.name in (plumbline.folder / "page/cases/two-disks.html").read_text(encoding="utf-8")
 
 
 def test_diff_takes_an_older_version(plumbline, old_run):

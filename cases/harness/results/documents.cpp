@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cases/harness/description/prose.hpp"
+#include "cases/harness/description/schemes.hpp"
 #include "cases/harness/judge/expected_failures.hpp"
 
 namespace plumbline {
@@ -86,6 +87,8 @@ Json shared_choices(const StudyResult& study) {
 }  // namespace
 
 Json choices(const Case& entry, const std::string& scheme, const Settings& settings) {
+  const std::vector<std::string> schemes = scheme_names();
+  if (std::find(schemes.begin(), schemes.end(), scheme) == schemes.end()) return Json::object();  // another program's
   std::vector<Override> cells;
   if (settings.has("cells")) cells.emplace_back("cells", settings["cells"]);
   const Settings plain = entry.settings(scheme, cells);

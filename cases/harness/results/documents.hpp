@@ -20,7 +20,8 @@ Json to_json(const Ledger& ledger, int dim, bool axisymmetric = false);
 Json to_json(const std::vector<Measure>& measures);
 Json to_json(const OrderFit& fit);
 
-// The settings that differ from those of the scheme at so many cells: what --set needs beside --scheme and --cells.
+// The settings that differ from those of the scheme at so many cells: what --set needs beside --scheme and --cells. None
+// where `scheme` is the name of another program.
 Json choices(const Case& entry, const std::string& scheme, const Settings& settings);
 
 // One run with the gates judged on it.

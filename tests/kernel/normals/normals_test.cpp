@@ -37,10 +37,12 @@ TEST(Normals, OutputMayBeThePreviousNormals) {
   const test::Curve quarter = test::arc(0, 0, 1, 0, 90, 50);
   const GridSpec grid = test::square(12, 0.1, true);
   for (const Choice& choice : normals_methods()) {
-    std::vector<double> x(50, 1), y(50, 0);
-    const test::Normals apart = test::find(choice.name, grid, quarter);
+    const std::vector<double> before_x(50, 1), before_y(50, 0);
+    std::vector<double> x = before_x, y = before_y, apart_x(50), apart_y(50);
+    make_normals(choice.name)->find({grid, quarter.x, quarter.y, {}, {}, before_x, before_y, false}, apart_x, apart_y);
     make_normals(choice.name)->find({grid, quarter.x, quarter.y, {}, {}, x, y, false}, x, y);
-    EXPECT_EQ(x, apart.x) << choice.name;
+    EXPECT_EQ(x, apart_x) << choice.name;
+    EXPECT_EQ(y, apart_y) << choice.name;
   }
 }
 
