@@ -95,7 +95,7 @@ TEST(Pendulum, TheReferenceMovesWithTheSettings) {
     if (key == "youngs_modulus=3e5") p.youngs_modulus = 3e5;
     if (key == "string_density=0.3") p.density = 0.3;
     if (key == "one_way=no") p.one_way = false;
-    const RunResult result = run({"cells=5", "t_end=0.005", typed});
+    const RunResult result = run({"cells=5", typed});
     EXPECT_EQ(*measure(result, "period").reference, reference::ElasticPendulum(p).heavy_period().value) << typed;
   }
 }
@@ -103,9 +103,9 @@ TEST(Pendulum, TheReferenceMovesWithTheSettings) {
 // No turning point yet: no period and no loss, and that is no small error.
 TEST(Pendulum, WithoutATurnThereIsNoPeriod) {
   const RunResult result = run({"cells=5", "t_end=0.2"});
-  EXPECT_TRUE(std::isnan(measure(result, "period").error));
-  EXPECT_TRUE(std::isnan(measure(result, "amplitude_loss").error));
-  EXPECT_TRUE(std::isnan(measure(result, "half_loss").error));
+  EXPECT_ANY_THROW(measure(result, "period"));
+  EXPECT_ANY_THROW(measure(result, "amplitude_loss"));
+  EXPECT_ANY_THROW(measure(result, "half_loss"));
   EXPECT_GT(*measure(result, "misalignment").value, 0);
 }
 

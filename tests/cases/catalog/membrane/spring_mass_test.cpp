@@ -176,8 +176,8 @@ TEST(SpringMass, EnergyDriftIsIntegrationAndTransferOverTheScale) {
 // Too short for one period: no period, and that is not a small error.
 TEST(SpringMass, WithoutAWholePeriodThereIsNone) {
   const RunResult result = run("default", {"t_end=0.001"});
-  EXPECT_TRUE(std::isnan(measure(result, "period").error));
-  EXPECT_TRUE(std::isnan(measure(result, "max_displacement").error));
+  EXPECT_ANY_THROW(measure(result, "period"));
+  EXPECT_ANY_THROW(measure(result, "max_displacement"));
 }
 
 }  // namespace
