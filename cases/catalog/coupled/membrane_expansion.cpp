@@ -336,8 +336,8 @@ std::vector<CaseGate> york_gates() {
       torn_on = "2026-11-26 05844c9",
       torn =
           "the bag tears at 3.3 s, before that its radius, 1.42, is 2 % above his: strains summed from rates let it "
-          "grow, and "
-          "at one place the points drift apart until one flies off; gas and membrane then stand at the walls";
+          "grow, and at one place the points drift apart until one flies off; gas and membrane then stand at the "
+          "walls";
   // On 4 cells the second radius and the pressure are no property of the scheme: see the known limits.
   return {
       radius("radius_0", 4, 1.08)
@@ -367,8 +367,7 @@ std::vector<CaseGate> york_gates() {
       judged("york1997", value_at, "hoop_scatter", 8, at_most(0.1),
              requirement("a tenth of the mean, as of the default scheme at h = 0.1"))
           .fails("strains in null-space modes of the maps are frozen in as the bag unfolds: single stresses mean "
-                 "nothing, and "
-                 "scatter as roundings will (seventeen runs in cases/ensembles.json)",
+                 "nothing, and scatter as roundings will (seventeen runs in cases/ensembles.json)",
                  {1.0, 11.0}, "2026-11-23 5825b24"),
       judged("york1997", value_at, "volume_ratio", 8, between(0.99, 1.01),
              requirement("within 1 %, as of the default scheme at h = 0.1"))

@@ -152,9 +152,8 @@ std::vector<CaseGate> gates() {
       "the error of second-order finite volumes (MUSCL, HLLC) on the same mesh: the method that this flow "
       "would else be computed with";
   const std::string near_finite_volumes =
-      "at most 1.25 times in density and 1.4 times in velocity the errors of second-order finite volumes (MUSCL, HLLC) "
-      "on "
-      "the same mesh, 0.0041 and 0.0080";
+      "at most 1.25 times in density and 1.4 times in velocity the errors of second-order finite volumes (MUSCL, "
+      "HLLC) on the same mesh, 0.0041 and 0.0080";
   const std::string width =
       "a cubic kernel reads a jump over four cells, and quadratic viscosity gives the shock three; a MUSCL "
       "scheme holds the shock in two cells. Order and constant are those of the width, so finer meshes do not "

@@ -422,9 +422,8 @@ std::vector<CaseGate> gates() {
       "cannot be seen there");
   const std::string torn =
       "after a whole swing the noise of its light points has torn the string: the bob falls to the floor from 1.3 s "
-      "on, and lies there with a velocity in the null space of the maps; some of the runs whose masses differ by 1e-14 "
-      "of "
-      "themselves stop there";
+      "on, and lies there with a velocity in the null space of the maps; some of the runs whose masses differ by "
+      "1e-14 of themselves stop there";
   const Because tangent = literature(
       "York, section 5.4.2: the stress is tangent where the total strain is kept along the tangent; to rounding");
   const Because similar = literature(
@@ -435,8 +434,7 @@ std::vector<CaseGate> gates() {
   const std::vector<CaseGate> sections{
       gate("york1997/frames-10", value_at("from_fem", 10), at_most(0.03 * heavy_period * fastest_bob()),
            literature("Fig. 36 beside Fig. 33, frames until 1.25 s: York sees reasonable agreement; 3 % of a period, "
-                      "which can be told in "
-                      "Fig. 37, at the bob's greatest speed")),
+                      "which can be told in Fig. 37, at the bob's greatest speed")),
       gate("default/frames-5-10", ratio_of("from_fem", 5, 10), at_least(1), towards_fem),
       gate("default/frames-10-20", ratio_of("from_fem", 10, 20), at_least(1), towards_fem),
       gate("york-free/misaligned", over_sibling("mean_misalignment", "york1997"), at_least(1.01),
@@ -450,15 +448,13 @@ std::vector<CaseGate> gates() {
       gate("york1997/tangent", value_at("off_tangent", 10), at_most(1e-12), tangent),
       gate("york-increments/tangent", value_at("off_tangent", 10), at_most(1e-12), tangent)
           .fails("what was summed stays where it was as the string turns: a twentieth of a second on, its forces push "
-                 "the points "
-                 "2.5 % of the length off the chord, and soon after out of the grid",
+                 "the points 2.5 % of the length off the chord, and soon after out of the grid",
                  {0.080, 0.105}, "2026-11-26 efaf9f4"),
       gate("york-layers/constant-stress", value_at("stress_spread", 10), at_most(0.1),
            literature("York, section 5.4.5: stress must be constant through the thickness, a tenth of it left"))
           .fails("each layer hangs from the wall by itself and has a tangential strain of its own: as the string turns "
-                 "about its end "
-                 "one is stretched and the other is let go, as in a bent plate; by 0.1 s the difference is 0.43 of the "
-                 "stress",
+                 "about its end one is stretched and the other is let go, as in a bent plate; by 0.1 s the "
+                 "difference is 0.43 of the stress",
                  {0.52, 0.69}, "2026-11-26 efaf9f4")};
 
   // Once the string has torn, a run is as roundings will: these bands hold what ensembles of runs show (ci/ensembles).

@@ -108,10 +108,8 @@ Command add_scoreboard(const Arguments& program, Invocation& invocation) {
       "scoreboard", "many programs' final states of many starts in one table",
       "Example: plumbline scoreboard DIR --run mine=./adapter\nDIR holds cases/*.h5 (of `plumbline export`) and "
       "programs/NAME/*.h5 under the same names: reports/docs/how-to/score-another-code.md\nExit status: 0 all green; 1 "
-      "a "
-      "verdict is "
-      "red, "
-      "or a result damaged, missing, late or failed; 2 wrong call; 4 DIR cannot be read or written.");
+      "a verdict is red, or a result damaged, missing, late or failed; 2 wrong call; 4 DIR cannot be read or "
+      "written.");
   auto options = std::make_shared<ScoreboardOptions>();
   add_json(sub, invocation.options);  // first: what is wrong with the others is said as JSON, too
   sub.option("DIR", options->folder, "starts and results").required();
