@@ -54,12 +54,12 @@ def source(path):
     """With the same folder as its own baseline, and a document."""
     folder = reader.load_folder(path)
     folder.diff = document(FINDINGS)
-    return without_scripts(render.render(folder, reader.load_folder(path)))
+    return without_scripts(render.single_file(render.report(folder, reader.load_folder(path))))
 
 
 @pytest.fixture(scope="module")
 def alone(path):
-    return without_scripts(render.render(reader.load_folder(path)))
+    return without_scripts(render.single_file(render.report(reader.load_folder(path))))
 
 
 def test_without_a_baseline_there_is_no_word_of_it(alone):

@@ -262,7 +262,7 @@ def test_values_between_points_and_none_outside():
 def test_page_shows_them(page):
     source = page.read_text(encoding="utf-8")
     parsed = Page(source)
-    assert "What it looks like" in parsed.text and "Points over time" in parsed.text
+    assert "Fields and points over time" in parsed.text and "Points over time" in parsed.text
     assert len(re.findall(r'<ol class="strip-of-points"', source)) == 1
     reel = re.search(r'<div class="reel" role="img" aria-label="([^"]+)"', source)
     assert "pressure of the gas" in reel.group(1)
