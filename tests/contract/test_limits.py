@@ -67,7 +67,7 @@ def test_memory_that_nobody_foresaw_is_refused_too(plumbline):
 # Where nobody looks for a signal: set-up, references and what a run measures.
 SLOW = {
     "set-up": ["run", "normals-first-step", "--cells", 6, "--set", "membrane_points=100000"],
-    "estimate": ["run", "sod-3d", "--dry-run", "--cells", 10, "--set", "ppc=1000"],
+    "estimate": ["run", "sod-3d", "--dry-run", "--cells", 10, "--set", "ppc=2197"],
     "reference": ["run", "shear-decay", "--scheme", "york1997", "--set", "shape=linear", "--cells", 200],
     "measures": ["run", "woodward-colella", "--cells", 24],
 }
