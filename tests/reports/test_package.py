@@ -263,9 +263,25 @@ def test_the_notebook_gives_what_it_shows(monkeypatch, tmp_path):
 
 
 def shown(cell):
-    """Of each output its kinds and, where it is a text without a figure, the text."""
+    """Of each output its kinds and, where it is a text without a figure, the text.
+
+    A stream arrives in as many parts as the kernel happened to send: parts of one stream in succession are one output.
+    """
     outputs = []
     for output in cell.get("outputs", []):
-        data = output.get("data") or {"text/plain": output.get("text", "")}
-        outputs.append((sorted(data), "" if "image/png" in data else data["text/plain"]))
+        stream = output.get("name")
+        if stream and outputs and outputs[-1][0] == [stream]:
+            outputs[-1] = ([stream], outputs[-1][1] + output["text"])
+            continue
+        data = output.get("data") or {stream: output.get("text", "")}
+        outputs.append((sorted(data), "" if "image/png" in data else next(iter(data.values())) if stream else data["text/plain"]))
     return outputs
+
+
+def test_parts_of_a_stream_are_one_output():
+    def stream(name, text):
+        return {"output_type": "stream", "name": name, "text": text}
+
+    whole = {"outputs": [stream("stdout", "one\ntwo\n")]}
+    parts = {"outputs": [stream("stdout", "one\n"), stream("stdout", "two\n")]}
+    assert shown(parts) == shown(whole) != shown({"outputs": [stream("stdout", "one\n"), stream("stderr", "two\n")]})
