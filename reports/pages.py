@@ -46,7 +46,8 @@ DOORS = (
 SECTIONS = (
     ("gates.html", "All gates", ("verdicts", "gates"), "What was expected, what was measured, and how near it came to its bound."),
     ("failures.html", "Expected failures", ("failures",)),
-    ("york.html", "York's figures", ("york",)),
+    ("york.html", "York's report", ("york",)),
+    ("york-figures.html", "York's figures, computed", ("york_pictures",)),
     ("trust.html", "Trust", ("trust",)),
     ("mutants.html", "Mutation testing", ("mutants",)),
     ("speed.html", "Speed", ("speed",)),
@@ -59,7 +60,8 @@ def all_pages(report):
     """The pages of a report; `report`: what the sections show."""
     found = [Page("index.html", "Overview", "index", shown={"doors": doors()})]
     found += [Page(path, title, sections=sections, lead=lead if len(sections) > 1 or sections == ("changes",) else "") for path, title, sections, lead in DOORS]
-    empty = {name for name, part in (("york", report["york"]), ("failures", report["expected_failures"])) if not part}
+    york = report["york"] or {}
+    empty = {name for name, part in (("york", york), ("york_pictures", york.get("pictures")), ("failures", report["expected_failures"])) if not part}
     found += [Page(path, title, sections=sections, lead=" ".join(lead)) for path, title, sections, *lead in SECTIONS if not empty & set(sections)]
     found += [
         Page(f"integrators/{card['anchor'].removeprefix('scorecard-')}.html", card["name"], "integrator", group="integrators",
