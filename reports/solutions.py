@@ -136,7 +136,7 @@ def _figure(lines, name, prefix, with_keys):
     caption = f"Other numbers of cells: {text.listing(others)}." if others else ""
     files = [level.get("file") for _, level, _ in lines]
     names = text.listing(entry.label for entry, _, _ in lines)
-    commands = [command for _, level, _ in lines if with_keys and (command := reproduce.run(level))]
+    commands = [command for _, level, _ in lines if (command := reproduce.run(level))]
     return Solution(drawing, f"{field[0].upper() + field[1:]}{where}", caption if with_keys else "", files, keys if with_keys else [], commands, lines=names)
 
 

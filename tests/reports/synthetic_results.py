@@ -176,6 +176,7 @@ def run_object(case, scheme, cells, settings, measures, **more):
         "case": case,
         "scheme": scheme,
         "settings": {**settings, "cells": cells},
+        "choices": settings,
         "verdict": "NONE",
         "finished": True,
         "stop": None,
@@ -318,6 +319,7 @@ def write_study(folder, case, scheme, vary, levels, measures, catalog, **more):
         "id": more.get("id", "study"),
         "title": more.get("title", ""),
         "why": more.get("why", ""),
+        "choices": more.get("choices", settings),
     }
     parts = {"study": study, "fit": measures, "gates": gates, "catalog": catalog, "provenance": PROVENANCE}
     name = f"study-{case}-{scheme}-{vary}-{digest(case, scheme, vary, settings)}.h5"

@@ -120,3 +120,12 @@ def test_places_are_headings_gates_and_figures():
     assert places["a"].title == "First part" and {"hoop", "stress", "creme"} <= places["a"].words and "12.5" not in places["a"].words
     assert places["gate-x"].title == "period" and "period" in places["gate-x"].words
     assert places["f"].title == "Density" and "york" in places["f"].words and "axis" not in places["f"].words
+
+
+# --- commands ---------------------------------------------------------------------------------------
+
+
+def test_every_figure_has_the_command_that_makes_its_numbers(written):
+    figures = [(path, figure) for path, source in written.items() for figure in re.findall(r'<figure class="?plot.*?</figure>', source, re.DOTALL)]
+    without = [(path, re.search(r"plot-title[^>]*>([^<]*)", figure)[1]) for path, figure in figures if "Reproduce: <code>plumbline " not in figure]
+    assert len(figures) > 20 and without == []
