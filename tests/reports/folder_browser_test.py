@@ -10,6 +10,7 @@ import time
 import pytest
 
 import chromium
+import history
 import pages
 import render
 import synthetic_crowd
@@ -102,6 +103,41 @@ def test_search_finds_words_of_all_pages_offline(browser, folder, start, text):
     browser.follow("document.querySelector('#found a').click()")
     assert all(word.lower() in browser.evaluate("document.body.textContent").lower() for word in text.split())
     assert search(browser, "nosuchword") == [] and browser.messages == []
+
+
+@pytest.mark.parametrize("text", ["CFL", "hoop", "ring hoop", "density.L1"])
+def test_search_over_a_single_file(browser, page, text):
+    """Its words are those that stand in it: no second file is asked for."""
+    browser.messages.clear()
+    browser.open(page, *SIZES["desk"])
+    found = search(browser, text)
+    assert found and all(address.startswith("#") and browser.is_there(address[1:]) for _, address in found)
+    browser.evaluate("document.querySelector('#found a').click()")
+    target = found[0][1][1:]
+    assert browser.evaluate("location.hash") == f"#{target}" and browser.evaluate("document.getElementById('found').hidden")
+    part = browser.evaluate(f"document.getElementById({json.dumps(target)}).closest('main > *').textContent").lower()
+    assert all(word.lower() in part for word in text.split())
+    assert search(browser, "nosuchword") == [] and browser.messages == []
+
+
+def test_quantities_of_the_history_fold_and_its_comparisons_are_chosen(browser, tmp_path):
+    synthetic_results.spring_files_only(tmp_path / "results")
+    for commit, order in (("aaa", 1.0), ("bbb", 1.3), ("ccc", 1.0)):
+        entry = {"commit": commit, "machine": "one", "tier": "quick", "started": "2026-01-01T00:00:00Z", "verdicts": {"PASS": 1}, "limits": {}, "cost": {}}
+        entry |= {"orders": {"sod · L1": [order, order - 0.01, order + 0.01]}, "constants": {"sod · L1": 2.0, "noh · L1": 1.0}}
+        history.append(tmp_path / "results/history.jsonl", entry)
+    assert render.main([str(tmp_path / "results"), str(tmp_path / "out")]) == 0
+    browser.open(tmp_path / "out/changes.html", *SIZES["desk"])
+    shown = "[...document.querySelectorAll('[data-comparison]')].filter(part => part.getClientRects().length).map(part => part.textContent)"
+    (first,) = browser.evaluate(shown)
+    assert "bbb" in first and "1 worse" in first
+    browser.evaluate("(box => { box.value = '1'; box.dispatchEvent(new Event('change', {bubbles: true})); })(document.querySelector('[data-compare]'))")
+    (second,) = browser.evaluate(shown)
+    assert "aaa" in second and "0 worse" in second
+    lines = "[...document.querySelectorAll('#changed polyline')].filter(line => line.closest('details').open).length"
+    assert browser.evaluate(lines) == 0
+    browser.evaluate("[...document.querySelectorAll('#changed summary')].find(part => part.textContent.startsWith('sod')).click()")
+    assert browser.evaluate(lines) == 2
 
 
 def test_an_old_address_leads_to_the_page_of_its_part(browser, folder):
