@@ -358,15 +358,17 @@ def case_figures(case, results, finest, name, costs):
     for number, measure in enumerate(convergence_measures(case)[:MOST_CONVERGENCE]):
         drawn["convergence"].append(
             frame.ready(
-                function(case, measure, f"{name}-{function.__name__}-{number}")
+                figure
                 for function in (figures.convergence, figures.level_by_level)[: 2 if number == 0 else 1]
+                for figure in figures.parts(functools.partial(function, case, measure), f"{name}-{function.__name__}-{number}")
             )
         )
     if case.measure:
         drawn["variations"] = frame.ready(
-            figures.variation(case, vary, measure, f"{name}-{vary}-{number}")
+            figure
             for vary in ("dt", "ppc", "offset")
             for number, measure in enumerate(figures.variation_measures(case, vary))
+            for figure in figures.parts(functools.partial(figures.variation, case, vary, measure), f"{name}-{vary}-{number}")
         )
     if case.has_points:
         drawn["costs"] = frame.ready(cost.case_figures(costs, case, name)) if costs else cost_figures(case, name)
@@ -402,7 +404,9 @@ def leading_measures(case):
 
 def cost_figures(case, prefix):
     return (
-        frame.ready(figures.cost(case, case.measure, kind, f"{prefix}-{kind}") for kind in figures.COSTS)
+        frame.ready(
+            figure for kind in figures.COSTS for figure in figures.parts(functools.partial(figures.cost, case, case.measure, kind), f"{prefix}-{kind}")
+        )
         if case.measure
         else []
     )
