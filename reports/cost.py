@@ -308,7 +308,7 @@ def _case_figure(case, lines, measure, kind, prefix, part):
     best = [rivals[index] for index in front(rivals)]
     others = [(entry, entry.costs(column, measure)) for entry in case.comparators]
     others = [(entry, points) for entry, points in others if points]
-    rows = figures.of_part(rows, part)
+    every, rows = rows, figures.of_part(rows, part)  # small multiples have the same axes
     if not rows:
         return None
 
@@ -327,8 +327,8 @@ def _case_figure(case, lines, measure, kind, prefix, part):
                 *zip(*best), "o", markersize=9, color=svg.INK, markerfacecolor="none", markeredgewidth=0.8, linestyle="none"
             )
         axes.set(xscale="log", yscale="log", xlabel=axis, ylabel=figures.error_label(case, measure))
-        costs = [cost for _, points in rows for cost, _, _ in points] + [c for _, points in others for c, _ in points]
-        errors = [error for _, points in rows for _, error, _ in points] + [e for _, points in others for _, e in points]
+        costs = [cost for _, points in every for cost, _, _ in points] + [c for _, points in others for c, _ in points]
+        errors = [error for _, points in every for _, error, _ in points] + [e for _, points in others for _, e in points]
         axes.set_xlim(min(costs) / 1.8, max(costs) * 1.8)
         axes.set_ylim(min(errors) / 1.8, max(errors) * 1.8)
         log_axis(axes.xaxis, *axes.get_xlim())

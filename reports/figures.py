@@ -564,8 +564,8 @@ def cost(case, measure, kind, prefix, part=0):
             linestyle="none",
         )
         axes.set(xscale="log", yscale="log", xlabel=axis, ylabel=error_label(case, measure))
-        axes.set_ylim(*_margins([error for _, points in rows + others for _, error in points], 1.8))
-        axes.set_xlim(*_margins([value for _, points in rows + others for value, _ in points], 1.8))
+        axes.set_ylim(*_margins([error for _, points in every + others for _, error in points], 1.8))
+        axes.set_xlim(*_margins([value for _, points in every + others for value, _ in points], 1.8))
         log_axis(axes.xaxis, *axes.get_xlim())
         log_axis(axes.yaxis, *axes.get_ylim())
 
