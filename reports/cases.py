@@ -14,6 +14,12 @@ _VARY_ORDER = {"cells": 0, "": 1, "dt": 2, "ppc": 3, "offset": 4}
 SIZE_KEYS = frozenset(("cells", "h", "dt", "offset"))
 
 
+def error_of(measured, key="error"):
+    """The error of a measure, or None: what has a value and no reference beside it has no error, whatever the file says."""
+    measured = measured or {}
+    return None if measured.get("value") is not None and measured.get("reference") is None else measured.get(key)
+
+
 @dataclass
 class Series:
     """One line of the figures: the levels of a study, or single runs of one scheme and settings."""
@@ -39,7 +45,7 @@ class Series:
     def errors(self, measure):
         """(level, error) of the levels that have one."""
         found = [
-            (level, ((level.get("measures") or {}).get(measure) or {}).get("error")) for level in self.levels
+            (level, error_of((level.get("measures") or {}).get(measure))) for level in self.levels
         ]
         return [(level, error) for level, error in found if error is not None]
 

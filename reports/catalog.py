@@ -7,7 +7,7 @@ import frame
 import profiles
 import tables
 import text
-from cases import URGENCY
+from cases import URGENCY, error_of
 
 KINDS = {
     "gas": "Gases",
@@ -53,7 +53,7 @@ def number(case):
     for entry in case.series:
         for level in reversed(entry.levels):
             measured = (level.get("measures") or {}).get(case.measure) or {}
-            kind = "error" if measured.get("error") is not None else "value"
+            kind = "error" if error_of(measured) is not None else "value"
             if measured.get(kind) is None:
                 continue
             unit = measured.get("unit") or ""

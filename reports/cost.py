@@ -283,11 +283,15 @@ def case_figures(document, case, prefix):
     """Error against wall time and against particle-steps; [] where the document has nothing on the case."""
     lines = lines_of(document, case)
     measure = case.measure
-    found = [_case_figure(case, lines, measure, kind, f"{prefix}-{kind}") for kind in PRICES] if lines and measure else []
-    return [figure for figure in found if figure]
+    if not lines or not measure:
+        return []
+    return [
+        figure for kind in PRICES
+        for figure in figures.parts(lambda name, part: _case_figure(case, lines, measure, kind, name, part), f"{prefix}-{kind}")
+    ]  # fmt: skip
 
 
-def _case_figure(case, lines, measure, kind, prefix):
+def _case_figure(case, lines, measure, kind, prefix, part):
     price, column, axis, title = PRICES[kind]
     rows = []
     for line in lines:
@@ -298,12 +302,15 @@ def _case_figure(case, lines, measure, kind, prefix):
             rows.append((line, points))
     if not rows:
         return None
-    further = figures.left_out(rows)
-    rows = sorted(rows, key=lambda row: not row[0].same_problem)[: figures.MOST_SERIES]
+    further = figures.left_out(rows) if part == 0 else ""
+    rows = sorted(rows, key=lambda row: not row[0].same_problem)
     rivals = [(cost, error) for line, points in rows if line.same_problem for cost, error, _ in points]
     best = [rivals[index] for index in front(rivals)]
     others = [(entry, entry.costs(column, measure)) for entry in case.comparators]
     others = [(entry, points) for entry, points in others if points]
+    every, rows = rows, figures.of_part(rows, part)  # small multiples have the same axes
+    if not rows:
+        return None
 
     def paint(axes):
         if best:
@@ -320,8 +327,8 @@ def _case_figure(case, lines, measure, kind, prefix):
                 *zip(*best), "o", markersize=9, color=svg.INK, markerfacecolor="none", markeredgewidth=0.8, linestyle="none"
             )
         axes.set(xscale="log", yscale="log", xlabel=axis, ylabel=figures.error_label(case, measure))
-        costs = [cost for _, points in rows for cost, _, _ in points] + [c for _, points in others for c, _ in points]
-        errors = [error for _, points in rows for _, error, _ in points] + [e for _, points in others for _, e in points]
+        costs = [cost for _, points in every for cost, _, _ in points] + [c for _, points in others for c, _ in points]
+        errors = [error for _, points in every for _, error, _ in points] + [e for _, points in others for _, e in points]
         axes.set_xlim(min(costs) / 1.8, max(costs) * 1.8)
         axes.set_ylim(min(errors) / 1.8, max(errors) * 1.8)
         log_axis(axes.xaxis, *axes.get_xlim())

@@ -3,6 +3,7 @@
 import math
 
 import matplotlib
+import matplotlib.cm
 import numpy
 from matplotlib import colors
 from matplotlib.patches import Rectangle
@@ -169,6 +170,9 @@ def surface(document, scheme, measure="density.L1"):
             axes.clabel(lines, fmt=lambda value: text.seconds(value).replace("\u202f", " "), fontsize=7.5, colors=["#b01010"])
         for place, height in own if scheme == YORK else []:
             axes.plot(place, height, "o", markersize=9, markerfacecolor="none", color=svg.INK, markeredgewidth=1.4)
+        bar = axes.figure.colorbar(matplotlib.cm.ScalarMappable(scale, shades), ax=axes, label=f"error in {measure}", pad=0.02)
+        log_axis(bar.ax.yaxis, scale.vmin, scale.vmax)
+        bar.outline.set_visible(False)
         axes.set_xticks(range(len(cells)), [str(count) for count in cells])
         axes.set_yticks(range(len(courants)), [tick(courant) for courant in courants])
         axes.set(xlabel="cells", ylabel="Courant number", xlim=(-0.5, len(cells) - 0.5), ylim=(-0.5, len(courants) - 0.5))

@@ -3,6 +3,7 @@
 import numpy
 
 import figures
+import reproduce
 import svg
 import text
 from figures import Figure, Key
@@ -48,6 +49,7 @@ def drawing(case, results, prefix):
         caption,
         [entry.files[0] for entry, _ in lines],
         keys,
+        [command for entry, _ in lines if (command := reproduce.study(entry, case.name))],
     )  # fmt: skip
 
 

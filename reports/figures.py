@@ -39,6 +39,7 @@ class Figure:
     files: list
     keys: list = field(default_factory=list)
     commands: list = field(default_factory=list)  # that make its numbers again
+    further: bool = False  # lines beyond those of another figure
 
 
 # --- axes -----------------------------------------------------------------------------------------
@@ -144,10 +145,24 @@ def _files(series):
     return [name for entry in series for name in entry.files]
 
 
+def of_part(series, part):
+    """Those that the figure of this number shows: the first tells the first ones apart, the next the next ones."""
+    return series[MOST_SERIES * part :][:MOST_SERIES]
+
+
 def left_out(series):
     """What a caption says of the lines beyond those that a figure can tell apart."""
     further = len(series) - MOST_SERIES
-    return f" {text.plural(further, 'further line')} in the tables." if further > 0 else ""
+    return f" {text.plural(further, 'further line')}, up to {MOST_SERIES} a figure, below." if further > 0 else ""
+
+
+def parts(draw, prefix):
+    """The figures of all lines, `draw(prefix, part)` until there is none left."""
+    drawn = []
+    while figure := draw(f"{prefix}-part-{len(drawn)}" if drawn else prefix, len(drawn)):
+        figure.further = bool(drawn)
+        drawn.append(figure)
+    return drawn
 
 
 def _commands(case, series):
@@ -220,9 +235,9 @@ def floors(series, measure):
     return max(bounds, default=None), ROUNDING * max(scales) if scales else None
 
 
-def convergence(case, measure, prefix):
+def convergence(case, measure, prefix, part=0):
     every = _with_errors(case, "cells", measure)
-    series = every[:MOST_SERIES]
+    series = of_part(every, part)
     if not series:
         return None
     bound, rounding = floors(series, measure)
@@ -253,7 +268,7 @@ def convergence(case, measure, prefix):
         f"{entry.label}: order {text.order(entry.measures.get(measure) or {})}" for entry in series
     )
     caption = f"Fitted orders with 95 % intervals: {orders}. {_floor_words(bound, rounding)}".strip()
-    caption += baseline.words(series, measure) + left_out(every)
+    caption += baseline.words(series, measure) + (left_out(every) if part == 0 else "")
     keys = _keys(series) + _baseline_key(series) + (
         [Key(f"theory: slope {text.number(order)}", "var(--muted)", dash=True)] if order is not None else []
     )
@@ -326,14 +341,15 @@ def _floor_words(bound, rounding):
     return f"{known[0].upper()}{known[1:]}." if known else ""
 
 
-def level_by_level(case, measure, prefix):
+def level_by_level(case, measure, prefix, part=0):
     """Order between neighbouring levels above, and below it E/hᵖ over the levels, relative to the finest."""
     series = [
         entry
         for entry in _with_errors(case, "cells", measure)
         if any((entry.measures.get(measure) or {}).get("pairwise") or [])
         or any((entry.measures.get(measure) or {}).get("plateau") or [])
-    ][:MOST_SERIES]
+    ]
+    series = of_part(series, part)
     if not series:
         return None
     order = theory(case, measure)
@@ -403,9 +419,9 @@ def variation_measures(case, vary):
     )
 
 
-def variation(case, vary, measure, prefix):
+def variation(case, vary, measure, prefix, part=0):
     """Error against the time step, the points per cell or the offset of the grid alone."""
-    series = [entry for entry in case.studies(vary) if any(error > 0 for _, error in entry.errors(measure))]
+    series = of_part([entry for entry in case.studies(vary) if any(error > 0 for _, error in entry.errors(measure))], part)
     if not series:
         return None
     distance = measure.endswith(".step")
@@ -499,7 +515,7 @@ def front(points):
     return chosen
 
 
-def cost(case, measure, kind, prefix):
+def cost(case, measure, kind, prefix, part=0):
     """Error against cost of every line of the case, with the Pareto front, beside other methods."""
     price, column, axis, title = COSTS[kind]
     rows = [
@@ -513,7 +529,9 @@ def cost(case, measure, kind, prefix):
     rows = [(entry, points) for entry, points in rows if points]
     if not rows:
         return None
-    further, rows = left_out(rows), rows[:MOST_SERIES]
+    every, further, rows = rows, left_out(rows) if part == 0 else "", of_part(rows, part)
+    if not rows:
+        return None
     notes = {
         id(entry): [level_note(level) for level, error in entry.errors(measure) if price(level) and error > 0]
         for entry, _ in rows
@@ -522,7 +540,7 @@ def cost(case, measure, kind, prefix):
     others = [(entry, points) for entry, points in others if points]
 
     def paint(axes):
-        best = front([point for _, points in rows for point in points])
+        best = front([point for _, points in every for point in points])
         axes.plot(*zip(*best), color=svg.INK, linewidth=3.2, alpha=0.16, solid_capstyle="round")
         for entry, points in rows:
             line = marked_line(axes, entry, *zip(*points))
@@ -546,8 +564,8 @@ def cost(case, measure, kind, prefix):
             linestyle="none",
         )
         axes.set(xscale="log", yscale="log", xlabel=axis, ylabel=error_label(case, measure))
-        axes.set_ylim(*_margins([error for _, points in rows + others for _, error in points], 1.8))
-        axes.set_xlim(*_margins([value for _, points in rows + others for value, _ in points], 1.8))
+        axes.set_ylim(*_margins([error for _, points in every + others for _, error in points], 1.8))
+        axes.set_xlim(*_margins([value for _, points in every + others for value, _ in points], 1.8))
         log_axis(axes.xaxis, *axes.get_xlim())
         log_axis(axes.yaxis, *axes.get_ylim())
 

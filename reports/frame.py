@@ -71,11 +71,12 @@ def scripts():
     return {**{name: markup(script) for name, script in own.items()}, "library": markup(library), "words": words}
 
 
-def ready(parts):
-    """The figures that could be drawn, their drawings marked as checked markup."""
+def ready(parts, *commands):
+    """The figures that could be drawn, their drawings marked as checked markup; `commands`: what makes the numbers of those that name none."""
     found = [figure for figure in parts if figure]
     for figure in found:
         figure.svg = markup(figure.svg)
+        figure.commands = figure.commands or [command for command in commands if command]
     return found
 
 

@@ -14,6 +14,7 @@ import statistics
 import sys
 from collections import Counter
 
+import order_change
 import text
 from cases import newest_gates
 from plumbline import reader
@@ -21,8 +22,8 @@ from plumbline import reader
 HISTORY_FILE = "history.jsonl"
 KEY = ("commit", "machine", "tier")
 PARTS = ("orders", "constants", "limits", "cost", "verdicts")
-# What counts as a change, as for `plumbline diff`.
-ORDER_CHANGE = 0.05
+CHANGES = ("worse", "inconclusive", "better", "new", "missing")
+# What counts as a change, as for `plumbline diff`; for orders see order_change.py.
 CONSTANT_CHANGE = 0.01
 LIMIT_CHANGE = 1e-4
 MOST_EARLIER = 30  # entries that the page compares with
@@ -43,6 +44,7 @@ def entry(folder, tier):
         "started": newest.get("started") or "",
         "orders": {},
         "constants": {},
+        "errors": {},  # of the levels that entered each order
         "limits": {},
         "cost": {},
         "verdicts": dict(Counter(gate.get("verdict") or "" for gate in newest_gates(folder))),
@@ -56,6 +58,7 @@ def entry(folder, tier):
                 name = _untaken(name, found["orders"])
                 found["orders"][name] = [fit.get(key) for key in ("order", "order_low", "order_high")]
                 found["constants"][name] = fit.get("constant")
+                found["errors"][name] = _errors(study, measure, fit)
     for listed in folder.stability.get("known_limits") or []:
         for row in listed["rows"]:
             if row.get("limit") is not None:
@@ -66,6 +69,14 @@ def entry(folder, tier):
     return found
 
 
+def _errors(study, measure, fit):
+    """[[cell size, error], ...] of the levels that the fit uses, with ten digits."""
+    levels = study.get("levels") or []
+    used = fit.get("levels_used") or [True] * len(levels)
+    pairs = [(level.get("h"), ((level.get("measures") or {}).get(measure) or {}).get("error")) for level, enters in zip(levels, used) if enters]
+    return [[float(f"{number:.10g}") for number in pair] for pair in pairs if all(pair)]
+
+
 def _untaken(name, taken):
     """Studies that differ in settings alone are numbered, in the order of their files, which follows from the settings."""
     return next(full for full in (name, *(f"{name} ({number})" for number in range(2, len(taken) + 3))) if full not in taken)
@@ -74,23 +85,32 @@ def _untaken(name, taken):
 def read(path):
     """Entries, oldest first, and notes on lines that cannot be used. A file that is not there has none."""
     path = pathlib.Path(path)
-    entries, notes = [], []
-    for number, line in enumerate(path.read_bytes().splitlines() if path.exists() else [], 1):
-        try:
-            found = json.loads(line)
-        except ValueError:
-            found = None
-        if _is_whole(found):
-            entries.append(found)
-        elif line.strip():
-            notes.append(f"line {number} of {path.name} is damaged and left out")
-    return entries, notes
+    parts = _parts(path)
+    notes = [f"line {number} of {path.name} is damaged: it is kept and not used" for number, _, found in parts if found is None]
+    return [found for _, _, found in parts if found], notes
+
+
+def _parts(path):
+    """[(number, line, its entry or None)] of the file; an empty line is none."""
+    lines = path.read_bytes().split(b"\n") if path.exists() else ()
+    return [(number, line, _entry_of(line)) for number, line in enumerate(lines, 1) if line.strip()]
+
+
+def _entry_of(line):
+    try:
+        found = json.loads(line)
+    except ValueError:
+        return None
+    return found if _is_whole(found) else None
 
 
 def _is_whole(found):
     if not isinstance(found, dict) or not all(isinstance(found.get(key), str) for key in (*KEY, "started")):
         return False
     if not all(isinstance(found.get(part), dict) for part in PARTS):
+        return False
+    errors = found.get("errors", {})
+    if not isinstance(errors, dict) or not all(_is_list_of_pairs(pairs) for pairs in errors.values()):
         return False
     numbers = [value for part in PARTS[1:] for value in found[part].values()]
     triples = found["orders"].values()
@@ -99,26 +119,34 @@ def _is_whole(found):
     )
 
 
+def _is_list_of_pairs(pairs):
+    return isinstance(pairs, list) and all(isinstance(pair, list) and len(pair) == 2 and all(type(n) in (int, float) for n in pair) for pair in pairs)
+
+
 def _is_number(value):
     return value is None or (isinstance(value, (int, float)) and not isinstance(value, bool))
 
 
 def append(path, new):
-    """Writes the entry at the end; one of the same key goes, and so do damaged lines, which the notes name. Whole or not at all."""
-    entries, notes = read(path)
-    kept = [found for found in entries if any(found[key] != new[key] for key in KEY)]
+    """Writes the entry at the end in place of one of the same key; damaged lines, which the notes name, stay. Whole or not at all."""
     path = pathlib.Path(path)
+    _, notes = read(path)
+    kept = [line for _, line, found in _parts(path) if found is None or any(found[key] != new[key] for key in KEY)]
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(path.name + ".new")
-    temporary.write_text("".join(json.dumps(found) + "\n" for found in (*kept, new)), encoding="utf-8")
+    temporary.write_bytes(b"".join(line + b"\n" for line in (*kept, json.dumps(new).encode())))
     os.replace(temporary, path)
     return notes
 
 
 def compare(before, after):
-    """{change: rows} of better, worse, new and missing; what moved within the noise is counted under `same`."""
-    changes = {"worse": [], "better": [], "new": [], "missing": [], "same": 0}
-    for part, judge in (("orders", _order), ("constants", _constant), ("limits", _limit), ("verdicts", _verdicts)):
+    """{change: rows} of CHANGES; what moved within the noise is counted under `same`."""
+    changes = {**{change: [] for change in CHANGES}, "same": 0}
+
+    def order(name, old, new):
+        return order_change.change(old, new, *(found.get("errors", {}).get(name, ()) for found in (before, after)))
+
+    for part, judge in (("orders", order), ("constants", _constant), ("limits", _limit), ("verdicts", _verdicts)):
         for name in sorted(before[part].keys() | after[part].keys()):
             old, new = before[part].get(name), after[part].get(name)
             if part == "verdicts":
@@ -129,14 +157,6 @@ def compare(before, after):
             else:
                 changes[change].append({"kind": part, "name": name, "before": _value(old), "after": _value(new)})
     return changes
-
-
-def _order(_, old, new):
-    """Beyond what counts, and each outside the other's interval."""
-    inside = any(value is None for value in (*old, *new)) or old[1] <= new[0] <= old[2] or new[1] <= old[0] <= new[2]
-    if inside or abs(new[0] - old[0]) <= ORDER_CHANGE:
-        return "same"
-    return "better" if new[0] > old[0] else "worse"
 
 
 def _constant(_, old, new):
@@ -175,22 +195,24 @@ def section(path):
     return {
         "notes": notes,
         "now": now,
+        "changes": CHANGES,
         "comparisons": [{"entry": found, "changes": compare(found, now)} for found in earlier],
         "lines": lines([*reversed(earlier), now]),
     }
 
 
 def lines(entries):
-    """A row for each quantity that is in at least two entries: its name and a sparkline over the entries."""
-    rows = []
+    """[{title, rows}] by case, or by integrator for limits: a row with a sparkline for each quantity that is in at least two entries."""
+    groups = {}
     for part in ("orders", "constants", "limits", "cost"):
         for name in sorted(entries[-1][part]):
             values = [found[part].get(name) for found in entries]
             values = [value[0] if isinstance(value, list) else value for value in values]
             known = [value for value in values if value is not None]
             if len(known) > 1:
-                rows.append({"kind": part, "name": name, "first": _value(known[0]), "last": _value(known[-1]), "points": sparkline(values)})
-    return rows
+                title, _, rest = name.partition(" · ")
+                groups.setdefault(title, []).append({"kind": part, "name": rest or title, "first": _value(known[0]), "last": _value(known[-1]), "points": sparkline(values)})
+    return [{"title": title, "rows": groups[title]} for title in sorted(groups)]
 
 
 def sparkline(values, width=90, height=18):

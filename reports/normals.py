@@ -7,6 +7,7 @@ METHOD.angle_error_deg and judged (1: the point counts) are used where they are 
 import numpy
 
 import figures
+import reproduce
 import svg
 import text
 from figures import Figure, Key
@@ -33,12 +34,12 @@ def drawings(case, results, prefix):
         if names and entry.vary in ("cells", "") and names[-1] not in [name for _, name in found]:
             found.append((entry, names[-1]))
     return [
-        needles(results[name].profile, entry.label, name, f"{prefix}-{number}")
+        needles(results[name].profile, entry.label, name, f"{prefix}-{number}", run=results[name].run)
         for number, (entry, name) in enumerate(found[:MOST_RUNS])
     ]
 
 
-def needles(profile, label, file, prefix, names=None):
+def needles(profile, label, file, prefix, names=None, run=None):
     """The normals of a run by the methods of these names, by all if none are given."""
     names = names or methods(profile)
     rows = -(-len(names) // _COLUMNS)
@@ -83,7 +84,7 @@ def needles(profile, label, file, prefix, names=None):
         sharey=True,
         squeeze=False,
     )
-    return Figure(drawing, f"Normals, {label}", caption, [file], keys)
+    return Figure(drawing, f"Normals, {label}", caption, [file], keys, [command] if (command := reproduce.run(run or {})) else [])
 
 
 def _needles(places, directions, length):

@@ -12,6 +12,7 @@ import frame
 import search_index
 
 SHARED = "shared/"  # style sheet, scripts, words and pictures, beside the pages
+DOCUMENTS = "docs/index.html"  # made by docs/build.py
 OWNED = ("cases", "integrators")  # folders in which nothing but pages of the report stands
 MOST_BYTES_OF_A_PAGE = 1_500_000
 MOST_BYTES_OF_THE_INDEX = 200_000
@@ -46,7 +47,8 @@ DOORS = (
 SECTIONS = (
     ("gates.html", "All gates", ("verdicts", "gates"), "What was expected, what was measured, and how near it came to its bound."),
     ("failures.html", "Expected failures", ("failures",)),
-    ("york.html", "York's figures", ("york",)),
+    ("york.html", "York's report", ("york",)),
+    ("york-figures.html", "York's figures, computed", ("york_pictures",)),
     ("trust.html", "Trust", ("trust",)),
     ("mutants.html", "Mutation testing", ("mutants",)),
     ("speed.html", "Speed", ("speed",)),
@@ -59,7 +61,8 @@ def all_pages(report):
     """The pages of a report; `report`: what the sections show."""
     found = [Page("index.html", "Overview", "index", shown={"doors": doors()})]
     found += [Page(path, title, sections=sections, lead=lead if len(sections) > 1 or sections == ("changes",) else "") for path, title, sections, lead in DOORS]
-    empty = {name for name, part in (("york", report["york"]), ("failures", report["expected_failures"])) if not part}
+    york = report["york"] or {}
+    empty = {name for name, part in (("york", york), ("york_pictures", york.get("pictures")), ("failures", report["expected_failures"])) if not part}
     found += [Page(path, title, sections=sections, lead=" ".join(lead)) for path, title, sections, *lead in SECTIONS if not empty & set(sections)]
     found += [
         Page(f"integrators/{card['anchor'].removeprefix('scorecard-')}.html", card["name"], "integrator", group="integrators",
@@ -77,8 +80,8 @@ def doors():
     return [{"path": path, "title": title, "words": words} for path, title, _, words in DOORS]
 
 
-def folder(report):
-    """{path: text or bytes} of all files of the folder, the index last."""
+def folder(report, has_documents=False):
+    """{path: text or bytes} of all files of the folder, the index last; `has_documents`: the site of documents stands beside the pages."""
     files = {SHARED + name: text for name, text in frame.shared_files().items()}
     files |= taken_out(report["catalog"])
     pages = all_pages(report)
@@ -88,7 +91,8 @@ def folder(report):
         siblings = [other for other in pages if page.group and other.group == page.group]
         source = frame.page(
             f"pages/{page.template}.html", report["stability"].get("style", "") if "stability" in page.sections else "",
-            beside=page.root + SHARED, root=page.root, here=page, menu=[menu, siblings] if siblings else [menu], **(report | page.shown),
+            beside=page.root + SHARED, root=page.root, here=page, menu=[menu, siblings] if siblings else [menu],
+            has_documents=has_documents, **(report | page.shown),
         )  # fmt: skip
         sources[page.path] = source if page.lead or "<h1" in source else lifted(source)
     sources = linked(sources)
@@ -139,7 +143,7 @@ def linked(sources):
 
 def write(report, target):
     """Writes the folder, the index last, and removes pages of an earlier report that this one does not have."""
-    files = folder(report)
+    files = folder(report, (target / DOCUMENTS).is_file())
     for path, content in files.items():
         frame.write_whole(target / path, content)
     for name in OWNED:

@@ -16,6 +16,7 @@ from matplotlib.ticker import MaxNLocator
 
 import figures
 import raster
+import reproduce
 import svg
 import text
 from figures import Figure, Key
@@ -47,6 +48,7 @@ class Strip:
     shape: float  # width over height
     files: list
     keys: list = field(default_factory=list)
+    commands: list = field(default_factory=list)
 
 
 @dataclass
@@ -61,6 +63,7 @@ class Film:
     files: list
     keys: list = field(default_factory=list)
     svg: str = ""  # the scale of colours
+    commands: list = field(default_factory=list)
 
 
 def film_characters(cases, results):
@@ -96,11 +99,15 @@ def _group(entry, level, result, prefix, most_characters):
     # Of the first run only: those of another differ too little to be worth their weight.
     kinds = _FIELDS if prefix.endswith("-0") else ()
     fields = [field_at_one_time(view, kind, run, result.name, f"{prefix}-{kind}") for kind in kinds]
+    drawn = {"strip": strip(view, run, result.name), "film": film(view, run, result.name, f"{prefix}-film", most_characters)}
+    command = reproduce.pictures(level, len(result.frames))
+    for picture in (*drawn.values(), *fields):
+        if picture and command:
+            picture.commands = [command]
     return {
         "title": run,
         "points": text.count(level.get("points")) if level.get("points") else "",
-        "strip": strip(view, run, result.name),
-        "film": film(view, run, result.name, f"{prefix}-film", most_characters),
+        **drawn,
         "fields": [drawn for drawn in fields if drawn],
     }
 

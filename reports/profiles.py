@@ -67,6 +67,20 @@ def chosen_levels(entry, results):
     return [(name, level, profile) for name, (level, profile) in zip(names, found)]
 
 
+def window(columns, name):
+    """((low, high) of the axis of a field, words) where computed values lie beyond the exact ones by more than these span, as behind a
+    wall that reflects; else (None, ""). `columns`: profiles with the field and its reference."""
+    exact, computed = (numpy.concatenate([one[key] for one in columns]) for key in (name + REFERENCE, name))
+    exact, computed = exact[numpy.isfinite(exact)], computed[numpy.isfinite(computed)]
+    if not len(exact) or not len(computed) or numpy.ptp(exact) <= 1e-9 * numpy.abs(exact).max():
+        return None, ""
+    span = numpy.ptp(exact)
+    if exact.min() - span <= computed.min() and computed.max() <= exact.max() + span:
+        return None, ""
+    reach = f"{text.number(float(computed.min()))} to {text.number(float(computed.max()))}"
+    return (exact.min() - span / 2, exact.max() + span / 2), f"Computed values reach from {reach}, beyond the axis, which ends half the span of the exact ones from them."
+
+
 def profile(entry, name, levels, prefix):
     """One field of one line of the case: exact and computed above, the error below."""
     last = levels[-1][2]
@@ -75,6 +89,7 @@ def profile(entry, name, levels, prefix):
         return None
 
     label = column_label(last, name)
+    limits, caption = window([columns for _, _, columns in present], name)
     sizes = [f"{which} {_size(level)}" if len(levels) > 1 else _size(level) for which, level, _ in present]
 
     def paint(axes):
@@ -85,14 +100,13 @@ def profile(entry, name, levels, prefix):
         for size, (which, _, columns) in zip(sizes, present):
             _computed(upper, lower, which, columns, name, size)
         upper.set_ylabel(axis_label(last, name))
+        if limits:
+            upper.set_ylim(limits)
         few_ticks(upper.yaxis)
         _error_axis(lower)
         lower.set_xlabel(axis_label(last, last.abscissa))
         few_ticks(lower.xaxis)
 
-    caption = (
-        ""
-    )
     keys = [Key("exact", "currentColor", band=True)]
     keys += [
         Key(size, _variable(which), "dot" if _is_sparse(columns, name) else "")

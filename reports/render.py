@@ -36,6 +36,7 @@ import pages
 import pictures
 from plumbline import reader
 import profiles
+import reproduce
 import scorecards
 import solutions
 import speed
@@ -214,13 +215,13 @@ def cost_part(folder, cases):
     if not folder.cost:
         return None
     part = cost.overview(folder.cost, cases, folder.stability)
-    found = part.pop("found")
+    found, command = part.pop("found"), reproduce.stated(folder.cost)
     return {
         **part,
         "rows": _anchored(part["rows"]),
         "rule": cost.RULE,
-        "charts": frame.ready((cost_charts.relative_to_york(found), cost_charts.absolute(found))),
-        "surfaces": frame.ready(cost_charts.surface(folder.cost, scheme) for scheme in ("york1997", "default")),
+        "charts": frame.ready((cost_charts.relative_to_york(found), cost_charts.absolute(found)), command),
+        "surfaces": frame.ready((cost_charts.surface(folder.cost, scheme) for scheme in ("york1997", "default")), command),
         "york_step": cost_charts.york_step(folder.cost),
     }
 
@@ -236,8 +237,12 @@ def trust_part(folder, cases):
         "references": _anchored(part["references"]),
         "first_tolerances": (judged := [row for row in part["tolerances"] if row["origin_key"] != "identity"])[:MOST_TOLERANCES],
         "other_tolerances": max(0, len(judged) - MOST_TOLERANCES),
-        "margins": frame.ready([trust.margins(part["tolerances"], [result.name for result in folder.verdicts])]),
+        "margins": frame.ready([trust.margins(part["tolerances"], [result.name for result in folder.verdicts])], *dict.fromkeys(map(_command, folder.verdicts))),
     }
+
+
+def _command(result):
+    return result.provenance.get("command") or ""
 
 
 def york_part(cases, results):
@@ -254,7 +259,7 @@ def speed_part(bench):
     """What the section on speed shows; None where no speed was measured."""
     if not bench:
         return None
-    return {**speed.page(bench), "figures": frame.ready((speed.cost_by_size(bench), speed.memory_by_size(bench)))}
+    return {**speed.page(bench), "figures": frame.ready((speed.cost_by_size(bench), speed.memory_by_size(bench)), reproduce.stated(bench))}
 
 
 def stability_part(document, cases):
@@ -268,7 +273,9 @@ def stability_part(document, cases):
         return {"verdicts": list(verdicts.values())}
     part = stability.page(document, verdicts)
     for problem, shown in zip(document["problems"], part["problems"]):
-        shown["growth"] = next(iter(frame.ready([stability.growth(problem, f"{shown['anchor']}-growth")])), None)
+        command = reproduce.growth(problem["problem"], document)
+        shown["growth"] = next(iter(frame.ready([stability.growth(problem, f"{shown['anchor']}-growth")], command)), None)
+        shown["maps_command"] = reproduce.maps(problem["problem"], document)
         shown["parts"] = stability.map_parts(problem)
     kinds = [found["growth"] for shown in part["problems"] for found in shown["parts"]]
     return {
@@ -351,15 +358,17 @@ def case_figures(case, results, finest, name, costs):
     for number, measure in enumerate(convergence_measures(case)[:MOST_CONVERGENCE]):
         drawn["convergence"].append(
             frame.ready(
-                function(case, measure, f"{name}-{function.__name__}-{number}")
+                figure
                 for function in (figures.convergence, figures.level_by_level)[: 2 if number == 0 else 1]
+                for figure in figures.parts(functools.partial(function, case, measure), f"{name}-{function.__name__}-{number}")
             )
         )
     if case.measure:
         drawn["variations"] = frame.ready(
-            figures.variation(case, vary, measure, f"{name}-{vary}-{number}")
+            figure
             for vary in ("dt", "ppc", "offset")
             for number, measure in enumerate(figures.variation_measures(case, vary))
+            for figure in figures.parts(functools.partial(figures.variation, case, vary, measure), f"{name}-{vary}-{number}")
         )
     if case.has_points:
         drawn["costs"] = frame.ready(cost.case_figures(costs, case, name)) if costs else cost_figures(case, name)
@@ -395,7 +404,9 @@ def leading_measures(case):
 
 def cost_figures(case, prefix):
     return (
-        frame.ready(figures.cost(case, case.measure, kind, f"{prefix}-{kind}") for kind in figures.COSTS)
+        frame.ready(
+            figure for kind in figures.COSTS for figure in figures.parts(functools.partial(figures.cost, case, case.measure, kind), f"{prefix}-{kind}")
+        )
         if case.measure
         else []
     )

@@ -41,13 +41,35 @@ def gates(case, pattern, tier=""):
     return _command("verify", case, ["--gate", pattern, *(["--tier", tier] if tier == "full" else [])])
 
 
-def scorecard(name):
-    return _command("verify", "", ["--integrator", name])
+def pictures(level, frames):
+    """A run with the snapshots that its pictures are drawn from."""
+    command = run(level)
+    return f"{command} --frames {frames}" if command else ""
+
+
+def scorecard(card):
+    return _command("verify", "", ["--integrator", card["integrator"], *(["--core"] if card.get("effort") == "core" else [])])
 
 
 def limit(integrator, problem):
     """The predicted limit of an integrator on a problem of the laboratory."""
     return _command("stability", problem, ["--integrator", integrator, "--no-runs"])
+
+
+def growth(problem, document):
+    """The configurations of one problem, as the document has them: with runs where it has some."""
+    return _command("stability", problem, ["--no-runs"] if "--no-runs" in stated(document) else [])
+
+
+def maps(problem, document):
+    words = shlex.split(stated(document))
+    tier = words[words.index("--tier") + 1 :][:1] if "--tier" in words else []
+    return _command("stability", problem, ["--maps", "--no-runs", *(["--tier", *tier] if tier else [])])
+
+
+def stated(document):
+    """The command that a document says it was written by; of times, all else is the same again."""
+    return (document.get("provenance") or {}).get("command") or ""
 
 
 def costs(case):

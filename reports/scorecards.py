@@ -14,6 +14,7 @@ import sys
 
 import frame
 from plumbline import reader
+import reproduce
 import stability
 import svg
 import tables
@@ -80,10 +81,11 @@ def card_page(card):
         "factor_notes": any(row["note"] for row in card["factors"]),
         "factor": _factor(card["factor"]) if card["factor"] else None,
         "factors": [{**_factor(row), "measure": _measure(card, row["case"])} for row in card["factors"]],
-        "figures": frame.ready([cost_figure(card, f"{anchor}-cost")]),
+        "figures": frame.ready([cost_figure(card, f"{anchor}-cost")], reproduce.scorecard(card)),
         "missing": _missing(card),
         "groups": _gate_groups(card, gates),
         "file": card["file"],
+        "command": reproduce.scorecard(card),
     }
 
 

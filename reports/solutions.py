@@ -116,6 +116,7 @@ def _figure(lines, name, prefix, with_keys):
     lines = [(entry, level, columns) for entry, level, columns in lines if name + profiles.REFERENCE in columns]
     finest = max(lines, key=lambda line: len(line[2][name]))[2]
     field = profiles.column_label(finest, name)
+    limits, beyond = profiles.window([columns for _, _, columns in lines], name)
 
     def paint(axes):
         x, y = profiles.envelope(finest[finest.abscissa], finest[name + profiles.REFERENCE])
@@ -124,6 +125,8 @@ def _figure(lines, name, prefix, with_keys):
             x, y = profiles.envelope(columns[columns.abscissa], columns[name])
             axes.plot(x, y, color=svg.series_colour(entry.style), linewidth=1.1, label=entry.label, dashes=_dashes(entry, lines))
         axes.set(xlabel=profiles.axis_label(finest, finest.abscissa), ylabel=profiles.axis_label(finest, name))
+        if limits:
+            axes.set_ylim(limits)
         for axis in (axes.xaxis, axes.yaxis):
             profiles.few_ticks(axis)
 
@@ -134,10 +137,11 @@ def _figure(lines, name, prefix, with_keys):
     drawing = svg.draw(paint, prefix, f"{field} of {text.listing(entry.label for entry, _, _ in lines)} over the exact solution{where}", height=2.2)
     others = [f"{entry.label} with {text.count(cells)}" for (entry, _, _), cells in zip(lines, sizes) if cells != sizes[0] and isinstance(cells, (int, float))]
     caption = f"Other numbers of cells: {text.listing(others)}." if others else ""
+    caption = " ".join(words for words in (caption if with_keys else "", beyond) if words)
     files = [level.get("file") for _, level, _ in lines]
     names = text.listing(entry.label for entry, _, _ in lines)
-    commands = [command for _, level, _ in lines if with_keys and (command := reproduce.run(level))]
-    return Solution(drawing, f"{field[0].upper() + field[1:]}{where}", caption if with_keys else "", files, keys if with_keys else [], commands, lines=names)
+    commands = [command for _, level, _ in lines if (command := reproduce.run(level))]
+    return Solution(drawing, f"{field[0].upper() + field[1:]}{where}", caption, files, keys if with_keys else [], commands, lines=names)
 
 
 def _dashes(entry, lines):

@@ -16,7 +16,7 @@ import maps
 import reproduce
 import svg
 import text
-from figures import Figure, Key, plain_axis, tick
+from figures import MOST_SERIES, Figure, Key, plain_axis, tick
 from plumbline.reader import STABILITY_FILE
 
 CASE_PREFIX = "stability-"
@@ -622,7 +622,9 @@ def growth(problem, prefix):
     names = panels if single else list(dict.fromkeys(choices for _, choices in lines))
     chosen = names if single else [names[index] for index in _evenly(len(names), MOST_LINES)]
     drawn = [(c, choices) for c, choices in lines if single or choices in chosen]
-    shown = [""] if single else panels[:MOST_PANELS]
+    # Of single lines each panel tells the next ones apart; else each panel is an integrator.
+    groups = [names[at : at + MOST_SERIES] for at in range(0, len(names), MOST_SERIES)]
+    shown = groups if single else panels[:MOST_PANELS]
     threshold = _threshold(problem["configurations"])
     columns = 1 if len(shown) == 1 else 2
 
@@ -630,14 +632,15 @@ def growth(problem, prefix):
         every = numpy.ravel(axes)
         for panel in every[len(shown) :]:
             panel.set_visible(False)
-        for panel, integrator in zip(every, shown):
+        for panel, group in zip(every, shown):
             for configuration, choices in drawn:
-                if single or (configuration.get("integrator") or "") == integrator:
+                integrator = configuration.get("integrator") or ""
+                if integrator in group if single else integrator == group:
                     style = chosen.index((configuration.get("integrator") or "") if single else choices)
                     _growth_line(panel, configuration, style, chosen[style] or "default")
             panel.axhspan(-threshold, threshold, color=svg.MUTED, alpha=0.15, linewidth=0)
-            if integrator:
-                panel.set_title(integrator, fontsize=8)
+            if not single:
+                panel.set_title(group, fontsize=8)
         _growth_axes(every, drawn, threshold)
         units = list(dict.fromkeys(unit(c.get("unit")) for c, _ in drawn))
         for panel in every[max(0, len(shown) - columns) : len(shown)]:

@@ -10,7 +10,7 @@ from plumbline import reader
 import speed
 import stability
 import text
-from cases import GREEN, URGENCY, VERDICTS, most_urgent_first
+from cases import GREEN, URGENCY, VERDICTS, error_of, most_urgent_first
 
 ORIGINS = {
     "theory": "theory",
@@ -478,7 +478,7 @@ def level_rows(case, measure):
 
 
 def _error(level, measure, key="error"):
-    return ((level.get("measures") or {}).get(measure) or {}).get(key)
+    return error_of((level.get("measures") or {}).get(measure), key)
 
 
 def scalar_rows(case):
@@ -496,10 +496,10 @@ def scalar_rows(case):
                         "cells": _cells(entry.levels[-1]),
                         "measure": name,
                         "value": text.number(values["value"], 6),
-                        "reference": text.number(values.get("reference"), 6),
+                        "reference": "no reference" if values.get("reference") is None else text.number(values["reference"], 6),
                         "unit": "" if values.get("unit") in (None, "1") else text.unit(values["unit"]),
-                        "relative": text.number(values.get("relative_error")),
-                        "bound": text.number(values.get("reference_bound"), 2),
+                        "relative": text.number(error_of(values, "relative_error")),
+                        "bound": text.number(None if values.get("reference") is None else values.get("reference_bound"), 2),
                     }
                 )
     return rows
@@ -519,7 +519,7 @@ def reference_budget(case):
                 if (
                     isinstance(values, dict)
                     and values.get("reference_bound") is not None
-                    and values.get("error")
+                    and error_of(values)
                 ):
                     bound, error = found.get(name, (0.0, float("inf")))
                     found[name] = max(bound, values["reference_bound"]), min(error, values["error"])

@@ -20,6 +20,7 @@ import scipy.spatial
 import figures
 import normals
 import profiles
+import reproduce
 import svg
 import text
 from figures import Figure, Key
@@ -130,7 +131,12 @@ def drawing(entry, title, cases, results):
         words.append(f"{entry['note']}.")
     if missing:
         words.append(f"Not in these results: {_named(missing)}.")
-    return Figure(drawn, title, " ".join(words), [result.name for _, result in there], keys), ""
+    commands = [_command(result, kind) for _, result in there]
+    return Figure(drawn, title, " ".join(words), [result.name for _, result in there], keys, [command for command in commands if command]), ""
+
+
+def _command(result, kind):
+    return reproduce.pictures(result.run, len(result.frames)) if kind == "points" else reproduce.run(result.run)
 
 
 def anchor(figure):

@@ -1,9 +1,10 @@
 // Search over the words of all pages. The words are a script beside the pages, loaded when somebody searches, or when an
-// address names a part that stands on another page than it did.
+// address names a part that stands on another page than it did. A report in one file is read for its words itself.
 'use strict';
 const plumblineSearch = (() => {
   const MOST_PAGES = 12;
   const MOST_PLACES = 4; // of one page
+  const isFolder = 'root' in document.documentElement.dataset;
   const root = document.documentElement.dataset.root ?? '';
   const plain = text => text.toLowerCase().normalize('NFD').replace(/[\u0300-\u036f]/g, '');
   let index, asked;
@@ -17,6 +18,7 @@ const plumblineSearch = (() => {
 
   function load() {
     asked ??= new Promise((done, failed) => {
+      if (!isFolder) index ??= wordsOfThisFile();
       if (index) return done();
       const script = make('script', { src: `${root}shared/words.js` });
       script.addEventListener('load', done);
@@ -24,6 +26,34 @@ const plumblineSearch = (() => {
       document.head.append(script);
     });
     return asked;
+  }
+
+  // As search_index.py makes it of a folder: whatever a link can lead to is a place, with the words up to the next one. Each
+  // section and each case stands for a page.
+  function wordsOfThisFile() {
+    const pages = [], places = [], at = new Map();
+    const titled = part => part.querySelector('h1, h2, h3, h4, th, summary, caption, .plot-title')?.textContent.trim().slice(0, 90) ?? '';
+    const add = text => {
+      for (const whole of plain(text).match(/[\p{L}\p{N}](?:[\p{L}\p{N}_.+'’-]*[\p{L}\p{N}])?/gu) ?? [])
+        for (const word of [whole, ...whole.match(/[\p{L}\p{N}]+/gu)]) {
+          if (word.length < 2 || /^[\d.+\-e×]*$/.test(word)) continue;
+          if (!at.has(word)) at.set(word, new Set());
+          at.get(word).add(places.length - 1);
+        }
+    };
+    const visit = (node, page) => {
+      if (node.nodeType === Node.TEXT_NODE) return add(node.data);
+      if (node.nodeType !== Node.ELEMENT_NODE || node.matches('script, style')) return;
+      if (node.id && node.parentElement.tagName !== 'MAIN') places.push([page, node.id, node.matches('svg') ? titled(node.parentElement) : titled(node)]);
+      if (node.matches('svg')) return add(node.getAttribute('aria-label') ?? '');
+      for (const child of node.childNodes) visit(child, page);
+    };
+    for (const part of document.querySelectorAll('main > [id]')) {
+      places.push([pages.push(['', titled(part)]) - 1, part.id, titled(part)]);
+      visit(part, pages.length - 1);
+    }
+    const steps = found => [...found].map((place, number, all) => (place - (number ? all[number - 1] : 0)).toString(36)).join(' ');
+    return { pages, places, words: Object.fromEntries([...at].map(([word, found]) => [word, steps(found)])) };
   }
 
   function places(word) {
@@ -88,7 +118,8 @@ const plumblineSearch = (() => {
         ),
       ),
     );
-    count.textContent = `${found.length || 'No'} ${found.length === 1 ? 'page has' : 'pages have'} ${words.length === 1 ? 'this word' : 'these words'}${
+    const noun = isFolder ? 'page' : 'part';
+    count.textContent = `${found.length || 'No'} ${noun}${found.length === 1 ? ' has' : 's have'} ${words.length === 1 ? 'this word' : 'these words'}${
       found.length > MOST_PAGES ? `, the first ${MOST_PAGES}:` : ''
     }`;
   }
@@ -96,7 +127,7 @@ const plumblineSearch = (() => {
   // An address may name a part that has moved to a page of its own.
   async function goHome() {
     const name = decodeURIComponent(location.hash.slice(1));
-    if (!name || document.getElementById(name) || !('root' in document.documentElement.dataset)) return;
+    if (!name || document.getElementById(name) || !isFolder) return;
     await load();
     const place = index.places.find(([, known]) => known === name);
     if (place) location.replace(`${root}${index.pages[place[0]][0]}#${name}`);

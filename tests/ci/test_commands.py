@@ -197,8 +197,8 @@ def test_report_sets_up_builds_verifies_and_renders(tree, tmp_path):
         "plumbline sweep --tier quick --results results", "plumbline verify --reuse --tier quick --results results",
         bench("quick", "1e5"), stability("quick"), cost("quick"), "plumbline list --json -", scorecard("musl"), scorecard("rk4"),
         "chosen-python reports/history.py results results/history.jsonl --tier quick",
-        "chosen-python reports/render.py results report --history results/history.jsonl",
-        "chosen-python -B reports/docs/build.py build/release/bin/plumbline report/docs"]
+        "chosen-python -B reports/docs/build.py build/release/bin/plumbline report/docs",
+        "chosen-python reports/render.py results report --history results/history.jsonl"]
     assert result.stdout.splitlines()[-1].endswith(f"{tree.root}/report/index.html")
 
 

@@ -9,6 +9,7 @@ sys.path.insert(0, str(ROOT / "reports"))
 
 import cases as gathering  # noqa: E402  (needs the path above)
 import reproduce  # noqa: E402
+import york_figures  # noqa: E402
 from plumbline import reader  # noqa: E402
 
 
@@ -67,6 +68,52 @@ def test_each_kind_of_gate(verified, tmp_path_factory, case, wanted):
     gate = next(gate for gate in verified if gate["case"] == case and wanted(gate))
     (same,) = again(reproduce.gate(gate), tmp_path_factory)["gates"]
     assert (same["id"], same["measured"], same["verdict"]) == (gate["id"], gate["measured"], gate["verdict"])
+
+
+def test_pictures_of_a_run(plumbline, tmp_path_factory):
+    """The points at every instant, also in the pictures of York's figures, which are drawn of the same frames."""
+    plumbline("run", "two-disks", "--cells", 10, "--frames", 4)
+    (result,) = reader.load_folder(plumbline.folder / "results").runs
+    command = reproduce.pictures(result.run, len(result.frames))
+    assert york_figures._command(result, "points") == command
+    elsewhere = Plumbline(tmp_path_factory.mktemp("again"))
+    assert elsewhere(*shlex.split(command)[1:]).code == 0
+    (same,) = reader.load_folder(elsewhere.folder / "results").runs
+    assert len(same.frames) == 4 and (same.frames.times == result.frames.times).all()
+    assert (same.frames.points["position"] == result.frames.points["position"]).all()
+
+
+def test_growth_of_a_problem_among_several(plumbline, tmp_path_factory):
+    document = plumbline("stability", "oscillator", "plane", "--no-runs", json=True).json("stabilities")
+    wanted = next(problem for problem in document["problems"] if problem["problem"] == "oscillator")
+    same = again(reproduce.growth("oscillator", document), tmp_path_factory)
+    assert [row["growth"] for row in same["configurations"]] == [row["growth"] for row in wanted["configurations"]]
+
+
+def test_maps_of_a_problem_among_several(plumbline, tmp_path_factory):
+    document = plumbline("stability", "plane", "wave", "--maps", "--no-runs", "--tier", "quick", json=True).json("stabilities")
+    wanted = next(problem for problem in document["problems"] if problem["problem"] == "plane")
+    assert wanted["maps"] and again(reproduce.maps("plane", document), tmp_path_factory)["maps"] == wanted["maps"]
+
+
+def test_memory_and_counts_of_the_speed_page(plumbline, tmp_path_factory):
+    """Times are those of the machine; what a step moves, computes and holds is the same again."""
+    columns = ("name", "part", "points", "threads", "bytes_per_point", "flops_per_point", "stored_bytes_per_point", "energy_drift")
+    documents = [plumbline("bench", "--points", "1e3", "--tier", "quick", json=True).json()]
+    documents.append(again(reproduce.stated(documents[0]), tmp_path_factory))
+    first, second = ([[row[name] for name in columns] for row in document["kernels"] if row["part"] == "scale"] for document in documents)
+    assert first and first == second
+
+
+def test_scorecard_of_an_integrator(plumbline, tmp_path_factory):
+    plumbline("verify", "--integrator", "usavg", "--core")
+    (card,) = reader.load_folder(plumbline.folder / "results").scorecards
+    elsewhere = Plumbline(tmp_path_factory.mktemp("again"))
+    assert elsewhere(*shlex.split(reproduce.scorecard(card))[1:]).code in (0, 1)
+    (same,) = reader.load_folder(elsewhere.folder / "results").scorecards
+    assert [(gate["id"], gate["measured"]) for gate in same["gates"]] == [(gate["id"], gate["measured"]) for gate in card["gates"]]
+    errors = [[level["error"] for curve in made["cost"] for level in curve["levels"]] for made in (card, same)]
+    assert card["gates"] and errors[0] == errors[1]
 
 
 def test_no_command_where_a_file_does_not_say_what_was_chosen():

@@ -10,11 +10,18 @@ import time
 import pytest
 
 import chromium
+import history
+import pages
+import render
+import synthetic_crowd
 import synthetic_results
+import york_figures
+from plumbline import reader
 
 SIZES = {"phone": (390, 844), "desk": (1440, 1000)}
 AXE = pathlib.Path(__file__).resolve().parents[2] / "build/npm/node_modules/axe-core/axe.min.js"
 LOOKED_AT = ("index.html", "cases/sod.html", "scheme.html", "step.html", "integrators.html", "gates.html", "trust.html", "failures.html")
+PRINTED = ("step.html", "york.html", "york-figures.html", "trust.html", "mutants.html", "cases/sod.html", f"cases/{synthetic_crowd.CASE}.html")
 MOST_SHEETS = 10
 WAIT = "new Promise(done => setTimeout(done, 300))"
 
@@ -98,6 +105,41 @@ def test_search_finds_words_of_all_pages_offline(browser, folder, start, text):
     assert search(browser, "nosuchword") == [] and browser.messages == []
 
 
+@pytest.mark.parametrize("text", ["CFL", "hoop", "ring hoop", "density.L1"])
+def test_search_over_a_single_file(browser, page, text):
+    """Its words are those that stand in it: no second file is asked for."""
+    browser.messages.clear()
+    browser.open(page, *SIZES["desk"])
+    found = search(browser, text)
+    assert found and all(address.startswith("#") and browser.is_there(address[1:]) for _, address in found)
+    browser.evaluate("document.querySelector('#found a').click()")
+    target = found[0][1][1:]
+    assert browser.evaluate("location.hash") == f"#{target}" and browser.evaluate("document.getElementById('found').hidden")
+    part = browser.evaluate(f"document.getElementById({json.dumps(target)}).closest('main > *').textContent").lower()
+    assert all(word.lower() in part for word in text.split())
+    assert search(browser, "nosuchword") == [] and browser.messages == []
+
+
+def test_quantities_of_the_history_fold_and_its_comparisons_are_chosen(browser, tmp_path):
+    synthetic_results.spring_files_only(tmp_path / "results")
+    for commit, order in (("aaa", 1.0), ("bbb", 1.3), ("ccc", 1.0)):
+        entry = {"commit": commit, "machine": "one", "tier": "quick", "started": "2026-01-01T00:00:00Z", "verdicts": {"PASS": 1}, "limits": {}, "cost": {}}
+        entry |= {"orders": {"sod · L1": [order, order - 0.01, order + 0.01]}, "constants": {"sod · L1": 2.0, "noh · L1": 1.0}}
+        history.append(tmp_path / "results/history.jsonl", entry)
+    assert render.main([str(tmp_path / "results"), str(tmp_path / "out")]) == 0
+    browser.open(tmp_path / "out/changes.html", *SIZES["desk"])
+    shown = "[...document.querySelectorAll('[data-comparison]')].filter(part => part.getClientRects().length).map(part => part.textContent)"
+    (first,) = browser.evaluate(shown)
+    assert "bbb" in first and "1 worse" in first
+    browser.evaluate("(box => { box.value = '1'; box.dispatchEvent(new Event('change', {bubbles: true})); })(document.querySelector('[data-compare]'))")
+    (second,) = browser.evaluate(shown)
+    assert "aaa" in second and "0 worse" in second
+    lines = "[...document.querySelectorAll('#changed polyline')].filter(line => line.closest('details').open).length"
+    assert browser.evaluate(lines) == 0
+    browser.evaluate("[...document.querySelectorAll('#changed summary')].find(part => part.textContent.startsWith('sod')).click()")
+    assert browser.evaluate(lines) == 2
+
+
 def test_an_old_address_leads_to_the_page_of_its_part(browser, folder):
     for name in ("case-sod", "gate-spring-mass-default-amplitude", "trust"):
         known = re.search(rf'id="?{name}', "".join(path.read_text(encoding="utf-8") for path in folder.rglob("*.html")))
@@ -130,17 +172,30 @@ def test_the_index_is_painted_within_a_second(browser, folder, tmp_path):
     assert 0 < painted < 1000
 
 
-def test_no_page_but_the_list_of_gates_prints_on_more_than_ten_sheets(browser, folder, tmp_path):
-    if not shutil.which("pdfinfo"):
-        pytest.skip("pdfinfo is not installed (apt-get install poppler-utils)")
-    for path in LOOKED_AT:
-        if path == "gates.html":
-            continue
-        browser.open(folder / path, *SIZES["desk"])
-        target = tmp_path / "page.pdf"
-        target.write_bytes(browser.pdf())
-        said = subprocess.run(["pdfinfo", target], capture_output=True, text=True, check=True).stdout
-        assert int(re.search(r"Pages:\s*(\d+)", said)[1]) <= MOST_SHEETS, path
+def sheets(browser, path, target):
+    """On how many sheets a page prints."""
+    browser.open(path, *SIZES["desk"])
+    target.write_bytes(browser.pdf())
+    said = subprocess.run(["pdfinfo", target], capture_output=True, text=True, check=True).stdout
+    return int(re.search(r"Pages:\s*(\d+)", said)[1])
+
+
+@pytest.fixture(scope="module")
+def crowded(tmp_path_factory):
+    """Pages of results as crowded as the largest real ones, with a picture for each of York's figures that has one."""
+    root = tmp_path_factory.mktemp("crowded")
+    synthetic_crowd.write(root / "results")
+    shown = render.report(reader.load_folder(root / "results"))
+    drawn = next(figure for page in shown["pages"] for pair in page["convergence"] for figure in pair)
+    shown["york"]["pictures"] = [drawn] * len(york_figures.PICTURED)
+    pages.write(shown, root / "report")
+    return root / "report"
+
+
+@pytest.mark.skipif(not shutil.which("pdfinfo"), reason="pdfinfo is not installed (apt-get install poppler-utils)")
+def test_no_page_but_the_list_of_gates_prints_on_more_than_ten_sheets(browser, crowded, tmp_path):
+    found = {path: sheets(browser, crowded / path, tmp_path / "page.pdf") for path in PRINTED}
+    assert {path: count for path, count in found.items() if count > MOST_SHEETS} == {}
 
 
 # --- ten questions of readers, each answered in at most three clicks from the index ----------------------

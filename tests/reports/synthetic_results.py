@@ -176,6 +176,7 @@ def run_object(case, scheme, cells, settings, measures, **more):
         "case": case,
         "scheme": scheme,
         "settings": {**settings, "cells": cells},
+        "choices": settings,
         "verdict": "NONE",
         "finished": True,
         "stop": None,
@@ -318,6 +319,7 @@ def write_study(folder, case, scheme, vary, levels, measures, catalog, **more):
         "id": more.get("id", "study"),
         "title": more.get("title", ""),
         "why": more.get("why", ""),
+        "choices": more.get("choices", settings),
     }
     parts = {"study": study, "fit": measures, "gates": gates, "catalog": catalog, "provenance": PROVENANCE}
     name = f"study-{case}-{scheme}-{vary}-{digest(case, scheme, vary, settings)}.h5"
@@ -847,6 +849,7 @@ def spring_files(folder):
         "period": measure(1.2e-5, 0.01987, 0.0198592, "s"),
         "max_displacement": measure(2e-6, 0.004997, 0.004995, "m"),
         "energy_drift": measure(None, 2e-3, None, "1", None),
+        "largest_stretch": measure(0.0, 1.625, None, "1", 0.0),  # a value without a reference, whose file states an error
     }
     run = run_object(
         "spring-mass", "york1997", 20, settings, measures, points=10, steps=55556, wall_s=0.07, time=0.1

@@ -297,10 +297,11 @@ def test_charts_and_figures_of_a_case_are_drawn():
     assert cost.case_figures(doc, OneCase("lax"), "case-lax") == []
 
 
-def test_a_figure_tells_eight_lines_apart_and_says_how_many_there_are_besides():
+def test_a_figure_tells_eight_lines_apart_and_the_others_are_in_the_next():
     runs = [run for number in range(11) for run in first_order("default", f"study-{number}", 1 + number)]
-    time, _ = cost.case_figures(document(first_order("default", "default", 1) + runs), OneCase("sod"), "case-sod")
-    assert len([key for key in time.keys if key.label != "Pareto front"]) == 8 and "4 further lines in the tables" in time.caption
+    time, more, *_ = cost.case_figures(document(first_order("default", "default", 1) + runs), OneCase("sod"), "case-sod")
+    assert [len([key for key in figure.keys if key.label != "Pareto front"]) for figure in (time, more)] == [8, 4]
+    assert "4 further lines" in time.caption and more.further and not time.further
 
 
 def test_page_with_costs(tmp_path):

@@ -3,6 +3,8 @@
 import json
 
 import history
+import numpy
+import order_change
 import pytest
 import render
 from plumbline import reader
@@ -26,7 +28,7 @@ def line(commit="a", **parts):
 
 def changed(before, after):
     found = history.compare(before, after)
-    return {change: [row["kind"] for row in found[change]] for change in ("worse", "better", "new", "missing") if found[change]}
+    return {change: [row["kind"] for row in found[change]] for change in ("worse", "inconclusive", "better", "new", "missing") if found[change]}
 
 
 def test_a_key_has_one_line(tmp_path):
@@ -40,21 +42,24 @@ def test_a_key_has_one_line(tmp_path):
 
 
 @pytest.mark.parametrize("end", [json.dumps(line("b"))[:40], "\xff\x00", "[]", "{}", json.dumps(line("b", orders={"x": [1]}))])
-def test_a_damaged_line_is_left_out_and_named(end, tmp_path):
+def test_a_damaged_line_is_named_and_kept(end, tmp_path):
     path = tmp_path / "history.jsonl"
-    path.write_bytes(json.dumps(line("a")).encode() + b"\n" + end.encode("latin-1"))
+    path.write_bytes(json.dumps(line("a")).encode() + b"\n\n" + end.encode("latin-1"))
+    said = ["line 3 of history.jsonl is damaged: it is kept and not used"]
     entries, notes = history.read(path)
-    assert entries == [line("a")] and notes == ["line 2 of history.jsonl is damaged and left out"]
-    assert history.append(path, line("c")) == notes
-    assert history.read(path) == ([line("a"), line("c")], [])
+    assert entries == [line("a")] and notes == said
+    assert history.append(path, line("c")) == said
+    assert history.append(path, line("a")) != [] and history.append(path, line("a")) != []  # replaces the first
+    assert history.read(path)[0] == [line("c"), line("a")] and end.encode("latin-1") in path.read_bytes().splitlines()
 
 
 @pytest.mark.parametrize("parts, expected", [
     ({}, {}),
-    ({"orders": {"sod · L1": [0.95, 0.9, 1.0]}}, {}),  # within the interval
     ({"orders": {"sod · L1": [0.96, 0.959, 0.961]}}, {}),
-    ({"orders": {"sod · L1": [0.8, 0.7, 0.89]}}, {"worse": ["orders"]}),
-    ({"orders": {"sod · L1": [0.8, 0.5, 1.05]}}, {}),  # the earlier one is within the new interval
+    ({"orders": {"sod · L1": [0.8, 0.7, 0.9]}}, {"worse": ["orders"]}),
+    ({"orders": {"sod · L1": [0.9, 0.8, 1.0]}}, {"inconclusive": ["orders"]}),  # the interval of the difference holds 0
+    ({"orders": {"sod · L1": [0.8, 0.5, 1.1]}}, {"inconclusive": ["orders"]}),
+    ({"orders": {"sod · L1": [0.8, None, None]}}, {"inconclusive": ["orders"]}),
     ({"orders": {"sod · L1": [1.3, 1.2, 1.4]}}, {"better": ["orders"]}),
     ({"orders": {}}, {"missing": ["orders"]}),
     ({"orders": {"sod · L1": [1.0, 0.9, 1.1], "lax · L1": [1.0, 0.9, 1.1]}}, {"new": ["orders"]}),
@@ -70,6 +75,47 @@ def test_a_damaged_line_is_left_out_and_named(end, tmp_path):
 ])
 def test_what_counts_as_a_change(parts, expected):
     assert changed(line("a"), line("b", **parts)) == expected
+
+
+H = [1 / cells for cells in (50, 100, 200, 400)]
+
+
+def levels(order, scatter=0.0):
+    return [[h, 2 * h**order * (1 + scatter * (-1) ** number)] for number, h in enumerate(H)]
+
+
+@pytest.mark.parametrize("after, expected", [
+    (levels(1.0), {}),
+    (levels(0.97), {}),
+    (levels(0.9), {"worse": ["orders"]}),  # however wide the intervals of the orders themselves
+    (levels(1.1), {"better": ["orders"]}),
+    (levels(0.8, 0.1), {"inconclusive": ["orders"]}),
+    (levels(0.9)[:2], {"inconclusive": ["orders"]}),  # two levels alone say nothing of the slope: by both intervals
+    ([[h / 3, error] for h, error in levels(0.9)], {"inconclusive": ["orders"]}),  # no level in common
+])  # fmt: skip
+def test_orders_are_compared_level_by_level_where_both_have_them(after, expected):
+    wide = {"sod · L1": [1.0, 0.5, 1.5]}
+    order = {"sod · L1": [0.9, 0.4, 1.4]}
+    assert changed(line("a", orders=wide, errors={"sod · L1": levels(1.0)}), line("b", orders=order, errors={"sod · L1": after})) == expected
+
+
+def test_the_slope_is_that_of_plumbline_diff():
+    """By hand: ln of the ratios 1, 1.1, 1.3 over ln h in steps of ln 2; Student's t with one degree of freedom, 12.706."""
+    before = [[h, 1.0] for h in H[:3]]
+    slope, half = order_change.paired(before, [[h, error] for h, error in zip(H, (1.0, 1.1, 1.3))])
+    y, x = numpy.log([1.0, 1.1, 1.3]), numpy.log(H[:3])
+    residual = y - numpy.polyval(numpy.polyfit(x, y, 1), x)
+    assert slope == pytest.approx(numpy.polyfit(x, y, 1)[0])
+    assert half == pytest.approx(12.7062 * numpy.sqrt((residual**2).sum() / ((x - x.mean()) ** 2).sum()), rel=1e-5)
+    assert order_change.paired(before, before) == (0, 0)
+
+
+def test_quantities_stand_under_their_case(tmp_path):
+    entries = [line(commit, orders={"sod · L1": [1, 0.9, 1.1], "noh · L1": [1, 0.9, 1.1]}, cost={"sod · default": 2.0}) for commit in "ab"]
+    groups = history.lines(entries)
+    assert [(group["title"], [row["kind"] for row in group["rows"]]) for group in groups] == [
+        ("noh", ["orders"]), ("sod", ["orders", "constants", "cost"]), ("usl", ["limits"])]  # fmt: skip
+    assert [row["name"] for row in groups[1]["rows"]] == ["L1", "L1", "default"]
 
 
 def test_sparklines_leave_gaps_out():

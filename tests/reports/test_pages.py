@@ -32,7 +32,7 @@ def test_every_link_and_every_shared_file_is_there(folder, written):
         twice = [name for name, times in Counter(identifiers(source)).items() if times > 1]
         assert not twice, path
         for address in re.findall(r'(?:href|src)="?([^"\s>]+)', source):
-            if address.startswith(("data:", "docs/", "../docs/")):  # the documents are made by a command of their own
+            if address.startswith("data:"):
                 continue
             file, _, name = unquote(address).partition("#")
             target = (folder / path).parent / file if file else folder / path
@@ -87,6 +87,18 @@ def test_pages_of_cases_that_are_gone_are_removed(tmp_path):
     assert not old.exists() and other.exists() and (tmp_path / "out/cases/spring-mass.html").exists()
 
 
+def test_the_contents_name_the_documents_where_they_are(tmp_path):
+    """They are made by a command of their own, before the pages."""
+    synthetic_results.spring_files_only(tmp_path / "results")
+    for is_there in (False, True):
+        if is_there:
+            (tmp_path / "out/docs").mkdir()
+            (tmp_path / "out/docs/index.html").write_text("made")
+        assert render.main([str(tmp_path / "results"), str(tmp_path / "out")]) == 0
+        for name, link in (("index.html", "docs/index.html"), ("cases/spring-mass.html", "../docs/index.html")):
+            assert (f'href="{link}"' in (tmp_path / "out" / name).read_text(encoding="utf-8")) == is_there
+
+
 def test_the_result_comes_first_on_the_page_of_a_case(written):
     titles = [re.sub("<[^>]*>", "", title) for title in re.findall(r"<h2 id=.*?</h2>", written["cases/sod.html"])]
     assert [title.split(maxsplit=1)[1] for title in titles] == [
@@ -120,3 +132,12 @@ def test_places_are_headings_gates_and_figures():
     assert places["a"].title == "First part" and {"hoop", "stress", "creme"} <= places["a"].words and "12.5" not in places["a"].words
     assert places["gate-x"].title == "period" and "period" in places["gate-x"].words
     assert places["f"].title == "Density" and "york" in places["f"].words and "axis" not in places["f"].words
+
+
+# --- commands ---------------------------------------------------------------------------------------
+
+
+def test_every_figure_has_the_command_that_makes_its_numbers(written):
+    figures = [(path, figure) for path, source in written.items() for figure in re.findall(r'<figure class="?plot.*?</figure>', source, re.DOTALL)]
+    without = [(path, re.search(r"plot-title[^>]*>([^<]*)", figure)[1]) for path, figure in figures if "Reproduce: <code>plumbline " not in figure]
+    assert len(figures) > 20 and without == []
