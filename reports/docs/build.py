@@ -18,6 +18,7 @@ import generated
 
 HERE = pathlib.Path(__file__).resolve().parent
 STYLES = HERE.parent / "templates"
+SCROLLED = re.compile(r'(<pre(?=>)|<table(?= class="docutils))')  # what is wider than a phone: the keyboard scrolls it once it has the focus
 OUTSIDE = re.compile(r"\[([^\]]+)\]\((?:\.\./)+(?:kernel|cases|reference|tests|ci|\.github|[A-Z]+\.md|reports)[^)]*\)")
 
 
@@ -48,6 +49,8 @@ def build(plumbline, output):
             return process.stderr
         for left in (".buildinfo", "objects.inv"):
             (made / left).unlink(missing_ok=True)
+        for page in made.rglob("*.html"):
+            page.write_text(SCROLLED.sub(r'\1 tabindex="0"', page.read_text(encoding="utf-8")), encoding="utf-8")
         shutil.rmtree(output, ignore_errors=True)
         shutil.copytree(made, output)
     return ""

@@ -15,7 +15,7 @@ beside it, `run.profile.units["density"]`.
 """
 
 from plumbline.execution import ExecutableNotFound, ExecutionError, RunStopped, converge, run, verify
-from plumbline.reader import Columns, DamagedFile, Folder, Frames, NewerFormat, Result, ResultsError, load
+from plumbline.reader import Columns, DamagedFile, Folder, Frames, NewerFormat, NotInstalled, Result, ResultsError, load
 from plumbline.reader import load_folder as results
 
 __version__ = "0.6.0"
@@ -27,6 +27,7 @@ __all__ = [
     "Folder",
     "Frames",
     "NewerFormat",
+    "NotInstalled",
     "Result",
     "ResultsError",
     "RunStopped",

@@ -71,8 +71,9 @@ def run(
 
     `settings` are the keys that `plumbline explain CASE` lists; one with a dot is given as `**{"viscosity.linear": 0.1}`.
     `frames` keeps so many snapshots of all points. The result file stays in the folder `results`, if one is given.
-    Raises ExecutionError for what the executable refuses, RunStopped when the run stopped, ExecutableNotFound.
+    Raises ExecutionError for what the executable refuses, RunStopped when the run stopped, ExecutableNotFound, NotInstalled without h5py.
     """
+    reader.hdf5()  # first, for a run may take hours
     options = [case, *_given(cells=cells, frames=frames), *_common(scheme, integrator, threads, plugins, settings)]
     with _Call("run", options, results, executable) as call:
         return call.result(reader.load(call.folder / call.document["file"]))
@@ -95,6 +96,7 @@ def converge(
 
     `cells` are the meshes, else those that the case declares; `vary` is what is refined: cells, dt, ppc or offset. All else as for `run`.
     """
+    reader.hdf5()
     meshes = None if cells is None else ",".join(str(number) for number in cells)
     options = [case, *_given(cells=meshes, vary=vary), *_common(scheme, integrator, threads, plugins, settings)]
     with _Call("converge", options, results, executable) as call:

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy
 
-from plumbline.reader import Columns, Result
+from plumbline.reader import Columns, NotInstalled, Result
 
 REFERENCE = "_reference"
 
@@ -59,8 +59,10 @@ def draw_errors(study: Result, name: str = "", axes: Any = None) -> Any:
 def _axes(axes: Any) -> Any:
     if axes is not None:
         return axes
-    from matplotlib import pyplot
-
+    try:
+        from matplotlib import pyplot
+    except ImportError as error:
+        raise NotInstalled("matplotlib", "figures need") from error
     return pyplot.gca()
 
 

@@ -6,8 +6,8 @@
 
     python -m plumbline FILE --csv gates > gates.csv
 
-Needs numpy and h5py. Numbers keep the units the file states; non-finite numbers are None in the JSON parts.
-Exit status: 0; 2 the file has no such table; 4 the file is damaged, missing or of a newer format.
+Needs numpy, and h5py to read a file. Numbers keep the units the file states; non-finite numbers are None in the JSON parts.
+Exit status: 0; 1 h5py is not installed; 2 the file has no such table; 4 the file is damaged, missing or of a newer format.
 """
 
 import argparse
@@ -22,7 +22,6 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any, TextIO
 
-import h5py
 import numpy
 
 FORMAT_VERSION = 2
@@ -100,6 +99,22 @@ class NoSuchTable(ResultsError, KeyError):
 
     def __str__(self):
         return self.args[0]
+
+
+class NotInstalled(ImportError):
+    """A library that not every use of the package needs is missing; the text says how to install it."""
+
+    def __init__(self, library: str, use: str) -> None:
+        super().__init__(f"{library} is not installed, which {use}: apt-get install python3-{library}, or pip install {library}", name=library)
+
+
+def hdf5() -> Any:
+    """The library that reads result files; gates and settings come without it."""
+    try:
+        import h5py
+    except ImportError as error:
+        raise NotInstalled("h5py", "reading result files needs") from error
+    return h5py
 
 
 class Columns(dict[str, numpy.ndarray]):
@@ -249,6 +264,7 @@ def load(path: str | os.PathLike[str]) -> Result:
     path = pathlib.Path(path)
     if not path.exists():
         raise FileNotFoundError(f"{path}: no such file")
+    h5py = hdf5()
     try:
         check_seal(path)
         with h5py.File(path, "r") as file:
@@ -1024,6 +1040,8 @@ def main(arguments=None):
                 f"{', '.join(result.table_names())}"
             )
         sys.stdout.flush()
+    except NotInstalled as error:
+        return _complain(error, 1)
     except NoSuchTable as error:
         return _complain(error, 2)
     except BrokenPipeError:

@@ -20,6 +20,8 @@ from contract import ROOT
 DOCS = ROOT / "reports/docs"
 PAGES = [DOCS / "start.md", *sorted((DOCS / "how-to").glob("*.md"))]
 PLUMBLINE = os.environ["PLUMBLINE"]
+MOST_SECONDS = 900  # what Start promises beside the build: the commands of a page that take longer are ended, which is an error of its test
+AXE = ROOT / "build/npm/node_modules/axe-core/axe.min.js"
 BLOCK = re.compile(r"^```(\w*) ?([^\n]*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 ELSEWHERE = {  # a command, as the documents show it: the file that runs it, and what it calls it there
     "git clone REPOSITORY plumbline": (".github/workflows/ci.yml", "actions/checkout"),
@@ -90,7 +92,7 @@ def run(folder, text):
             script.append(f"cat > {step[0]} <<'END OF THE FILE'\n{step[1]}END OF THE FILE")
         else:
             script.append(f"{{ {step[0]}\n}} > {folder}/printed.{number} 2>&1; echo $? > {folder}/status.{number}")
-    subprocess.run(["bash", "-c", "\n".join(script)], cwd=folder / "clone", env=environment(folder), timeout=900, check=False)
+    subprocess.run(["bash", "-c", "\n".join(script)], cwd=folder / "clone", env=environment(folder), timeout=MOST_SECONDS, check=False)
     return [
         (*step, (folder / f"printed.{number}").read_text(encoding="utf-8"), int((folder / f"status.{number}").read_text()))
         for number, step in enumerate(steps)
@@ -211,3 +213,50 @@ def test_the_reference_is_what_the_executable_says(site):
     for kind in ("integrators", "shapes", "transfers", "materials", "contacts"):
         for entry in listed[kind]:
             assert f">{entry['name']}<" in schemes, entry["name"]
+
+
+@pytest.fixture(scope="module")
+def browser():
+    sys.path.insert(0, str(ROOT / "tests/reports"))
+    import chromium
+
+    if not chromium.executable():
+        pytest.skip("no Chromium is installed (apt-get install chromium): the documents were not looked at in a browser")
+    with chromium.Chromium() as opened:
+        yield opened
+
+
+LOOKED_AT = ("index.html", "start.html", "theory/step.html", "reference/commands.html", "reference/keys.html")
+LISTED = "[...document.querySelectorAll('.pages .list a')].filter(link => link.checkVisibility()).length"
+
+
+@pytest.mark.parametrize("scripts", [True, False])
+@pytest.mark.parametrize("page", LOOKED_AT)
+def test_the_text_comes_first_on_a_phone_and_the_list_of_pages_unfolds(site, browser, page, scripts):
+    browser.allow_scripts(scripts)
+    try:
+        browser.open(site / page, 390, 844)
+        assert browser.evaluate("document.querySelector('#text h1').getBoundingClientRect().bottom") < 844 / 2
+        assert browser.evaluate(LISTED) == 0 and browser.evaluate("document.documentElement.scrollWidth") <= 390
+        x, y = browser.evaluate("(() => { const box = document.querySelector('.pages summary').getBoundingClientRect(); return [box.x + 10, box.y + box.height / 2]; })()")
+        for kind in ("mousePressed", "mouseReleased"):
+            browser.mouse(kind, x, y, button="left", clickCount=1)
+        assert browser.evaluate(LISTED) >= 4
+        browser.open(site / page, 1440, 1000)
+        assert browser.evaluate(LISTED) >= 4 and browser.evaluate("document.querySelector('.pages summary').checkVisibility()") is False
+    finally:
+        browser.allow_scripts(True)
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("size", [(390, 844), (1440, 1000)])
+def test_the_documents_are_accessible(site, browser, size, scheme):
+    if not AXE.exists():
+        pytest.skip("axe-core is not installed (ci/setup --with axe): contrast and names were not checked")
+    found = {}
+    for page in LOOKED_AT:
+        browser.open(site / page, *size, scheme)
+        browser.evaluate(f"document.querySelectorAll('.pages details').forEach(list => list.open = true); {AXE.read_text(encoding='utf-8')}; 0")
+        report = browser.evaluate("axe.run(document, {resultTypes: ['violations']}).then(found => found.violations.map(one => [one.id, one.nodes[0].html.slice(0, 120)]))")
+        found |= {page: report} if report else {}
+    assert found == {}

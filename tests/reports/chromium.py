@@ -128,7 +128,16 @@ class Chromium:
 
     def follow(self, expression):
         """Evaluates what leads to another file, and waits for it."""
-        self.evaluate(f"globalThis.left = true; {expression}; 0")
+        self.leave()
+        self.evaluate(f"{expression}; 0")
+        self.arrive()
+
+    def leave(self):
+        """Marks the page that is open, for `arrive` to know another."""
+        self.evaluate("globalThis.left = true; 0")
+
+    def arrive(self):
+        """Waits until another file than the marked one is loaded."""
         deadline = time.monotonic() + 10
         while time.monotonic() < deadline:
             try:

@@ -1,4 +1,4 @@
-"""The folder of pages in a real browser: search, old links, print, first paint, accessibility, and ten questions of readers."""
+"""The folder of pages in a real browser: search, old links, print, first paint, accessibility."""
 
 import json
 import pathlib
@@ -19,6 +19,7 @@ import york_figures
 from plumbline import reader
 
 SIZES = {"phone": (390, 844), "desk": (1440, 1000)}
+REPORT = pathlib.Path(__file__).resolve().parents[2] / "report"
 AXE = pathlib.Path(__file__).resolve().parents[2] / "build/npm/node_modules/axe-core/axe.min.js"
 LOOKED_AT = ("index.html", "cases/sod.html", "scheme.html", "step.html", "integrators.html", "gates.html", "trust.html", "failures.html")
 PRINTED = ("step.html", "york.html", "york-figures.html", "trust.html", "mutants.html", "cases/sod.html", f"cases/{synthetic_crowd.CASE}.html")
@@ -32,17 +33,6 @@ def browser():
         pytest.skip("no Chromium is installed (apt-get install chromium): the pages were not looked at in a browser")
     with chromium.Chromium() as opened:
         yield opened
-
-
-def follow(browser, text, within="main, nav"):
-    """Clicks the link with these words, as a reader would."""
-    places = " , ".join(f"{part.strip()} a" for part in within.split(","))
-    link = (
-        f"[...document.querySelectorAll({json.dumps(places)})].find(link => link.getClientRects().length && "
-        f"link.textContent.trim().startsWith({json.dumps(text)}))"
-    )
-    assert browser.evaluate(f"Boolean({link})"), f"no link {text!r} on {browser.evaluate('location.pathname')}"
-    browser.follow(f"{link}.click()")
 
 
 def words(browser):
@@ -166,10 +156,23 @@ def test_pages_are_whole_without_scripts(browser, folder):
 
 
 def test_the_index_is_painted_within_a_second(browser, folder, tmp_path):
-    browser.open(folder / "index.html", *SIZES["desk"])
+    assert 0 < painted(browser, folder, tmp_path) < 1000
+
+
+def painted(browser, report, tmp_path):
+    """Milliseconds from the start of loading the index from disk to the first text or picture."""
+    browser.open(report / "index.html", *SIZES["desk"])
     browser.screenshot(tmp_path / "index.png")  # a page that nobody sees is not painted
-    painted = browser.evaluate("performance.getEntriesByName('first-contentful-paint')[0]?.startTime ?? 0")
-    assert 0 < painted < 1000
+    return browser.evaluate("performance.getEntriesByName('first-contentful-paint')[0]?.startTime ?? 0")
+
+
+def test_the_report_of_the_program_is_light_and_quick(browser, tmp_path):
+    """The one that ci/report left, of all cases."""
+    if not (REPORT / "shared").is_dir():
+        pytest.skip("there is no report of the program (ci/report)")
+    sources = {str(path.relative_to(REPORT)): path.read_text(encoding="utf-8") for path in REPORT.rglob("*.html") if path.relative_to(REPORT).parts[0] != "docs"}
+    assert pages.too_large(sources) == []
+    assert 0 < painted(browser, REPORT, tmp_path) < 1000
 
 
 def sheets(browser, path, target):
@@ -196,82 +199,3 @@ def crowded(tmp_path_factory):
 def test_no_page_but_the_list_of_gates_prints_on_more_than_ten_sheets(browser, crowded, tmp_path):
     found = {path: sheets(browser, crowded / path, tmp_path / "page.pdf") for path in PRINTED}
     assert {path: count for path, count in found.items() if count > MOST_SHEETS} == {}
-
-
-# --- ten questions of readers, each answered in at most three clicks from the index ----------------------
-
-
-@pytest.fixture
-def index(browser, folder):
-    browser.open(folder / "index.html", *SIZES["desk"])
-    return browser
-
-
-def test_is_my_integrator_as_good_as_the_default(index, results):
-    follow(index, "Judge an integrator")
-    card = json.loads((results[0] / "scorecard-mine.json").read_text(encoding="utf-8")) if (results[0] / "scorecard-mine.json").exists() else None
-    if card is None:
-        pytest.skip("no scorecard in these results")
-    name = card["integrator"]["name"] if isinstance(card.get("integrator"), dict) else card["integrator"]
-    follow(index, name, "main table")
-    assert name in words(index) and f"{sum(row['gates'] or 0 for row in card['families'])} gates" in words(index)
-
-
-def test_which_scheme_to_choose(index, results):
-    follow(index, "Choose a scheme")
-    assert "Error against cost" in words(index)
-    if (results[0] / "cost.json").exists():
-        assert "Which scheme" in words(index)
-
-
-def test_which_step_is_the_largest_stable_one(index, results):
-    """Also: both limits of one integrator stand beside each other."""
-    follow(index, "Choose a step")
-    document = results[0] / "stability.json"
-    if document.exists():
-        assert all(problem["problem"] in words(index) for problem in json.loads(document.read_text(encoding="utf-8"))["problems"])
-
-
-def test_what_changed(index):
-    """The page is there; its history is told where the report was given one."""
-    follow(index, "What changed")
-    assert "What changed" in words(index)
-
-
-def test_how_york_did_on_sod(index):
-    follow(index, synthetic_results.sod_catalog()["title"])
-    legend = index.evaluate("[...document.querySelectorAll('.results .key li')].map(entry => entry.textContent.trim())")
-    assert any("York" in name for name in legend) and "exact" in legend
-    titles = index.evaluate("[...document.querySelectorAll('.results .plot-title')].map(title => title.textContent.toLowerCase())")
-    fields = [name for name in synthetic_results.sod_profile(100, 2.0) if name.endswith("_reference")]
-    assert len(titles) >= len(fields) and any("density" in title for title in titles)
-
-
-def test_reproduce_this_number(index):
-    follow(index, synthetic_results.sod_catalog()["title"])
-    assert synthetic_results.sod_catalog()["regenerate"] in words(index).replace("\xa0", " ")
-
-
-def test_what_failed_by_default(index):
-    follow(index, "Expected failures", "nav")
-    failing = [entry for entry in synthetic_results.all_gates() if entry["verdict"] == "XFAIL"]
-    assert failing and all(entry["id"] in words(index) and entry["cause"] in words(index) for entry in failing)
-
-
-def test_gates_without_the_identities(index):
-    follow(index, synthetic_results.sod_catalog()["title"])
-    judged = [entry for entry in synthetic_results.all_gates() if entry["case"] == "sod" and entry["verdict"] == "FAIL"]
-    assert all(f"{entry['measured']:.3g}" in words(index) for entry in judged)
-
-
-def test_where_the_numbers_come_from(index):
-    stated = synthetic_results.PROVENANCE
-    assert stated["git"][:7] in words(index) and stated["started"][:10] in words(index) and stated["cpu"] in words(index)
-
-
-def test_what_is_wrong_first(index):
-    missed = sum(entry["verdict"] in ("FAIL", "XPASS", "INCONCLUSIVE", "INVALID") for entry in synthetic_results.all_gates())
-    judged = sum(entry["verdict"] != "NONE" for entry in synthetic_results.all_gates())
-    assert f"{judged - missed} of {judged} gates" in index.evaluate("document.querySelector('h1').textContent")
-    follow(index, "All gates", "nav")
-    assert all(entry["id"] in words(index) for entry in synthetic_results.all_gates())

@@ -10,6 +10,7 @@ import pytest
 import render
 from cases import Case, Series
 from cost_estimates import AT, MORE, MOST, NONE, Reach, front, ratio, reach, spread
+from synthetic_costs import document, entry, first_order
 
 
 def test_time_to_the_target_of_a_power_law():
@@ -71,27 +72,8 @@ def test_spread_of_repeats():
 # --- the document and the section -----------------------------------------------------------------
 
 
-def entry(scheme, study, cells, error, wall, case="sod", **more):
-    relative = None if error is None else error
-    return {
-        "case": case, "scheme": scheme, "study": study, "kind": "gas", "differs": {}, "vary": "cells", "value": cells,
-        "cells": cells, "h": 1 / cells, "dt": 1e-3, "points": 4 * cells, "steps": cells, "particle_steps": 4 * cells**2,
-        "finished": error is not None, "source": "timed", "wall_s": [0.9 * wall, wall, 1.2 * wall], "instructions": None,
-        "errors": {} if error is None else {"density.L1": {"error": error, "relative_error": relative}}, **more,
-    }  # fmt: skip
-
-
-def document(runs):
-    return {"machine": {"cpu": "some"}, "tier": "quick", "repeats": 3, "runs": runs, "provenance": {}}
-
-
 class OneCase(Case):
     measure = "density.L1"
-
-
-def first_order(scheme, study, constant, **more):
-    """error = constant / cells, time = 1e-5 cells^2: 1 % at 100 constant cells."""
-    return [entry(scheme, study, cells, constant / cells, 1e-5 * cells**2, **more) for cells in (50, 100, 200, 400)]
 
 
 def compared(runs):

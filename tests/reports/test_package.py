@@ -8,6 +8,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tomllib
 
 import matplotlib
 import numpy
@@ -165,6 +166,50 @@ def test_no_executable_is_a_clear_error(nowhere, monkeypatch):
     monkeypatch.setenv("PLUMBLINE", "/nowhere/q")
     with pytest.raises(plumbline.ExecutableNotFound, match="environment variable PLUMBLINE = /nowhere/q is no file"):
         plumbline.run("sod")
+
+
+# --- libraries that are optional -------------------------------------------------------------------
+
+
+def without(library, program, *arguments):
+    """Ends a program of Python in which the library is not installed."""
+    start = f"import sys; sys.modules[{library!r}] = None; sys.path.insert(0, {str(REPORTS)!r})"
+    return subprocess.run([sys.executable, "-c", f"{start}\n{program}", *map(str, arguments)], capture_output=True, text=True, check=False)
+
+
+def test_without_h5py_gates_are_judged_and_files_say_what_is_missing(results, ends):
+    judged = json.dumps({"gates": [{"verdict": "PASS"}], "provenance": {}})
+    ended = without("h5py", "import plumbline; print(plumbline.verify(executable=sys.argv[1]).verdict)", ends(0, out=judged))
+    assert ended.stdout == "PASS\n", ended.stderr
+    missing = r"h5py is not installed, which reading result files needs: apt-get install python3-h5py, or pip install h5py"
+    for program in ("plumbline.reader.load(sys.argv[1])", "plumbline.results(sys.argv[2])"):
+        ended = without("h5py", f"import plumbline; {program}", results[0] / results[1]["run"], results[0])
+        assert re.search(f"plumbline.reader.NotInstalled: {missing}", ended.stderr), program
+    ended = without("h5py", "from plumbline.reader import main; sys.exit(main(sys.argv[1:]))", results[0] / results[1]["run"])
+    assert ended.returncode == 1 and re.fullmatch(f"plumbline: {missing}\n", ended.stderr)
+
+
+@pytest.mark.parametrize("call", ["run('sod', executable=sys.argv[1])", "converge('sod', executable=sys.argv[1])"])
+def test_without_h5py_nothing_is_computed_that_could_not_be_read(tmp_path, call):
+    called = tmp_path / "called"
+    executable = tmp_path / "executable"
+    executable.write_text(f"#!/bin/sh\ntouch {called}\n", encoding="utf-8")
+    executable.chmod(0o755)
+    ended = without("h5py", f"import plumbline; plumbline.{call}", executable)
+    assert "NotInstalled: h5py is not installed" in ended.stderr and not called.exists()
+
+
+def test_without_matplotlib_a_figure_says_what_is_missing(results):
+    program = "import plumbline; plumbline.reader.load(sys.argv[1]).plot()"
+    ended = without("matplotlib", program, results[0] / results[1]["run"])
+    assert "NotInstalled: matplotlib is not installed, which figures need: apt-get install python3-matplotlib, or pip install matplotlib" in ended.stderr
+
+
+def test_h5py_and_matplotlib_are_extras():
+    project = tomllib.loads((REPORTS / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    assert project["dependencies"] == ["numpy"]
+    extras = project["optional-dependencies"]
+    assert [extras["hdf5"], extras["plots"], extras["full"]] == [["h5py"], ["matplotlib"], ["h5py", "matplotlib"]]
 
 
 # --- figures --------------------------------------------------------------------------------------
