@@ -81,7 +81,20 @@ class Base:
         for entry in json.loads(commands.read_text()):
             words = shlex.split(entry["command"])
             self.compile[words[words.index("-o") + 1]] = (self._relative(entry["file"]), words)
+        self._take_units_apart()
         self.needs = self._dependencies()
+
+    def _take_units_apart(self):
+        """Files of tests that are compiled several at a time have commands of their own, too: those of their unit."""
+        for name, (unit, words) in list(self.compile.items()):
+            if not _is_unit(name):
+                continue
+            for file in re.findall(r'^#include "(.+)"$', (self.root / unit).read_text(encoding="utf-8"), re.M):
+                source = self._relative(file)
+                alone = f"{name.split('/Unity/')[0]}/{source.removeprefix('tests/')}.o"
+                own = list(words)
+                own[own.index("-c") + 1], own[own.index("-o") + 1] = file, alone
+                self.compile[alone] = (source, own)
 
     def _relative(self, path):
         path = pathlib.Path(os.path.normpath(self.build / path))
@@ -124,6 +137,10 @@ class Base:
                 if archives or links:
                     return words
         raise BuildError(f"the build has no command for {output}")
+
+
+def _is_unit(name):
+    return "/Unity/unity_" in name
 
 
 def build(base, folder, mutants, tests=(), evaluator=False, jobs=1, plain=False):
@@ -231,8 +248,10 @@ class _Recipe:
         if own not in self.new and not self.base.is_up_to_date(own, self.changed):
             self.compile(own)
         words = self.base.link_words(f"{part}_test", f"tests/{part}_test")
-        others = f"tests/CMakeFiles/{part}_test.dir/"
-        words = [word for word in words if word == own or not (word.startswith(others) and word.endswith("_test.cpp.o"))]
+        folder = f"tests/CMakeFiles/{part}_test.dir/"
+        tests = [word for word in words if word.startswith(folder) and (_is_unit(word) or word.endswith("_test.cpp.o"))]
+        first = words.index(tests[0])
+        words = [*words[:first], own, *(word for word in words[first:] if word not in tests)]
         name = path.removeprefix("tests/").removesuffix(".cpp").replace("/", "-")
         whole = f"tests/{part}_test"
         here = self.link(None, whole, words=words, as_name=f"bin/{name}")

@@ -279,6 +279,22 @@ os.kill(os.getpid(), signal.SIGSTOP)
     assert (status, why) == (0, "")
 
 
+def test_files_of_one_unit_have_commands_of_their_own(tmp_path, monkeypatch):
+    build, made = tmp_path / "build", "tests/CMakeFiles/kernel_test.dir"
+    unit = build / made / "Unity/unity_0_cxx.cxx"
+    unit.parent.mkdir(parents=True)
+    files = [tmp_path / "tests/kernel" / name for name in ("a_test.cpp", "shapes/b_test.cpp")]
+    unit.write_text("".join(f'#include "{file}"\n' for file in files), encoding="utf-8")
+    (build / "build.ninja").touch()
+    command = f"c++ -O1 -o {made}/Unity/unity_0_cxx.cxx.o -c {unit}"
+    (build / "compile_commands.json").write_text(json.dumps([{"file": str(unit), "command": command}]), encoding="utf-8")
+    monkeypatch.setattr(overlay.Base, "_ninja", lambda *_: "")
+    known = overlay.Base(tmp_path, build).compile
+    for file in files:
+        name = f"{made}/{file.relative_to(tmp_path / 'tests')}.o"
+        assert known[name] == (str(file.relative_to(tmp_path)), ["c++", "-O1", "-o", name, "-c", str(file)])
+
+
 def test_sources_find_their_tests():
     found = judges.tests_of(ROOT, "reference/wave_curve.cpp")
     assert "tests/reference/riemann_test.cpp" in found and "tests/reference/riemann_second_test.py" in found

@@ -8,7 +8,7 @@
 
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::bins_test {
 namespace {
 
 // Lowest nodes of points on a grid of `layer` nodes a layer, some bins full, some with one point, many empty.
@@ -224,4 +224,4 @@ TEST(BinSort, SortingAgainIsSorting) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::bins_test

@@ -5,7 +5,7 @@
 #include "kernel/shapes/quadratic.hpp"
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::cell_volumes_test {
 namespace {
 
 using scenes::Space;
@@ -177,4 +177,4 @@ TEST(CellVolumes, EvenRingsHaveOneDensityButForTheQuadrature) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::cell_volumes_test

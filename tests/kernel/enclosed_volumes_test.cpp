@@ -12,7 +12,7 @@
 #include "kernel/walls.hpp"
 #include "tests/kernel/coupled_scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::enclosed_volumes_test {
 namespace {
 
 using scenes::Place;
@@ -397,4 +397,4 @@ TEST(EnclosedGas, RefusesAnEnclosureThatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::enclosed_volumes_test

@@ -6,7 +6,7 @@
 #include "kernel/rotations.hpp"
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::geometry_test {
 namespace {
 
 template <class G>
@@ -146,4 +146,4 @@ TEST(Geometry, CrossProduct) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::geometry_test

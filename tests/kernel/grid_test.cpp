@@ -2,7 +2,7 @@
 
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::grid_test {
 namespace {
 
 TEST(Grid, CountsNodesWithOneGhostLayer) {
@@ -59,4 +59,4 @@ TEST(Grid, KnowsItsWalls) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::grid_test

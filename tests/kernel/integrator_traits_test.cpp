@@ -5,7 +5,7 @@
 
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::integrator_traits_test {
 namespace {
 
 using testing::HasSubstr;
@@ -104,4 +104,4 @@ TEST(IntegratorTraits, ALackNamesBothParts) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::integrator_traits_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-namespace plumbline {
+namespace plumbline::lanes_test {
 namespace {
 
 const double nan = std::nan(""), infinity = HUGE_VAL;
@@ -115,4 +115,4 @@ TEST(Lanes, OverAll) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::lanes_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace plumbline {
+namespace plumbline::largest_test {
 namespace {
 
 const double nan = std::nan("");
@@ -59,4 +59,4 @@ TEST(Largest, LargerTakesLaneByLane) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::largest_test

@@ -6,7 +6,7 @@
 
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::ledger_test {
 namespace {
 
 TEST(Ledger, ResidualIsWhatNoFlowExplains) {
@@ -299,4 +299,4 @@ TEST(LedgerOfARun, BodyForceWorksOverTheWay) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::ledger_test

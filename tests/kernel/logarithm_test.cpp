@@ -7,7 +7,7 @@
 
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::logarithm_test {
 namespace {
 
 constexpr double inf = HUGE_VAL, nan = std::numeric_limits<double>::quiet_NaN();
@@ -75,4 +75,4 @@ TEST(Logarithm, OfWhatIsNotPositiveIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::logarithm_test

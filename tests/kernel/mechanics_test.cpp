@@ -6,7 +6,7 @@
 #include "tests/kernel/like_naive.hpp"
 #include "tests/kernel/solids.hpp"
 
-namespace plumbline {
+namespace plumbline::mechanics_test {
 namespace {
 
 // --- against the equations, [York 3.15-3.24] and [EC-APIC 1-6] ------------------------------------------------------
@@ -449,4 +449,4 @@ TEST(Mechanics, RefusesPointsOfAnotherGeometry) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::mechanics_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace plumbline {
+namespace plumbline::pack_test {
 namespace {
 
 Pack counting(double from) {
@@ -101,4 +101,4 @@ TEST(Pack, SumsOfSeveral) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::pack_test

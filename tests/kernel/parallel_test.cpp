@@ -6,7 +6,7 @@
 #include "kernel/pack.hpp"
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::parallel_test {
 namespace {
 
 using scenes::Space;
@@ -143,4 +143,4 @@ TEST_P(Threads, NeighboursInAPackDoNotMeet) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::parallel_test

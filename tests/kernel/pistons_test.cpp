@@ -4,7 +4,7 @@
 #include "kernel/rotations.hpp"
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::pistons_test {
 namespace {
 
 using scenes::Space;
@@ -122,4 +122,4 @@ TEST(Pistons, AMovingBoxIsAtRest) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::pistons_test

@@ -11,7 +11,7 @@
 #include "kernel/shapes/shape.hpp"
 #include "kernel/transfers/transfer.hpp"
 
-namespace plumbline {
+namespace plumbline::register_part_test {
 namespace {
 
 template <class Entry>
@@ -72,4 +72,4 @@ TEST(RegisterPart, CollectedPartsAreUncheckedAndNotRegistered) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::register_part_test

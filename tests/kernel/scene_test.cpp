@@ -7,7 +7,7 @@
 
 #include <stdexcept>
 
-namespace plumbline {
+namespace plumbline::scene_test {
 namespace {
 
 template <class Entry>
@@ -38,4 +38,4 @@ TEST(Scene, FindsDensityMethodsByName) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::scene_test

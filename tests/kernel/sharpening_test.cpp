@@ -10,7 +10,7 @@
 #include "kernel/shapes/quadratic.hpp"
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::sharpening_test {
 namespace {
 
 using scenes::Space;
@@ -316,4 +316,4 @@ TEST(Sharpening, ReadsTouchedNodesAlone) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::sharpening_test

@@ -7,7 +7,7 @@
 
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::simulation_test {
 namespace {
 
 using testing::HasSubstr;
@@ -392,4 +392,4 @@ TEST(Sorting, ChainsAreNeverSorted) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::simulation_test

@@ -7,7 +7,7 @@
 
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::splitting_test {
 namespace {
 
 using scenes::Space;
@@ -328,4 +328,4 @@ TEST(SplittingRun, GoesOnFromACheckpointAsIfNeverStopped) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::splitting_test

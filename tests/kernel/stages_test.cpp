@@ -8,7 +8,7 @@
 
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::stages_test {
 namespace {
 
 class Heun final : public TimeIntegrator {
@@ -252,4 +252,4 @@ TEST(Stages, RatesWantFlip) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::stages_test

@@ -6,7 +6,7 @@
 #include "kernel/shapes/quadratic.hpp"
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::stencil_test {
 namespace {
 
 // Sums of up to 64 products of numbers of order one.
@@ -237,4 +237,4 @@ TEST(Stencil, PacksAreSoManyPoints) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::stencil_test

@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-namespace plumbline {
+namespace plumbline::summation_test {
 namespace {
 
 TEST(Summation, SmallSumsAreTakenInOrder) {
@@ -38,4 +38,4 @@ TEST(Summation, RunningSumCarriesWhatRoundingDrops) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::summation_test

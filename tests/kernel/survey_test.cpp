@@ -7,7 +7,7 @@
 #include "kernel/inadmissible.hpp"
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::survey_test {
 namespace {
 
 // h / fastest, or h^2 / (2 dim diffusivity) where that is less; none where nothing moves.
@@ -52,4 +52,4 @@ TEST(Survey, NamesTheFirstInadmissiblePoint) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::survey_test

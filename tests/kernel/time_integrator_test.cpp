@@ -9,7 +9,7 @@
 
 #include "tests/kernel/integrators/recording.hpp"
 
-namespace plumbline {
+namespace plumbline::time_integrator_test {
 namespace {
 
 // A user's own integrator: this registration is all it takes to be found by its name.
@@ -177,4 +177,4 @@ TEST(TimeIntegrator, ClaimsNothingUnlessItSaysSo) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::time_integrator_test

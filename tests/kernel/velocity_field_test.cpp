@@ -4,7 +4,7 @@
 
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::velocity_field_test {
 namespace {
 
 Body block(const GridSpec& grid, int first_cell, double speed, const std::string& field) {
@@ -56,4 +56,4 @@ TEST(VelocityField, VisitsTouchedNodesOnly) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::velocity_field_test

@@ -7,7 +7,7 @@
 #include "kernel/stencil.hpp"
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::walls_test {
 namespace {
 
 // Sums of up to four numbers of order one.
@@ -272,4 +272,4 @@ TEST(Walls, MirrorsOfTouchedGhostsAreTouched) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::walls_test

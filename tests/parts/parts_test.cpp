@@ -10,7 +10,7 @@
 
 #include "cases/harness/files/errors.hpp"
 
-namespace plumbline {
+namespace plumbline::parts_test {
 namespace {
 
 using testing::Contains;
@@ -181,4 +181,4 @@ TEST(PartGates, UnknownNamesAreOfferedTheNearest) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::parts_test

@@ -3,7 +3,7 @@
 
 #include "tests/reference/flow_checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::affine_expansion_test {
 namespace {
 
 std::vector<AffineExpansionProblem> all_problems() {
@@ -141,4 +141,4 @@ TEST(AffineExpansionProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::affine_expansion_test

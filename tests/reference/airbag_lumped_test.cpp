@@ -4,7 +4,7 @@
 #include "reference/circle.hpp"
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::airbag_lumped_test {
 namespace {
 
 AirbagProblem changed(const std::function<void(AirbagProblem&)>& change, AirbagProblem problem = {}) {
@@ -181,4 +181,4 @@ TEST(AirbagProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::airbag_lumped_test

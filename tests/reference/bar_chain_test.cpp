@@ -7,7 +7,7 @@
 #include "reference/slack_string.hpp"
 #include "tests/reference/flow_checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::bar_chain_test {
 namespace {
 
 /// Lumped masses: x_n^2/(12 n^2) of a frequency; the bar of heavy_spring.hpp is the limit.
@@ -112,4 +112,4 @@ TEST(BarChainProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::bar_chain_test

@@ -3,7 +3,7 @@
 
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::bar_impact_test {
 namespace {
 
 const BarImpactProblem other{2e11, 7800, 1e-4, 0.3, -2, 0.01, 3, -1.5};
@@ -116,4 +116,4 @@ TEST(BarImpactProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::bar_impact_test

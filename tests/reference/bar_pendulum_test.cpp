@@ -7,7 +7,7 @@
 
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::bar_pendulum_test {
 namespace {
 
 const std::vector<double> frames{0.25, 0.5, 0.75, 1.0, 1.25};
@@ -51,4 +51,4 @@ TEST(BarPendulum, RefusesWhatMakesNoBars) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::bar_pendulum_test

@@ -4,7 +4,7 @@
 #include "reference/bar_vibration.hpp"
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::bar_riemann_test {
 namespace {
 
 /// c = 2, rho c = 6, on [-1, 2].
@@ -153,4 +153,4 @@ TEST(BarRiemannProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::bar_riemann_test

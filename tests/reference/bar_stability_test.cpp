@@ -3,7 +3,7 @@
 
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::bar_stability_test {
 namespace {
 
 constexpr StressUpdate usf = StressUpdate::first, usl = StressUpdate::last, musl = StressUpdate::modified_last;
@@ -90,4 +90,4 @@ TEST(BarStability, WrongArgumentsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::bar_stability_test

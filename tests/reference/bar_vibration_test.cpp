@@ -4,7 +4,7 @@
 #include "reference/circle.hpp"
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::bar_vibration_test {
 namespace {
 
 const BarVibrationProblem third{2e5, 7.8, 0.3, 1.9, -0.4, 3};
@@ -74,4 +74,4 @@ TEST(BarVibrationProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::bar_vibration_test

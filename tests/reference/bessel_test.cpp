@@ -4,7 +4,7 @@
 
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::bessel_test {
 namespace {
 
 TEST(Bessel, PublishedValues) {  // [DLMF 10.9.2]
@@ -51,4 +51,4 @@ TEST(Bessel, RefusesWhatItCannotBound) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::bessel_test

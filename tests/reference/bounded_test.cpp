@@ -4,7 +4,7 @@
 
 #include "tests/reference/random_operands.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::bounded_test {
 namespace {
 
 class RandomOperands : public RandomBalls {
@@ -73,4 +73,4 @@ TEST(Bounded, IntervalOfAMonotoneFunctionCoversBothEnds) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::bounded_test

@@ -7,7 +7,7 @@
 #include "reference/elliptic.hpp"
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::carlson_test {
 namespace {
 
 // B. C. Carlson, Numer. Algorithms 10 (1995) 13, section 3. He gives fourteen digits; twelve are
@@ -70,4 +70,4 @@ TEST(Carlson, CompleteIntegrals) {  // [DLMF 19.8.6]
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::carlson_test

@@ -3,7 +3,7 @@
 
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catenary_test {
 namespace {
 
 const CatenaryProblem problems[] = {{1, 1.2, 1, 0},    {3, 20, 0.2, 0}, {1, 1.0001, 5, 0},    {1, 1.2, 1, 0.3},
@@ -105,4 +105,4 @@ TEST(CatenaryProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catenary_test

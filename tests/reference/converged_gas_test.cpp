@@ -11,7 +11,7 @@
 #include "reference/parameter.hpp"
 #include "tests/reference/riemann_tubes.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::converged_gas_test {
 namespace {
 
 /// Mean error no larger than estimated, and 95 % of the volume within its bounds (what Roache's index is meant as).
@@ -199,4 +199,4 @@ TEST(GasExpansion, RefusesTimesAtWhichTheFanHasMetItself) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::converged_gas_test

@@ -7,7 +7,7 @@
 #include "reference/circle.hpp"
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::elastic_pendulum_test {
 namespace {
 
 constexpr double degree = 0.017453292519943295769;
@@ -193,4 +193,4 @@ TEST(ElasticPendulumProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::elastic_pendulum_test

@@ -3,7 +3,7 @@
 
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::elastic_plastic_impact_test {
 namespace {
 
 using Problem = ElasticPlasticImpactProblem;
@@ -193,4 +193,4 @@ TEST(ElasticPlasticImpact, Refuses) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::elastic_plastic_impact_test

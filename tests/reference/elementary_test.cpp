@@ -3,7 +3,7 @@
 
 #include "tests/reference/random_operands.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::elementary_test {
 namespace {
 
 class RandomArguments : public RandomBalls {
@@ -43,4 +43,4 @@ TEST(Elementary, DirectionOfWhatMayBeTheZeroVectorIsUnknown) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::elementary_test

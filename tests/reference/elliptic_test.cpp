@@ -7,7 +7,7 @@
 #include "reference/elementary.hpp"
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::elliptic_test {
 namespace {
 
 TEST(Elliptic, GaussHimself) {  // [DLMF 19.8.5], M(sqrt 2, 1), Gauss's diary of 30 May 1799
@@ -37,4 +37,4 @@ TEST(Elliptic, AgreesWithGslAndStaysBoundedNearOne) {  // [DLMF 19.8.5]
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::elliptic_test

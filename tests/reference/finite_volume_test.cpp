@@ -9,7 +9,7 @@
 #include "reference/parameter.hpp"
 #include "tests/reference/riemann_tubes.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::finite_volume_test {
 namespace {
 
 struct Totals {
@@ -109,4 +109,4 @@ TEST(FiniteVolume, RefusesWhatItCannotDo) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::finite_volume_test

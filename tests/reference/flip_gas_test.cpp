@@ -10,7 +10,7 @@
 #include "reference/converged_gas.hpp"
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::flip_gas_test {
 namespace {
 
 using std::numbers::pi;
@@ -155,4 +155,4 @@ TEST(FlipGas, RefusesWhatMakesNoGas) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::flip_gas_test

@@ -4,7 +4,7 @@
 #include "reference/circle.hpp"
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::free_bar_amplification_test {
 namespace {
 
 using Shape = GridShape;
@@ -161,4 +161,4 @@ TEST(FreeBar, WrongArgumentsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::free_bar_amplification_test

@@ -7,7 +7,7 @@
 
 #include "reference/parameter.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::gas_problem_test {
 namespace {
 
 constexpr double rounding_errors = 1e-14;  // a dozen operations on numbers of order one
@@ -70,4 +70,4 @@ TEST(GasProblem, RefusesWhatIsNoProblem) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::gas_problem_test

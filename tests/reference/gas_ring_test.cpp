@@ -4,7 +4,7 @@
 #include "reference/bessel.hpp"
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::gas_ring_test {
 namespace {
 
 GasRingProblem with(RingLaw law, double youngs_modulus = 2e3) {
@@ -171,4 +171,4 @@ TEST(GasRingProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::gas_ring_test

@@ -5,7 +5,7 @@
 #include "reference/elementary.hpp"
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::geo_tube_test {
 namespace {
 
 const GeoTubeProblem problems[] = {{},
@@ -170,4 +170,4 @@ TEST(GeoTubeProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::geo_tube_test

@@ -3,7 +3,7 @@
 
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::grid_maps_test {
 namespace {
 
 constexpr GridShape shapes[] = {GridShape::linear, GridShape::boxes, GridShape::quadratic, GridShape::cubic};
@@ -88,4 +88,4 @@ TEST(GridMaps, BlurIsHalfTheVarianceOverAllPlaces) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::grid_maps_test

@@ -4,7 +4,7 @@
 #include "reference/bessel.hpp"
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::hanging_chain_test {
 namespace {
 
 TEST(HangingChain, Frequencies) {  // j_{0,n}/2 sqrt(9.81): Abramowitz & Stegun, table 9.5
@@ -85,4 +85,4 @@ TEST(HangingChainProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::hanging_chain_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace plumbline::reference {
+namespace plumbline::reference::heavy_spring_test {
 namespace {
 
 /// A bar of stiffness, length and wave speed 1 with the mass ratio mu: L/c = 1, m g/k = 1.
@@ -162,4 +162,4 @@ TEST(HeavySpring, ExtremeMassRatiosStillAnswerWithABound) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::heavy_spring_test

@@ -5,7 +5,7 @@
 #include "reference/elementary.hpp"
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::inextensible_bag_test {
 namespace {
 
 // I. M. Mladenov, J. Oprea, Amer. Math. Monthly 110 (2003) 761: of a balloon of radius 1 the meridian is 2 * 1.3110288,
@@ -126,4 +126,4 @@ TEST(InextensibleBag, WrongArgumentsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::inextensible_bag_test

@@ -4,7 +4,7 @@
 #include "reference/circle.hpp"
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::interlacing_test {
 namespace {
 
 Bounded cosine_upward(double x) { return -cos(Bounded(x)); }  // root at pi/2 between the poles 0 and pi of the tangent
@@ -53,4 +53,4 @@ TEST(MergedMultiples, CarryTheBoundsOfBoth) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::interlacing_test

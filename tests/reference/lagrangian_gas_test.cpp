@@ -10,7 +10,7 @@
 #include "reference/parameter.hpp"
 #include "tests/reference/riemann_tubes.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::lagrangian_gas_test {
 namespace {
 
 LagrangianSolution solve(const GasProblem& problem, int cells) {
@@ -178,4 +178,4 @@ TEST(LagrangianGas, RefusesWhatItCannotDo) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::lagrangian_gas_test

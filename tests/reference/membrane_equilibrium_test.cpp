@@ -5,7 +5,7 @@
 #include "reference/gas_ring.hpp"
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::membrane_equilibrium_test {
 namespace {
 
 using Problem = MembraneEquilibriumProblem;
@@ -199,4 +199,4 @@ TEST(MembraneEquilibriumProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::membrane_equilibrium_test

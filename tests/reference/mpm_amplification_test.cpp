@@ -6,7 +6,7 @@
 #include "reference/circle.hpp"
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::mpm_amplification_test {
 namespace {
 
 using Shape = GridShape;
@@ -157,4 +157,4 @@ TEST(MpmAmplification, WrongArgumentsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::mpm_amplification_test

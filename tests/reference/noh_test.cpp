@@ -3,7 +3,7 @@
 
 #include "tests/reference/flow_checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::noh_test {
 namespace {
 
 const double infinity = rounding::infinity;
@@ -106,4 +106,4 @@ TEST(NohProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::noh_test

@@ -5,7 +5,7 @@
 
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::oscillator_limits_test {
 namespace {
 
 using Method = OscillatorMethod;
@@ -131,4 +131,4 @@ TEST(OscillatorLimits, WrongArgumentsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::oscillator_limits_test

@@ -4,7 +4,7 @@
 #include "reference/circle.hpp"
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::piston_container_test {
 namespace {
 
 PistonContainerProblem york(double mass, double spring_density) {
@@ -223,4 +223,4 @@ TEST(PistonContainerProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::piston_container_test

@@ -3,7 +3,7 @@
 
 #include "tests/reference/flow_checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::piston_shock_test {
 namespace {
 
 // J. D. Anderson, Modern Compressible Flow, 3rd ed., table A.2, gamma = 1.4, M = 2: p2/p1 = 4.5, rho2/rho1 = 2.667,
@@ -90,4 +90,4 @@ TEST(PistonShockProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::piston_shock_test

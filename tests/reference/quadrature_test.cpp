@@ -4,7 +4,7 @@
 
 #include "reference/exponential.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::quadrature_test {
 namespace {
 
 void expect_covers(Bounded integral, double true_value, double margin) {
@@ -70,4 +70,4 @@ TEST(Exponential, WholePowers) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::quadrature_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace plumbline::reference {
+namespace plumbline::reference::registry_test {
 namespace {
 
 double value_of(const Record& record, const std::string& key) {
@@ -117,4 +117,4 @@ TEST(Registry, ANameIsTakenOnce) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::registry_test

@@ -3,7 +3,7 @@
 
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::released_ring_test {
 namespace {
 
 TEST(ReleasedRing, Equilibrium) {  // [York 5.12]
@@ -48,4 +48,4 @@ TEST(ReleasedRing, RejectsWhatIsNotARing) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::released_ring_test

@@ -8,7 +8,7 @@
 
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::riemann_test {
 namespace {
 
 const RiemannProblem sod{{1, 0, 1}, {0.125, 0, 0.1}, 1.4};
@@ -420,4 +420,4 @@ TEST(RiemannProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::riemann_test

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace plumbline::reference {
+namespace plumbline::reference::root_test {
 namespace {
 
 TEST(Root, BrentFindsACubeRoot) {
@@ -46,4 +46,4 @@ TEST(Root, EnclosureThatCannotBeCertifiedThrows) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::root_test

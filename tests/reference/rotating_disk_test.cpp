@@ -3,7 +3,7 @@
 
 #include "tests/reference/flow_checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::rotating_disk_test {
 namespace {
 
 const RotatingDiskProblem disks[] = {{}, {2, 300, 0.2, 7, -0.3}, {0.7, 5e4, 0.4, 3, 4, PlaneState::strain}};
@@ -83,4 +83,4 @@ TEST(RotatingDiskProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::rotating_disk_test

@@ -3,7 +3,7 @@
 
 #include "tests/reference/flow_checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::shear_decay_test {
 namespace {
 
 const ShearDecayProblem thick{0.02, 2 * M_PI, 0.03, 1.3, 2, 5.0 / 3};
@@ -129,4 +129,4 @@ TEST(ShearDecayProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::shear_decay_test

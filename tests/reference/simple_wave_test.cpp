@@ -3,7 +3,7 @@
 
 #include "tests/reference/flow_checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::simple_wave_test {
 namespace {
 
 std::vector<SimpleWaveProblem> all_problems() {
@@ -129,4 +129,4 @@ TEST(SimpleWaveProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::simple_wave_test

@@ -5,7 +5,7 @@
 #include "reference/spring.hpp"
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::slack_string_test {
 namespace {
 
 const SlackStringProblem soft{3e4, 0.02, 0.8, 2.1, 9.81, 0.13};
@@ -117,4 +117,4 @@ TEST(SlackStringProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::slack_string_test

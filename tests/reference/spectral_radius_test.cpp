@@ -8,7 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace plumbline::reference {
+namespace plumbline::reference::spectral_radius_test {
 namespace {
 
 TEST(SpectralRadius, OfATurnAndAStretch) {
@@ -92,4 +92,4 @@ TEST(SpectralRadius, NumbersThatAreNotFiniteAreRefused) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::spectral_radius_test

@@ -7,7 +7,7 @@
 
 #include "reference/parameter.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::spring_oscillator_test {
 namespace {
 
 // Within the bound that it states, and that bound is a few thousand roundings.
@@ -65,4 +65,4 @@ TEST(SpringOscillator, RefusesWhatIsNoState) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::spring_oscillator_test

@@ -5,7 +5,7 @@
 
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::spring_test {
 namespace {
 
 TEST(MasslessSpring, YorksProblem) {  // [York 5.11], k = A E/L = 1e6/3, m = 3.33, g = 250
@@ -68,4 +68,4 @@ TEST(SpringProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::spring_test

@@ -3,7 +3,7 @@
 
 #include "tests/reference/flow_checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::standing_wave_test {
 namespace {
 
 const StandingWaveProblem air{1e-5, 2 * M_PI, 1, 1, 1.4};
@@ -117,4 +117,4 @@ TEST(StandingWaveArguments, AreChecked) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::standing_wave_test

@@ -4,7 +4,7 @@
 #include "reference/circle.hpp"
 #include "tests/reference/checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::string_vibration_test {
 namespace {
 
 const StringVibrationProblem second{3e5, 0.02, 4, 0.003, 1.3, 2, 2e-3};
@@ -99,4 +99,4 @@ TEST(StringVibrationProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::string_vibration_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace plumbline::reference {
+namespace plumbline::reference::swing_test {
 namespace {
 
 /// Of unit mass, length and gravity: kinetic, of height, of the string.
@@ -98,4 +98,4 @@ TEST(Swing, TurningPointsAndCrossingsAlternate) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::swing_test

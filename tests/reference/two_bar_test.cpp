@@ -3,7 +3,7 @@
 
 #include "tests/reference/flow_checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::two_bar_test {
 namespace {
 
 const TwoBarProblem york;
@@ -99,4 +99,4 @@ TEST(TwoBarProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::two_bar_test

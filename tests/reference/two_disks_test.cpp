@@ -3,7 +3,7 @@
 
 #include "tests/reference/flow_checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::two_disks_test {
 namespace {
 
 TEST(TwoDisksPublished, SulskysDisks) {  // touch at ((0.6 sqrt 2 - 0.4)/(0.2 sqrt 2)) = 3 - sqrt 2, in the middle
@@ -38,4 +38,4 @@ TEST(TwoDisksProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::two_disks_test

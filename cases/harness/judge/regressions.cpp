@@ -54,7 +54,7 @@ std::optional<Range> recorded_range(const Range& expected, Origin origin, bool o
   if (order) return Range{measured - recorded_order, measured + recorded_order};
   const double largest = largest_end(expected);
   const bool rounding = origin == Origin::identity || largest <= rounding_bound ||
-                        std::abs(measured) <= std::max(least_rounding, rounding_share * largest);
+                        std::abs(measured) <= std::max(least_rounding, rounding_share_recorded * largest);
   if (rounding) {
     const Range range = within_rounding(expected, measured);
     const bool closer = (expected.high && *range.high < *expected.high) || (expected.low && *range.low > *expected.low);

@@ -38,7 +38,7 @@ inline constexpr double loose_order = 0.3, recorded_order = 0.3;
 // to 30 times it and never ends below 64 units in the last place of 1. Both are choices.
 inline constexpr double rounding_factor_recorded = 30, least_rounding = 64 * 0x1p-52;
 // Bounds up to here are those of rounding, whatever their origin; all identities are, and values below this share of theirs.
-inline constexpr double rounding_bound = 1e-9, rounding_share = 1e-10;
+inline constexpr double rounding_bound = 1e-9, rounding_share_recorded = 1e-10;
 
 // The range that stands beside a bound; absent where the bound itself is close enough, and for no number.
 std::optional<Range> recorded_range(const Range& expected, Origin origin, bool order, double measured);

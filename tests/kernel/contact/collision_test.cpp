@@ -4,7 +4,7 @@
 #include "kernel/transfers/transfer.hpp"
 #include "tests/kernel/contact/two_clouds.hpp"
 
-namespace plumbline {
+namespace plumbline::collision_test {
 namespace {
 
 using meetings::block;
@@ -160,4 +160,4 @@ TEST(Collision, RodsExchangeTheirVelocities) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::collision_test

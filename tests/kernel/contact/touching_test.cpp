@@ -4,7 +4,7 @@
 
 #include "tests/kernel/contact/two_clouds.hpp"
 
-namespace plumbline {
+namespace plumbline::touching_test {
 namespace {
 
 using meetings::block;
@@ -281,4 +281,4 @@ TEST(Touching, NodesOnWallsAreNotPushedIntoThem) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::touching_test

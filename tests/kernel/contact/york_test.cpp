@@ -3,7 +3,7 @@
 
 #include "tests/kernel/contact/two_clouds.hpp"
 
-namespace plumbline {
+namespace plumbline::york_test {
 namespace {
 
 using meetings::block;
@@ -163,4 +163,4 @@ TEST(Contact, UnknownNames) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::york_test

@@ -6,7 +6,7 @@
 
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::cell_density_test {
 namespace {
 
 constexpr DensityMethod by_mass[] = {DensityMethod::cell, DensityMethod::quadratic, DensityMethod::grid};
@@ -224,4 +224,4 @@ TEST(Density, RefreshTakesTheLastPlaces) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::cell_density_test

@@ -3,7 +3,7 @@
 #include "kernel/shapes/shape.hpp"
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::adjoint_test {
 namespace {
 
 using scenes::Space;
@@ -66,4 +66,4 @@ TEST_P(Adjoint, ForcesDoWhatStressesTake) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::adjoint_test

@@ -3,7 +3,7 @@
 
 #include "tests/kernel/solids.hpp"
 
-namespace plumbline {
+namespace plumbline::boxes_test {
 namespace {
 
 using scenes::Space;
@@ -161,4 +161,4 @@ TEST(DeformingBoxes, BookWhatTheirInertiaGains) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::boxes_test

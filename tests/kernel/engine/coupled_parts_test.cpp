@@ -5,7 +5,7 @@
 #include "kernel/materials/segment_membrane.hpp"
 #include "tests/kernel/engine/parts.hpp"
 
-namespace plumbline {
+namespace plumbline::coupled_parts_test {
 namespace {
 
 // --- densities ----------------------------------------------------------------------------------------------------------
@@ -192,4 +192,4 @@ TEST(LossToGas, NothingIsGivenWhereItIsNotWanted) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::coupled_parts_test

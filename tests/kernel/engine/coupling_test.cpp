@@ -4,7 +4,7 @@
 #include "tests/kernel/coupled_scenes.hpp"
 #include "tests/kernel/solids.hpp"
 
-namespace plumbline {
+namespace plumbline::coupling_test {
 namespace {
 
 using scenes::Skin;
@@ -445,4 +445,4 @@ TEST(CouplingThreads, NoResultDependsOnThem) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::coupling_test

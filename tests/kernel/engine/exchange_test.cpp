@@ -1,7 +1,7 @@
 // Heat that points of a compressed gas exchange through the nodes. [Exchange 1]
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::exchange_test {
 namespace {
 
 using scenes::Space;
@@ -93,4 +93,4 @@ TEST_P(Exchange, IsNoneInExpansionOrOfEvenHeat) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::exchange_test

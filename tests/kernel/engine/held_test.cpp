@@ -5,7 +5,7 @@
 #include "tests/kernel/coupled_scenes.hpp"
 #include "tests/kernel/solids.hpp"
 
-namespace plumbline {
+namespace plumbline::held_test {
 namespace {
 
 using scenes::Space;
@@ -93,4 +93,4 @@ TEST(Held, ColumnsOfAPoint) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::held_test

@@ -14,7 +14,7 @@
 #include "kernel/shapes/quadratic.hpp"
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::list_loops_test {
 namespace {
 
 // A product shape as a list.
@@ -344,4 +344,4 @@ TEST(ListLoops, OfDomainsAreThoseOfTheirCorners) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::list_loops_test

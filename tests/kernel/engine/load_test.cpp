@@ -3,7 +3,7 @@
 
 #include "tests/kernel/solids.hpp"
 
-namespace plumbline {
+namespace plumbline::load_test {
 namespace {
 
 using scenes::Space;
@@ -137,4 +137,4 @@ TEST(Load, CostsNothingWhereThereIsNone) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::load_test

@@ -3,7 +3,7 @@
 
 #include "tests/kernel/engine/parts.hpp"
 
-namespace plumbline {
+namespace plumbline::nodal_momentum_test {
 namespace {
 
 using Vec = Eigen::Vector2d;
@@ -89,4 +89,4 @@ TEST(NodalMomentum, WallsTakeWhatTheirNodesMayNotHave) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::nodal_momentum_test

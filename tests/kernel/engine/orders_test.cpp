@@ -7,7 +7,7 @@
 #include "tests/kernel/naive_stages.hpp"
 #include "tests/kernel/solids.hpp"
 
-namespace plumbline {
+namespace plumbline::orders_test {
 namespace {
 
 using scenes::Random;
@@ -133,4 +133,4 @@ TEST_P(Orders, OfASolidAgreeWithTheEquations) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::orders_test

@@ -10,7 +10,7 @@
 #include "kernel/engine/velocity_filter.hpp"
 #include "tests/kernel/engine/parts.hpp"
 
-namespace plumbline {
+namespace plumbline::parts_test {
 namespace {
 
 using testing::ElementsAre;
@@ -253,4 +253,4 @@ TEST(VelocityFilter, LeavesTheMotionOfAWhole) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::parts_test

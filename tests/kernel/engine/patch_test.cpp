@@ -4,7 +4,7 @@
 #include "kernel/shapes/shape.hpp"
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::patch_test {
 namespace {
 
 using scenes::Space;
@@ -327,4 +327,4 @@ TEST(PatchAtTheAxis, PressurePushesByTheLatticesQuadrature) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::patch_test

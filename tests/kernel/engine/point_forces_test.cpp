@@ -4,7 +4,7 @@
 #include "kernel/materials/segment_membrane.hpp"
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::point_forces_test {
 namespace {
 
 // Its forces are those of the end of the step, as velocities of the start have it.
@@ -65,4 +65,4 @@ TEST(PointForces, DoNotDependOnWhereAChunkEnds) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::point_forces_test

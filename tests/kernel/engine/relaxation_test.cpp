@@ -4,7 +4,7 @@
 #include "tests/kernel/coupled_scenes.hpp"
 #include "tests/kernel/solids.hpp"
 
-namespace plumbline {
+namespace plumbline::relaxation_test {
 namespace {
 
 using scenes::Place;
@@ -298,4 +298,4 @@ TEST_P(Smoothing, LeavesEvenStrainsAlone) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::relaxation_test

@@ -5,7 +5,7 @@
 #include "kernel/shapes/shape.hpp"
 #include "tests/kernel/solids.hpp"
 
-namespace plumbline {
+namespace plumbline::solids_test {
 namespace {
 
 using scenes::Law;
@@ -318,4 +318,4 @@ TEST(Chains, LiveWhereTheirForcesDo) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::solids_test

@@ -5,7 +5,7 @@
 #include "kernel/engine/to_grid.hpp"
 #include "tests/kernel/engine/parts.hpp"
 
-namespace plumbline {
+namespace plumbline::stage_parts_test {
 namespace {
 
 using Vec = Eigen::Vector2d;
@@ -249,4 +249,4 @@ TEST(Motion, FinishesAStepInOnePass) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::stage_parts_test

@@ -10,7 +10,7 @@
 #include "tests/kernel/coupled_scenes.hpp"
 #include "tests/kernel/solids.hpp"
 
-namespace plumbline {
+namespace plumbline::stage_queue_test {
 namespace {
 
 using testing::ElementsAre;
@@ -236,4 +236,4 @@ TEST(StageQueue, TheProcessMayWantSingleStages) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::stage_queue_test

@@ -1,7 +1,7 @@
 // Only nodes that points reach are cleared and solved; what stands in the others must not matter.
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::touched_test {
 namespace {
 
 using scenes::Space;
@@ -58,4 +58,4 @@ TEST_P(Touched, NothingStaysWhereACloudWas) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::touched_test

@@ -1,6 +1,6 @@
 #include "tests/kernel/integrators/recording.hpp"
 
-namespace plumbline {
+namespace plumbline::central_difference_test {
 namespace {
 
 // The kick reaches from the middle of the last step to the middle of this one. [Central-Difference 1]
@@ -39,4 +39,4 @@ TEST(CentralDifference, StepsAsByHand) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::central_difference_test

@@ -1,6 +1,6 @@
 #include "tests/kernel/integrators/recording.hpp"
 
-namespace plumbline {
+namespace plumbline::energy_test {
 namespace {
 
 // [EC-APIC 1-6] in their order.
@@ -176,4 +176,4 @@ TEST(EnergyConserving, ViscosityAlwaysHeats) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::energy_test

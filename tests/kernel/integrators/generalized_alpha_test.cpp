@@ -3,7 +3,7 @@
 #include "tests/kernel/dense.hpp"
 #include "tests/kernel/integrators/mass_on_spring.hpp"
 
-namespace plumbline {
+namespace plumbline::generalized_alpha_test {
 namespace {
 
 std::unique_ptr<TimeIntegrator> with(double rho_b) {
@@ -79,4 +79,4 @@ TEST(GeneralizedAlpha, RhoIsWithinOne) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::generalized_alpha_test

@@ -2,7 +2,7 @@
 #include "tests/kernel/integrators/mass_on_spring.hpp"
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::implicit_midpoint_test {
 namespace {
 
 // Of an oscillator the Cayley transform of its rates, a rotation: no step damps it or makes it grow. The corrections end
@@ -72,4 +72,4 @@ TEST(ImplicitMidpoint, RestIsNoFailure) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::implicit_midpoint_test

@@ -3,7 +3,7 @@
 #include "tests/kernel/dense.hpp"
 #include "tests/kernel/integrators/recording.hpp"
 
-namespace plumbline {
+namespace plumbline::leapfrog_test {
 namespace {
 
 // Drift, kick, drift, the stress of the middle between. [EC-APIC 1, 4-6] [Leapfrog 1-3]
@@ -192,4 +192,4 @@ TEST(Leapfrog, WallsSendPointsBack) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::leapfrog_test

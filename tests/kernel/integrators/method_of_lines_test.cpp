@@ -1,7 +1,7 @@
 // Integrators that see the semi-discrete equations alone: a state, and its rate of change.
 #include "tests/kernel/integrators/recording.hpp"
 
-namespace plumbline {
+namespace plumbline::method_of_lines_test {
 namespace {
 
 constexpr const char* methods[] = {"ssp-rk3", "rk4", "generalized-alpha", "implicit-midpoint"};
@@ -30,4 +30,4 @@ TEST(MethodOfLines, TheLedgerCloses) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::method_of_lines_test

@@ -5,7 +5,7 @@
 #include "tests/kernel/integrators/recording.hpp"
 #include "tests/kernel/solids.hpp"
 
-namespace plumbline {
+namespace plumbline::midpoint_test {
 namespace {
 
 // Two force passes, the second with the stress of the midpoint; points strain and move with the midpoint velocity.
@@ -189,4 +189,4 @@ TEST(Midpoint, RaisesNoEnergyOfALinearElasticBody) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::midpoint_test

@@ -1,6 +1,6 @@
 #include "tests/kernel/integrators/recording.hpp"
 
-namespace plumbline {
+namespace plumbline::musl_test {
 namespace {
 
 // York's chapter 3: to the grid, forces, momentum, points, the second map, strains. [York 3.15-3.24]
@@ -20,4 +20,4 @@ TEST(ModifiedUpdateStressLast, OnePointOscillator) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::musl_test

@@ -1,7 +1,7 @@
 #include "tests/kernel/dense.hpp"
 #include "tests/kernel/integrators/mass_on_spring.hpp"
 
-namespace plumbline {
+namespace plumbline::rk4_test {
 namespace {
 
 // By hand on an equation that is not linear: of a linear one every method of four stages and order four is the same. [RK4 1]
@@ -29,4 +29,4 @@ TEST(RungeKutta4, OfAnOscillatorIsStableToTheRootOfEight) {
 TEST(RungeKutta4, IsOfFourthOrder) { expect_order_on_spring("rk4", 4); }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::rk4_test

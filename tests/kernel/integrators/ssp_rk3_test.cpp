@@ -1,7 +1,7 @@
 #include "tests/kernel/dense.hpp"
 #include "tests/kernel/integrators/mass_on_spring.hpp"
 
-namespace plumbline {
+namespace plumbline::ssp_rk3_test {
 namespace {
 
 // Each stage by hand: convex combinations of Euler steps. [SSP-RK3 1-3]
@@ -34,4 +34,4 @@ TEST(SspRungeKutta3, OfAnOscillatorIsStableToTheRootOfThree) {
 TEST(SspRungeKutta3, IsOfThirdOrder) { expect_order_on_spring("ssp-rk3", 3); }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::ssp_rk3_test

@@ -1,6 +1,6 @@
 #include "tests/kernel/integrators/recording.hpp"
 
-namespace plumbline {
+namespace plumbline::usavg_test {
 namespace {
 
 TEST(UpdateStressAveraged, Order) {
@@ -19,4 +19,4 @@ TEST(UpdateStressAveraged, OnePointOscillator) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::usavg_test

@@ -1,6 +1,6 @@
 #include "tests/kernel/integrators/recording.hpp"
 
-namespace plumbline {
+namespace plumbline::usf_test {
 namespace {
 
 TEST(UpdateStressFirst, Order) {
@@ -18,4 +18,4 @@ TEST(UpdateStressFirst, OnePointOscillator) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::usf_test

@@ -1,6 +1,6 @@
 #include "tests/kernel/integrators/recording.hpp"
 
-namespace plumbline {
+namespace plumbline::usl_test {
 namespace {
 
 TEST(UpdateStressLast, Order) {
@@ -19,4 +19,4 @@ TEST(UpdateStressLast, OnePointOscillator) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::usl_test

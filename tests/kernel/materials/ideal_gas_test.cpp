@@ -4,7 +4,7 @@
 
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::ideal_gas_test {
 namespace {
 
 // A few operations on numbers of order one.
@@ -362,4 +362,4 @@ TEST(IdealGas, RangesAreJudgedAlone) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::ideal_gas_test

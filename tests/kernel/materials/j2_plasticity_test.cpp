@@ -9,7 +9,7 @@
 #include "kernel/materials/material_entry.hpp"
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::j2_plasticity_test {
 namespace {
 
 using scenes::Space;
@@ -259,4 +259,4 @@ TEST(J2Plasticity, RefusesParametersOutOfRange) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::j2_plasticity_test

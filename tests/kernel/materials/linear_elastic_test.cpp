@@ -5,7 +5,7 @@
 #include "tests/kernel/dense.hpp"
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::linear_elastic_test {
 namespace {
 
 using scenes::Space;
@@ -218,4 +218,4 @@ TEST(LinearElastic, IsASymmetricElasticMaterial) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::linear_elastic_test

@@ -6,7 +6,7 @@
 
 #include "tests/kernel/solids.hpp"
 
-namespace plumbline {
+namespace plumbline::material_entry_test {
 namespace {
 
 TEST(MaterialEntry, RegistersItselfByItsName) {
@@ -54,4 +54,4 @@ TEST(MaterialEntry, ParameterThatIsNoneIsNamedBesideThoseThatAre) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::material_entry_test

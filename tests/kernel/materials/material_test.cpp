@@ -2,7 +2,7 @@
 
 #include "tests/kernel/solids.hpp"
 
-namespace plumbline {
+namespace plumbline::material_test {
 namespace {
 
 TEST(Material, SaysWhereItsEnergyIsKept) {
@@ -15,4 +15,4 @@ TEST(Material, SaysWhereItsEnergyIsKept) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::material_test

@@ -6,7 +6,7 @@
 #include "tests/kernel/dense.hpp"
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::neo_hookean_test {
 namespace {
 
 using scenes::Space;
@@ -402,4 +402,4 @@ TEST(NeoHookean, IsAnElasticMaterialOfFullStress) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::neo_hookean_test

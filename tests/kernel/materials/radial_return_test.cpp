@@ -7,7 +7,7 @@
 
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::radial_return_test {
 namespace {
 
 using Matrix = Eigen::Matrix3d;
@@ -190,4 +190,4 @@ TEST(RadialReturn, RatesAreThoseOfSmallSteps) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::radial_return_test

@@ -6,7 +6,7 @@
 #include "tests/kernel/coupled_scenes.hpp"
 #include "tests/kernel/dense.hpp"
 
-namespace plumbline {
+namespace plumbline::segment_bands_test {
 namespace {
 
 using scenes::Place;
@@ -495,4 +495,4 @@ TEST(SegmentBags, BallHasTheRadiusOfItsPressure) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::segment_bands_test

@@ -4,7 +4,7 @@
 
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::segment_membrane_test {
 namespace {
 
 constexpr double rounding = 4e-14;  // a handful of operations on tensions of order ten
@@ -245,4 +245,4 @@ TEST(SegmentMembrane, IsAChainOfPointForces) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::segment_membrane_test

@@ -5,7 +5,7 @@
 
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::uniaxial_membrane_test {
 namespace {
 
 constexpr double rounding = 4e-15;
@@ -267,4 +267,4 @@ TEST(UniaxialMembrane, RangesLeaveOthersAlone) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::uniaxial_membrane_test

@@ -8,7 +8,7 @@
 #include "tests/kernel/dense.hpp"
 #include "tests/kernel/normals/curves.hpp"
 
-namespace plumbline {
+namespace plumbline::circle_fit_test {
 namespace {
 
 TEST(CircleFit, IsExactOnLinesInAnyDirection) {
@@ -180,4 +180,4 @@ TEST(CircleFit, FewPointsGiveWhatTheyCan) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::circle_fit_test

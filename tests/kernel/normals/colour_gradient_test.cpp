@@ -4,7 +4,7 @@
 
 #include "tests/kernel/normals/curves.hpp"
 
-namespace plumbline {
+namespace plumbline::colour_gradient_test {
 namespace {
 
 // Shapes of York's appendix and of the cubic spline as functions of the distance in cells, with their derivatives.
@@ -166,4 +166,4 @@ TEST(ColourGradient, WithoutGradientThePreviousNormalStays) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::colour_gradient_test

@@ -7,7 +7,7 @@
 
 #include "tests/kernel/normals/curves.hpp"
 
-namespace plumbline {
+namespace plumbline::connectivity_test {
 namespace {
 
 TEST(Connectivity, TangentHasTheMeanOfTheTwoAngles) {  // [York 7.1]
@@ -57,4 +57,4 @@ TEST(Connectivity, EndsOfTheOpenQuarterCircleAreOffByHalfASegment) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::connectivity_test

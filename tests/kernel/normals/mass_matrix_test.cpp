@@ -7,7 +7,7 @@
 #include "tests/kernel/dense.hpp"
 #include "tests/kernel/normals/curves.hpp"
 
-namespace plumbline {
+namespace plumbline::mass_matrix_test {
 namespace {
 
 const GridSpec unit_cell = test::square(1, 1);
@@ -188,4 +188,4 @@ TEST(MassMatrix, AlonePointsKeepThePreviousNormal) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::mass_matrix_test

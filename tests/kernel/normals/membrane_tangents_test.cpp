@@ -5,7 +5,7 @@
 
 #include "tests/kernel/coupled_scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::membrane_tangents_test {
 namespace {
 
 using scenes::Place;
@@ -174,4 +174,4 @@ TEST(MembraneTangents, UnknownNamesThrow) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::membrane_tangents_test

@@ -4,7 +4,7 @@
 
 #include "tests/kernel/normals/curves.hpp"
 
-namespace plumbline {
+namespace plumbline::normals_test {
 namespace {
 
 TEST(Normals, EveryNameMakesAMethodAndOthersDoNot) {
@@ -54,4 +54,4 @@ TEST(Normals, NothingToDoWithoutPoints) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::normals_test

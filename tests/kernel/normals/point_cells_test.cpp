@@ -6,7 +6,7 @@
 
 #include "tests/kernel/normals/curves.hpp"
 
-namespace plumbline {
+namespace plumbline::point_cells_test {
 namespace {
 
 TEST(PointCells, RowsHoldThePointsOfTheirCellsInOrder) {
@@ -83,4 +83,4 @@ TEST(PointCells, APointOnTheLastLineBelongsToTheLastCell) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::point_cells_test

@@ -7,7 +7,7 @@
 #include "kernel/geometry.hpp"
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::body_test {
 namespace {
 
 Scene gas_scene(scenes::Space space, const std::string& transfer, const IdealGas& gas = {}) {
@@ -94,4 +94,4 @@ TEST(Body, HasTheComponentsOfItsGeometry) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::body_test

@@ -7,7 +7,7 @@
 
 #include "kernel/pack.hpp"
 
-namespace plumbline {
+namespace plumbline::columns_test {
 namespace {
 
 TEST(Columns, AddsColumnsOfZerosOnDemand) {
@@ -148,4 +148,4 @@ TEST(Columns, IdentitiesGoByName) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::columns_test

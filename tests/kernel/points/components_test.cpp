@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace plumbline {
+namespace plumbline::components_test {
 namespace {
 
 TEST(Components, ReadAndWriteOnePoint) {
@@ -31,4 +31,4 @@ TEST(Components, MatricesAreRowMajor) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::components_test

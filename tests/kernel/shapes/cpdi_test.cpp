@@ -11,7 +11,7 @@
 #include "kernel/shapes/gimp.hpp"
 #include "tests/kernel/solids.hpp"
 
-namespace plumbline {
+namespace plumbline::cpdi_test {
 namespace {
 
 // Sums of some tens of terms of order one, over edges of a tenth of a cell at least.
@@ -241,4 +241,4 @@ TEST(Cpdi, AWallIsAMirror) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::cpdi_test

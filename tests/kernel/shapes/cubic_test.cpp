@@ -2,7 +2,7 @@
 
 #include "tests/kernel/shapes/properties.hpp"
 
-namespace plumbline {
+namespace plumbline::cubic_test {
 namespace {
 
 using namespace shape_properties;
@@ -37,4 +37,4 @@ TEST(Cubic, APointOnTheLastNodeLineBelongsToTheLastCell) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::cubic_test

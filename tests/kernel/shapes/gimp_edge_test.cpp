@@ -5,7 +5,7 @@
 
 #include "kernel/shapes/gimp.hpp"
 
-namespace plumbline {
+namespace plumbline::gimp_edge_test {
 namespace {
 
 // A box that reaches e beyond the anchor gives the next node e^2 / (4 l) and the gradient e / (2 l): their ratio g^2 / N
@@ -28,4 +28,4 @@ TEST(GimpEdge, TheRatioOfGradientAndWeightIsBounded) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::gimp_edge_test

@@ -4,7 +4,7 @@
 
 #include "tests/kernel/shapes/properties.hpp"
 
-namespace plumbline {
+namespace plumbline::gimp_test {
 namespace {
 
 using shape_properties::rounding;
@@ -179,4 +179,4 @@ TEST(Gimp, BlurIsHalfTheVariance) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::gimp_test

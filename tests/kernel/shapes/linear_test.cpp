@@ -2,7 +2,7 @@
 
 #include "tests/kernel/shapes/properties.hpp"
 
-namespace plumbline {
+namespace plumbline::linear_test {
 namespace {
 
 using namespace shape_properties;
@@ -42,4 +42,4 @@ TEST(Linear, APointOnTheLastNodeLineBelongsToTheLastCell) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::linear_test

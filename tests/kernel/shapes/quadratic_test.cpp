@@ -2,7 +2,7 @@
 
 #include "tests/kernel/shapes/properties.hpp"
 
-namespace plumbline {
+namespace plumbline::quadratic_test {
 namespace {
 
 using namespace shape_properties;
@@ -66,4 +66,4 @@ TEST(Quadratic, GradientsAreContinuousWhereTheAnchorChanges) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::quadratic_test

@@ -6,7 +6,7 @@
 #include "kernel/transfers/transfer.hpp"
 #include "tests/kernel/contact/two_clouds.hpp"
 
-namespace plumbline {
+namespace plumbline::blend_test {
 namespace {
 
 // A transfer of that share, registered when first asked for: other tests count those of the program.
@@ -102,4 +102,4 @@ TEST(Blend, OthersAreRefused) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::blend_test

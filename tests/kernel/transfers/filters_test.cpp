@@ -7,7 +7,7 @@
 #include "tests/kernel/dense.hpp"
 #include "tests/kernel/solids.hpp"
 
-namespace plumbline {
+namespace plumbline::filters_test {
 namespace {
 
 using Dense = Eigen::MatrixXd;
@@ -331,4 +331,4 @@ TEST(Filters, LoseLessWithEachTerm) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::filters_test

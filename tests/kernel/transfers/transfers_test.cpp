@@ -3,7 +3,7 @@
 
 #include "tests/kernel/scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::transfers_test {
 namespace {
 
 // Two points in one linear cell and a uniform pull b: M = sum m N, v = sum m N v / M; FLIP adds dt b to each
@@ -122,4 +122,4 @@ TEST(Transfers, ApicConservesAngularMomentum) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::transfers_test

@@ -4,7 +4,7 @@
 
 #include "tests/reference/flow_checks.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::manufactured_test {
 namespace {
 
 using Position = std::vector<double>;
@@ -255,4 +255,4 @@ TEST(ManufacturedProblem, WrongProblemsAreRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::manufactured_test

@@ -8,7 +8,7 @@
 #include "cases/catalog/solid/collision.hpp"
 #include "cases/harness/files/errors.hpp"
 
-namespace plumbline {
+namespace plumbline::airbag_run_test {
 namespace {
 
 const AirbagSpec narrow{.name = "probe", .mass = 6.03, .radius = 0.1, .speed = 3.9, .crown = 0.318, .end_time = 0.1};
@@ -48,4 +48,4 @@ TEST(AirbagRun, AccumulatedStrainIsRefused) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::airbag_run_test

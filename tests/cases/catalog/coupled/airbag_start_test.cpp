@@ -11,7 +11,7 @@
 #include "kernel/materials/segment_membrane.hpp"
 #include "kernel/simulation.hpp"
 
-namespace plumbline {
+namespace plumbline::airbag_start_test {
 namespace {
 
 constexpr double crown = 0.318;
@@ -121,4 +121,4 @@ TEST(AirbagStart, BlownUpItRests) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::airbag_start_test

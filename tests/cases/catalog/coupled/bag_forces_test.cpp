@@ -8,7 +8,7 @@
 #include "cases/catalog/coupled/membrane.hpp"
 #include "kernel/materials/material.hpp"
 
-namespace plumbline {
+namespace plumbline::bag_forces_test {
 namespace {
 
 const MembraneMaterial skin{.youngs_modulus = 6e7, .poissons_ratio = 0.4, .density = 662, .thickness = 5e-4};
@@ -111,4 +111,4 @@ TEST(BagForces, Tether) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::bag_forces_test

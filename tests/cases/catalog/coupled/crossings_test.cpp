@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace plumbline {
+namespace plumbline::crossings_test {
 namespace {
 
 struct History {
@@ -50,4 +50,4 @@ TEST(Crossings, TooFew) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::crossings_test

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-namespace plumbline {
+namespace plumbline::damped_wave_test {
 namespace {
 
 struct Samples {
@@ -44,4 +44,4 @@ TEST(DampedWave, NeedsAWholePeriod) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::damped_wave_test

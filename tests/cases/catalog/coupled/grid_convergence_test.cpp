@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace plumbline {
+namespace plumbline::grid_convergence_test {
 namespace {
 
 // [GCI 1] Values that follow the law have no scatter: 1.25 times what is left.
@@ -35,4 +35,4 @@ TEST(GridConvergence, NeedsThreeMeshes) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::grid_convergence_test

@@ -10,7 +10,7 @@
 #include "cases/harness/description/case.hpp"
 #include "kernel/materials/segment_membrane.hpp"
 
-namespace plumbline {
+namespace plumbline::membrane_test {
 namespace {
 
 const MembraneMaterial skin{1e6, 0.3, 0.5, 0.1};
@@ -145,4 +145,4 @@ TEST(DogBone, IsAsYorkDescribesIt) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::membrane_test

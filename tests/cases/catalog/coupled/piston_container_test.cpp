@@ -5,7 +5,7 @@
 
 #include "cases/harness/description/case.hpp"
 
-namespace plumbline {
+namespace plumbline::piston_container_test {
 namespace {
 
 Scene scene_of(const std::string& scheme, const std::vector<Override>& overrides = {}) {
@@ -49,4 +49,4 @@ TEST(PistonContainer, YorksPoints) {  // [York A.4.10]
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::piston_container_test

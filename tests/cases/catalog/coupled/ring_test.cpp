@@ -8,7 +8,7 @@
 #include "cases/harness/description/case.hpp"
 #include "kernel/materials/segment_membrane.hpp"
 
-namespace plumbline {
+namespace plumbline::ring_test {
 namespace {
 
 constexpr double rounding = 1e-13;
@@ -175,4 +175,4 @@ TEST(RingScene, YorksStep) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::ring_test

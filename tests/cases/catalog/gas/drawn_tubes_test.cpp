@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace plumbline {
+namespace plumbline::drawn_tubes_test {
 namespace {
 
 double sound(const reference::GasState& gas, double gamma) { return std::sqrt(gamma * gas.pressure / gas.density); }
@@ -70,4 +70,4 @@ TEST(DrawnTubes, AShorterListIsTheBeginningOfALongerOne) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::drawn_tubes_test

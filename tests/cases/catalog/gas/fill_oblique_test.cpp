@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace plumbline {
+namespace plumbline::fill_oblique_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -112,4 +112,4 @@ TEST(FillOblique, RowsFillTheMiddle) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::fill_oblique_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace plumbline {
+namespace plumbline::fill_test {
 namespace {
 
 constexpr double rounding = 1e-12;  // a sum of some thousand terms
@@ -188,4 +188,4 @@ TEST(Fill, BoxesThatAreNoneAreRefused) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::fill_test

@@ -20,7 +20,7 @@
 #include "tests/cases/catalog/run_by_name.hpp"
 #include "tests/cases/harness/temporary_folder.hpp"
 
-namespace plumbline {
+namespace plumbline::gas_cases_test {
 namespace {
 
 const std::vector<std::string> tubes{"toro-1", "toro-2", "toro-3", "toro-4", "toro-5", "lax", "leblanc"};
@@ -509,4 +509,4 @@ TEST(FiniteVolumeComparator, FollowsTheStates) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::gas_cases_test

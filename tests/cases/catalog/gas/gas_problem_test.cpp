@@ -8,7 +8,7 @@
 #include "cases/catalog/gas/shock_tube.hpp"
 #include "cases/harness/files/errors.hpp"
 
-namespace plumbline {
+namespace plumbline::gas_problem_test {
 namespace {
 
 Settings settings(const std::vector<std::string>& typed = {}) {
@@ -167,4 +167,4 @@ TEST(GasProblem, AKnownErrorOfTheReferenceReplacesTheSumOfItsBounds) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::gas_problem_test

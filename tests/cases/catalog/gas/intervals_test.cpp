@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace plumbline {
+namespace plumbline::intervals_test {
 namespace {
 
 constexpr double rounding = 1e-13;
@@ -78,4 +78,4 @@ TEST(Intervals, NearlyNothingIsOneInterval) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::intervals_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace plumbline {
+namespace plumbline::shock_front_test {
 namespace {
 
 // A smeared step from 4 to 1 at `place`, three cells wide, in points of random order.
@@ -68,4 +68,4 @@ TEST(ShockFront, GatesAreOneCellAndTwoPercent) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::shock_front_test

@@ -9,7 +9,7 @@
 #include "reference/riemann.hpp"
 #include "tests/cases/catalog/run_by_name.hpp"
 
-namespace plumbline {
+namespace plumbline::shock_tube_test {
 namespace {
 
 // The case `sod` is the tube with its published states; `typed` changes it.
@@ -255,4 +255,4 @@ TEST(ShockTube, KeysCarryTheTubesOwnDefaults) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::shock_tube_test

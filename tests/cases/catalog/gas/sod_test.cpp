@@ -6,7 +6,7 @@
 #include "cases/harness/files/errors.hpp"
 #include "cases/harness/judge/study.hpp"
 
-namespace plumbline {
+namespace plumbline::sod_test {
 namespace {
 
 const Case& sod() { return find_case("sod"); }
@@ -70,4 +70,4 @@ TEST(Sod, OffsetsOfTheStudyShiftTheGridAlone) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::sod_test

@@ -9,7 +9,7 @@
 #include "kernel/materials/segment_membrane.hpp"
 #include "reference/geo_tube.hpp"
 
-namespace plumbline {
+namespace plumbline::geo_tube_test {
 namespace {
 
 std::array<double, 2> force(const Body& body, int p) {
@@ -66,4 +66,4 @@ TEST(GeoTube, StartsAsACircleOfItsOwnLength) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::geo_tube_test

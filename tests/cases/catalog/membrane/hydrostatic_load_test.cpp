@@ -9,7 +9,7 @@
 
 #include "cases/catalog/membrane/string.hpp"
 
-namespace plumbline {
+namespace plumbline::hydrostatic_load_test {
 namespace {
 
 Body chain(const std::vector<std::array<double, 2>>& places) {
@@ -67,4 +67,4 @@ TEST(HydrostaticLoad, Drags) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::hydrostatic_load_test

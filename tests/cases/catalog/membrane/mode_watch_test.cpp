@@ -8,7 +8,7 @@
 
 #include "cases/catalog/membrane/string.hpp"
 
-namespace plumbline {
+namespace plumbline::mode_watch_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -84,4 +84,4 @@ TEST(ModeWatch, RowsForAProfile) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::mode_watch_test

@@ -7,7 +7,7 @@
 #include "reference/elastic_pendulum.hpp"
 #include "tests/cases/catalog/run_by_name.hpp"
 
-namespace plumbline {
+namespace plumbline::pendulum_test {
 namespace {
 
 const Case& pendulum() { return find_case("pendulum"); }
@@ -120,4 +120,4 @@ TEST(Pendulum, SwingsAndComesBack) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::pendulum_test

@@ -8,7 +8,7 @@
 #include "reference/heavy_spring.hpp"
 #include "tests/cases/catalog/run_by_name.hpp"
 
-namespace plumbline {
+namespace plumbline::spring_mass_test {
 namespace {
 
 const Case& spring() { return find_case("spring-mass"); }
@@ -181,4 +181,4 @@ TEST(SpringMass, WithoutAWholePeriodThereIsNone) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::spring_mass_test

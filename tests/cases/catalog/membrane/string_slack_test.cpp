@@ -8,7 +8,7 @@
 #include "reference/slack_string.hpp"
 #include "tests/cases/catalog/run_by_name.hpp"
 
-namespace plumbline {
+namespace plumbline::string_slack_test {
 namespace {
 
 const Case& slack() { return find_case("string-slack"); }
@@ -100,4 +100,4 @@ TEST(StringSlack, TimesAreInOrder) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::string_slack_test

@@ -11,7 +11,7 @@
 #include "kernel/materials/segment_membrane.hpp"
 #include "kernel/materials/uniaxial_membrane.hpp"
 
-namespace plumbline {
+namespace plumbline::string_test {
 namespace {
 
 const StringMaterial rubber{.youngs_modulus = 2e5, .area = 0.3, .density = 7, .one_way = false};
@@ -140,4 +140,4 @@ TEST(String, TheKeyNamesBothMeasures) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::string_test

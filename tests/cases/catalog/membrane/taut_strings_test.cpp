@@ -9,7 +9,7 @@
 #include "reference/hanging_chain.hpp"
 #include "reference/string_vibration.hpp"
 
-namespace plumbline {
+namespace plumbline::taut_strings_test {
 namespace {
 
 Scene scene_of(const std::string& name, const std::vector<std::string>& typed = {}) {
@@ -94,4 +94,4 @@ TEST(TautStrings, TheWallsBearTheCatenary) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::taut_strings_test

@@ -10,7 +10,7 @@
 #include "cases/harness/run/experiment.hpp"
 #include "kernel/normals/normals.hpp"
 
-namespace plumbline {
+namespace plumbline::normals_cases_test {
 namespace {
 
 class NormalsCases : public testing::TestWithParam<std::string> {};
@@ -133,4 +133,4 @@ TEST(NormalsCell, TheSinglePointIsAloneInItsCell) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::normals_cases_test

@@ -9,7 +9,7 @@
 #include "kernel/materials/neo_hookean.hpp"
 #include "kernel/shapes/domain_columns.hpp"
 
-namespace plumbline {
+namespace plumbline::annulus_points_test {
 namespace {
 
 std::shared_ptr<NeoHookean> rubber() {
@@ -148,4 +148,4 @@ TEST(AnnulusPoints, LayoutsByName) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::annulus_points_test

@@ -5,7 +5,7 @@
 
 #include "kernel/materials/linear_elastic.hpp"
 
-namespace plumbline {
+namespace plumbline::collision_test {
 namespace {
 
 // Two points of masses 1 and 3 on a line.
@@ -84,4 +84,4 @@ TEST(CollisionWatch, EnergyThatRisesIsSeen) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::collision_test

@@ -10,7 +10,7 @@
 #include "reference/bar_vibration.hpp"
 #include "tests/cases/catalog/solid/ordered_profile.hpp"
 
-namespace plumbline {
+namespace plumbline::elastic_bar_test {
 namespace {
 
 Scene scene_of(const std::string& name, const std::vector<std::string>& typed = {}) {
@@ -74,4 +74,4 @@ TEST(ElasticBar, ProfilesAreInTheOrderOfThePoints) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::elastic_bar_test

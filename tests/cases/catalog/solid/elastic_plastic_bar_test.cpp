@@ -9,7 +9,7 @@
 #include "kernel/materials/j2_plasticity.hpp"
 #include "tests/cases/catalog/solid/ordered_profile.hpp"
 
-namespace plumbline {
+namespace plumbline::elastic_plastic_bar_test {
 namespace {
 
 RunResult run_with(const std::vector<std::string>& typed) {
@@ -62,4 +62,4 @@ TEST(ElasticPlasticBar, ProfilesAreInTheOrderOfTheParticles) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::elastic_plastic_bar_test

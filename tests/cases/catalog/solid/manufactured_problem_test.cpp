@@ -8,7 +8,7 @@
 
 #include "cases/harness/run/experiment.hpp"
 
-namespace plumbline {
+namespace plumbline::manufactured_problem_test {
 namespace {
 
 using reference::Tensor;
@@ -103,4 +103,4 @@ TEST(ManufacturedProblem, TheWorstErrorIsTheNormOverTheBody) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::manufactured_problem_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace plumbline {
+namespace plumbline::net_throw_test {
 namespace {
 
 NetBall yorks() { return {1.5, std::numbers::pi * 2.25, 1, 10, 125}; }
@@ -53,4 +53,4 @@ TEST(NetThrow, DurationAndDepthOfAStepByStepMotion) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::net_throw_test

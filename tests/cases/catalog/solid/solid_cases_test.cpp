@@ -8,7 +8,7 @@
 #include "cases/harness/judge/study.hpp"
 #include "cases/harness/run/experiment.hpp"
 
-namespace plumbline {
+namespace plumbline::solid_cases_test {
 namespace {
 
 double value(const RunResult& run, const std::string& measure) {
@@ -50,4 +50,4 @@ TEST(PlaneStress, SheetAndMembraneAreOneBar) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::solid_cases_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace plumbline {
+namespace plumbline::plate_waves_test {
 namespace {
 
 const reference::MapScheme musl{};
@@ -36,4 +36,4 @@ TEST(PlateWaves, PeriodicPatchesMissTheWorstWave) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::plate_waves_test

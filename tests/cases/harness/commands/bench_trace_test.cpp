@@ -5,7 +5,7 @@
 #include "kernel/shapes/quadratic.hpp"
 #include "kernel/stencil.hpp"
 
-namespace plumbline {
+namespace plumbline::bench_trace_test {
 namespace {
 
 class BenchTrace : public testing::Test {
@@ -62,4 +62,4 @@ TEST_F(BenchTrace, AMassSpreadInThePlane) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::bench_trace_test

@@ -6,7 +6,7 @@
 
 #include "tests/cases/harness/toy_case.hpp"
 
-namespace plumbline {
+namespace plumbline::bands_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -65,4 +65,4 @@ TEST(WideBands, NamesGatesAndEnsemblesOfNoGate) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::bands_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace plumbline {
+namespace plumbline::bounds_test {
 namespace {
 
 Bounds expected(std::optional<double> low, std::optional<double> high) { return {{low, high}, {}, {}, false}; }
@@ -79,4 +79,4 @@ TEST(BoundsWords, SayAllThatPasses) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::bounds_test

@@ -7,7 +7,7 @@
 #include "cases/harness/compare/parts.hpp"
 #include "tests/cases/harness/compare/synthetic.hpp"
 
-namespace plumbline {
+namespace plumbline::comparison_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -409,4 +409,4 @@ TEST(Document, HoldsEveryFinding) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::comparison_test

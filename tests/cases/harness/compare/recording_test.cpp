@@ -8,7 +8,7 @@
 #include "tests/cases/harness/temporary_folder.hpp"
 #include "tests/cases/harness/toy_case.hpp"
 
-namespace plumbline {
+namespace plumbline::recording_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -122,4 +122,4 @@ TEST(Regressions, AreWrittenAsTheyAreRead) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::recording_test

@@ -7,7 +7,7 @@
 #include "tests/cases/harness/compare/synthetic.hpp"
 #include "tests/cases/harness/temporary_folder.hpp"
 
-namespace plumbline {
+namespace plumbline::snapshot_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -100,4 +100,4 @@ TEST(ReadSnapshot, AFolderWithNothingToCompareIsAWrongCall) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::snapshot_test

@@ -5,7 +5,7 @@
 
 #include "tests/cases/harness/temporary_folder.hpp"
 
-namespace plumbline {
+namespace plumbline::tolerances_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -160,4 +160,4 @@ TEST(UnsignedWidenings, AreThoseWithoutANewReason) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::tolerances_test

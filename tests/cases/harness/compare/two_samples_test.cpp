@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace plumbline {
+namespace plumbline::two_samples_test {
 namespace {
 
 TEST(TimeRatio, OfEqualSamplesIsOne) {
@@ -67,4 +67,4 @@ TEST(TimeRatio, IntervalHoldsTheTruthAsOftenAsItSays) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::two_samples_test

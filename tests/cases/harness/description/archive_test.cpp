@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace plumbline {
+namespace plumbline::archive_test {
 namespace {
 
 using testing::HasSubstr;
@@ -144,4 +144,4 @@ TEST(Archive, ANameIsUsedOnce) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::archive_test

@@ -10,7 +10,7 @@
 #include "cases/harness/judge/study.hpp"
 #include "tests/cases/harness/toy_case.hpp"
 
-namespace plumbline {
+namespace plumbline::case_test {
 namespace {
 
 TEST(Cases, StandInTheOrderOfTheirNames) {
@@ -173,4 +173,4 @@ TEST_P(EveryCase, MakesASceneOfItsOwnEachTime) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::case_test

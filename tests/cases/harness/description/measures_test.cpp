@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace plumbline {
+namespace plumbline::measures_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -126,4 +126,4 @@ TEST(ProfileColumns, AreFoundByName) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::measures_test

@@ -5,7 +5,7 @@
 
 #include "cases/harness/files/errors.hpp"
 
-namespace plumbline {
+namespace plumbline::parameters_test {
 namespace {
 
 struct Held {
@@ -68,4 +68,4 @@ TEST(Parameters, AreWhatTheSettingsSay) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::parameters_test

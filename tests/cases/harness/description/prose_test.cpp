@@ -8,7 +8,7 @@
 
 #include "cases/harness/laboratory/problem.hpp"
 
-namespace plumbline {
+namespace plumbline::prose_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -124,4 +124,4 @@ TEST(WrittenProse, IsThereForEveryCase) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::prose_test

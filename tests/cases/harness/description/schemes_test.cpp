@@ -12,7 +12,7 @@
 #include "tests/cases/harness/scene_cases.hpp"
 #include "tests/cases/harness/toy_case.hpp"
 
-namespace plumbline {
+namespace plumbline::schemes_test {
 namespace {
 
 using testing::ElementsAre;
@@ -186,4 +186,4 @@ TEST(Schemes, EveryPartMayBeChosen) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::schemes_test

@@ -8,7 +8,7 @@
 
 #include "cases/harness/files/errors.hpp"
 
-namespace plumbline {
+namespace plumbline::settings_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -208,4 +208,4 @@ TEST(Settings, RangesAreWrittenForPeople) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::settings_test

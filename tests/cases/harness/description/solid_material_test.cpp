@@ -7,7 +7,7 @@
 #include "kernel/materials/linear_elastic.hpp"
 #include "kernel/materials/neo_hookean.hpp"
 
-namespace plumbline {
+namespace plumbline::solid_material_test {
 namespace {
 
 TEST(SolidMaterial, ChoicesAreElasticSolids) {
@@ -33,4 +33,4 @@ TEST(SolidMaterial, AnotherLawTakesTheParametersThatItShares) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::solid_material_test

@@ -12,7 +12,7 @@
 #include "kernel/materials/material_entry.hpp"
 #include "tests/cases/harness/scene_cases.hpp"
 
-namespace plumbline {
+namespace plumbline::final_state_test {
 namespace {
 
 constexpr int few_steps = 20;
@@ -164,4 +164,4 @@ TEST(Exchange, ProblemIdFollowsPhysicsAlone) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::final_state_test

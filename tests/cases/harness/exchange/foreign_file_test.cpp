@@ -12,7 +12,7 @@
 #include "cases/harness/files/hdf5_handle.hpp"
 #include "tests/cases/harness/temporary_folder.hpp"
 
-namespace plumbline {
+namespace plumbline::foreign_file_test {
 namespace {
 
 using testing::ElementsAre;
@@ -102,4 +102,4 @@ TEST_F(ForeignFileTest, LeavesNoProcessBehind) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::foreign_file_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace plumbline {
+namespace plumbline::errors_test {
 namespace {
 
 TEST(Errors, AnUnknownNameOffersTheNearestAndListsAll) {
@@ -29,4 +29,4 @@ TEST(Errors, StatusesAreThoseOfTheContract) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::errors_test

@@ -12,7 +12,7 @@
 #include "cases/harness/files/errors.hpp"
 #include "tests/cases/harness/temporary_folder.hpp"
 
-namespace plumbline {
+namespace plumbline::hdf5_file_test {
 namespace {
 
 std::vector<double> read_numbers(const std::string& file, const std::string& path) {
@@ -190,4 +190,4 @@ TEST(Hdf5File, TheSameContentGivesTheSameBytes) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::hdf5_file_test

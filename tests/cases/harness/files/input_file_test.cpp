@@ -10,7 +10,7 @@
 #include "cases/harness/files/errors.hpp"
 #include "tests/cases/harness/temporary_folder.hpp"
 
-namespace plumbline {
+namespace plumbline::input_file_test {
 namespace {
 
 using testing::HasSubstr;
@@ -62,4 +62,4 @@ TEST(InputFile, HasALimit) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::input_file_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace plumbline {
+namespace plumbline::json_text_test {
 namespace {
 
 std::string nested(int depth) { return std::string(depth, '[') + std::string(depth, ']'); }
@@ -40,4 +40,4 @@ TEST(JsonText, BytesThatAreNoTextAreReplaced) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::json_text_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace plumbline {
+namespace plumbline::nearest_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -55,4 +55,4 @@ TEST(Nearest, KeepsToTheNumberAskedForAndOffersEachOnce) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::nearest_test

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace plumbline {
+namespace plumbline::pool_test {
 namespace {
 
 TEST(Pool, DoesEveryPieceOnceForAnyNumberOfThreads) {
@@ -63,4 +63,4 @@ TEST(Pool, UsesTheThreadsItIsGiven) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::pool_test

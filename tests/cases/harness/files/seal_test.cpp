@@ -8,7 +8,7 @@
 #include "cases/harness/files/hdf5_file.hpp"
 #include "tests/cases/harness/temporary_folder.hpp"
 
-namespace plumbline {
+namespace plumbline::seal_test {
 namespace {
 
 using ::testing::EndsWith;
@@ -86,4 +86,4 @@ TEST_F(Seal, FilesOfOthersNeedNone) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::seal_test

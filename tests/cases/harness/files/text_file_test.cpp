@@ -13,7 +13,7 @@
 #include "cases/harness/files/errors.hpp"
 #include "tests/cases/harness/temporary_folder.hpp"
 
-namespace plumbline {
+namespace plumbline::text_file_test {
 namespace {
 
 TEST(TextFile, HoldsTheTextAndNothingIsBesideIt) {
@@ -88,4 +88,4 @@ TEST(TextFile, TemporaryNamesTellWhoseTheyAre) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::text_file_test

@@ -7,7 +7,7 @@
 
 #include "cases/harness/files/errors.hpp"
 
-namespace plumbline {
+namespace plumbline::whole_test {
 namespace {
 
 TEST(Whole, NumbersThatAnIntHoldsAreKept) {
@@ -23,4 +23,4 @@ TEST(Whole, AllOthersAreRefused) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::whole_test

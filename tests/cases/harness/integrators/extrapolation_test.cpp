@@ -7,7 +7,7 @@
 
 #include "cases/harness/integrators/measured_limit.hpp"
 
-namespace plumbline {
+namespace plumbline::extrapolation_test {
 namespace {
 
 // Values of f at dt, dt/2, ...
@@ -68,4 +68,4 @@ TEST(MeasuredLimit, OfHalfOrderIsNotMet) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::extrapolation_test

@@ -10,7 +10,7 @@
 #include "cases/harness/integrators/scorecard.hpp"
 #include "kernel/simulation.hpp"
 
-namespace plumbline {
+namespace plumbline::judge_test {
 namespace {
 
 using testing::Contains;
@@ -266,4 +266,4 @@ TEST(Scorecard, SaysInOneSentenceWhatWasFound) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::judge_test

@@ -7,7 +7,7 @@
 
 #include "tests/cases/harness/toy_case.hpp"
 
-namespace plumbline {
+namespace plumbline::expected_failures_test {
 namespace {
 
 FailureOf of(const std::string& scheme, std::vector<Override> overrides = {}, Kind kind = Kind::membrane) {
@@ -89,4 +89,4 @@ TEST(ExpectedFailures, AreCountedAndSaidByOwner) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::expected_failures_test

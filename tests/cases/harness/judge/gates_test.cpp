@@ -10,7 +10,7 @@
 
 #include "tests/cases/harness/toy_case.hpp"
 
-namespace plumbline {
+namespace plumbline::gates_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -424,4 +424,4 @@ TEST(JudgeGates, WaitsForTheStudiesThatItComparesWith) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::gates_test

@@ -9,7 +9,7 @@
 #include "cases/harness/files/errors.hpp"
 #include "tests/cases/harness/toy_case.hpp"
 
-namespace plumbline {
+namespace plumbline::regressions_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -125,4 +125,4 @@ TEST(ParseRegressions, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::regressions_test

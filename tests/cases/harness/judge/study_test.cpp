@@ -8,7 +8,7 @@
 #include "cases/harness/verify/verification.hpp"
 #include "tests/cases/harness/toy_case.hpp"
 
-namespace plumbline {
+namespace plumbline::study_test {
 namespace {
 
 std::vector<double> values_of(const std::vector<PlannedRun>& planned, const std::string& key) {
@@ -286,4 +286,4 @@ TEST(RunStudy, NamesTheSchemeAfterTheIntegrator) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::study_test

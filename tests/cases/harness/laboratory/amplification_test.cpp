@@ -11,7 +11,7 @@
 #include "reference/spectral_radius.hpp"
 #include "tests/cases/harness/laboratory/made_up_integrators.hpp"
 
-namespace plumbline {
+namespace plumbline::amplification_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -100,4 +100,4 @@ TEST(Amplification, RadiiAsByLinearAlgebra) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::amplification_test

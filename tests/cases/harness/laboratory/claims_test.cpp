@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace plumbline {
+namespace plumbline::claims_test {
 namespace {
 
 TEST(Claims, InWords) {
@@ -25,4 +25,4 @@ TEST(Claims, InWords) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::claims_test

@@ -7,7 +7,7 @@
 
 #include "tests/cases/harness/laboratory/made_up_integrators.hpp"
 
-namespace plumbline {
+namespace plumbline::known_limits_test {
 namespace {
 
 std::vector<const StabilityProblem*> problems(const std::vector<std::string>& names) {
@@ -144,4 +144,4 @@ TEST(SmallestKnown, IsAResultItselfWhereNoneIsSmaller) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::known_limits_test

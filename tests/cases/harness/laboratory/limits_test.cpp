@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace plumbline {
+namespace plumbline::limits_test {
 namespace {
 
 // A step whose radius is known: stable up to 1, unstable to 1.5, stable again up to 3. Radii rise in a line, or as a root does.
@@ -108,4 +108,4 @@ TEST(Limits, RunsBracketEveryLimit) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::limits_test

@@ -8,7 +8,7 @@
 #include "kernel/time_integrator.hpp"
 #include "reference/bar_stability.hpp"
 
-namespace plumbline {
+namespace plumbline::made_up_integrators_test {
 namespace {
 
 class ForwardEuler final : public TimeIntegrator {
@@ -119,4 +119,4 @@ TEST(MadeUpIntegrators, ForwardEulerGrowsAtEveryStepOnABar) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::made_up_integrators_test

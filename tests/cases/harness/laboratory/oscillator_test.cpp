@@ -12,7 +12,7 @@
 #include "reference/oscillator_limits.hpp"
 #include "reference/spectral_radius.hpp"
 
-namespace plumbline {
+namespace plumbline::oscillator_test {
 namespace {
 
 using reference::OscillatorMethod;
@@ -201,4 +201,4 @@ TEST(OrdersInTime, FitsPowers) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::oscillator_test

@@ -8,7 +8,7 @@
 #include "kernel/materials/ideal_gas.hpp"
 #include "kernel/materials/linear_elastic.hpp"
 
-namespace plumbline {
+namespace plumbline::scene_contents_test {
 namespace {
 
 using Matter = SceneContents::Matter;
@@ -157,4 +157,4 @@ TEST(SceneContents, AMembraneInGasIsCoupledToIt) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::scene_contents_test

@@ -10,7 +10,7 @@
 #include "cases/harness/run/experiment.hpp"
 #include "tests/cases/harness/laboratory/made_up_integrators.hpp"
 
-namespace plumbline {
+namespace plumbline::scene_limit_test {
 namespace {
 
 struct SampleRun {
@@ -148,4 +148,4 @@ TEST(SceneLimit, IsTheSameAgain) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::scene_limit_test

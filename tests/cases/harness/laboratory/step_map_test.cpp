@@ -7,7 +7,7 @@
 
 #include "cases/harness/laboratory/bar_patch.hpp"
 
-namespace plumbline {
+namespace plumbline::step_map_test {
 namespace {
 
 // Points in every cell, in uneven places, with velocities and strains of their own.
@@ -136,4 +136,4 @@ TEST(StepMap, WhatTheIntegratorRemembersIsPartOfTheState) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::step_map_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace plumbline {
+namespace plumbline::wave_test {
 namespace {
 
 // The equations of the bar by hand, on hat functions: nodes stand at 0 ... cells, the first and the last do not move.
@@ -78,4 +78,4 @@ TEST(StandingWave, BeginsAsAStandingWave) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::wave_test

@@ -8,7 +8,7 @@
 
 #include "tests/cases/harness/toy_case.hpp"
 
-namespace plumbline {
+namespace plumbline::documents_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -243,4 +243,4 @@ TEST(Documents, OfErrors) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::documents_test

@@ -8,7 +8,7 @@
 #include "cases/harness/files/errors.hpp"
 #include "tests/cases/harness/temporary_folder.hpp"
 
-namespace plumbline {
+namespace plumbline::fingerprint_test {
 namespace {
 
 // A program in small: the sources are real, the hashes are not.
@@ -121,4 +121,4 @@ TEST_F(Fingerprint, IsEmptyWhereNothingIsTold) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::fingerprint_test

@@ -11,7 +11,7 @@
 #include "cases/harness/files/errors.hpp"
 #include "tests/cases/harness/temporary_folder.hpp"
 
-namespace plumbline {
+namespace plumbline::paraview_files_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -88,4 +88,4 @@ TEST(ParaviewFiles, AFolderThatCannotBeIsAnError) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::paraview_files_test

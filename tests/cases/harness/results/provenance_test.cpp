@@ -6,7 +6,7 @@
 #include <regex>
 #include <vector>
 
-namespace plumbline {
+namespace plumbline::provenance_test {
 namespace {
 
 std::string stored(std::vector<const char*> words) {
@@ -46,4 +46,4 @@ TEST(BuildProvenance, IsFilled) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::provenance_test

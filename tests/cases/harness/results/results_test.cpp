@@ -11,7 +11,7 @@
 #include "tests/cases/harness/temporary_folder.hpp"
 #include "tests/cases/harness/toy_case.hpp"
 
-namespace plumbline {
+namespace plumbline::results_test {
 namespace {
 
 const Case toy = toy_case();
@@ -219,4 +219,4 @@ TEST(VerdictsFile, HoldsTheVerdictsAndTheCatalogOfItsCases) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::results_test

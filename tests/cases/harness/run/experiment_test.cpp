@@ -14,7 +14,7 @@
 #include "cases/harness/files/signals.hpp"
 #include "tests/cases/harness/toy_case.hpp"
 
-namespace plumbline {
+namespace plumbline::experiment_test {
 namespace {
 
 RunResult run(const Case& entry, const std::vector<Override>& overrides = {{"cells", 8.0}}) {
@@ -253,4 +253,4 @@ TEST(ExperimentDeathTest, ASignalEndsTheRunAtItsNextStep) {
 TEST(ExperimentDeathTest, WithoutASignalNothingIsInterrupted) { EXPECT_NO_THROW(throw_if_interrupted()); }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::experiment_test

@@ -11,7 +11,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace plumbline {
+namespace plumbline::extremes_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -213,4 +213,4 @@ TEST(MeanPeriod, WeighsEveryPeriodTheSame) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::extremes_test

@@ -14,7 +14,7 @@
 #include "kernel/materials/linear_elastic.hpp"
 #include "tests/cases/harness/toy_case.hpp"
 
-namespace plumbline {
+namespace plumbline::frames_test {
 namespace {
 
 RunResult run(const Case& entry, const FrameRequest& frames,
@@ -237,4 +237,4 @@ TEST(Frames, StudiesOfCasesAskForASensibleNumber) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::frames_test

@@ -10,7 +10,7 @@
 #include "kernel/simulation.hpp"
 #include "tests/kernel/integrators/recording.hpp"
 
-namespace plumbline {
+namespace plumbline::guarded_integrator_test {
 namespace {
 
 using testing::HasSubstr;
@@ -178,4 +178,4 @@ TEST_F(GuardedIntegrator, OthersSeeWhichStepIsUnderWay) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::guarded_integrator_test

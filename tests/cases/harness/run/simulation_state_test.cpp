@@ -8,7 +8,7 @@
 #include "cases/harness/description/case.hpp"
 #include "cases/harness/integrators/small_scenes.hpp"
 
-namespace plumbline {
+namespace plumbline::simulation_state_test {
 namespace {
 
 using testing::HasSubstr;
@@ -122,4 +122,4 @@ TEST_F(Refused, AnotherIntegratorsMemory) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::simulation_state_test

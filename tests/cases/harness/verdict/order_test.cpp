@@ -11,7 +11,7 @@
 #include <random>
 #include <utility>
 
-namespace plumbline {
+namespace plumbline::order_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -351,4 +351,4 @@ TEST(Order, ADroppedLevelKeepsItsReason) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::order_test

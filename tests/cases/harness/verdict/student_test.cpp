@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace plumbline {
+namespace plumbline::student_test {
 namespace {
 
 TEST(StudentQuantile, ClosedFormsOfOneAndTwoDegrees) {
@@ -24,4 +24,4 @@ TEST(StudentQuantile, ComputedInMoreDigits) {
 TEST(StudentQuantile, WithoutFreedomNothingIsKnown) { EXPECT_TRUE(std::isinf(student_quantile(0))); }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::student_test

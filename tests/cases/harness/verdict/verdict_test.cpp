@@ -10,7 +10,7 @@
 
 #include "cases/harness/verdict/order.hpp"
 
-namespace plumbline {
+namespace plumbline::verdict_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -393,4 +393,4 @@ TEST(Verdict, TheWorstDecidesTheWhole) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::verdict_test

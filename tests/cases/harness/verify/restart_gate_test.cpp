@@ -8,7 +8,7 @@
 #include "tests/cases/harness/scene_cases.hpp"
 #include "tests/cases/harness/toy_case.hpp"
 
-namespace plumbline {
+namespace plumbline::restart_gate_test {
 namespace {
 
 // --- all cases ----------------------------------------------------------------------------------------------------------
@@ -153,4 +153,4 @@ TEST(RestartGate, PointsAreSplitOnTheWay) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::restart_gate_test

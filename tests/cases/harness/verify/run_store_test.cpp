@@ -14,7 +14,7 @@
 #include "cases/harness/verify/verification.hpp"
 #include "tests/cases/harness/temporary_folder.hpp"
 
-namespace plumbline {
+namespace plumbline::run_store_test {
 namespace {
 
 Provenance by(const std::string& code) {
@@ -281,4 +281,4 @@ TEST(AbandonedFiles, OfProcessesThatAreNoMoreAreRemoved) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::run_store_test

@@ -12,7 +12,7 @@
 #include "tests/cases/harness/temporary_folder.hpp"
 #include "tests/cases/harness/toy_case.hpp"
 
-namespace plumbline {
+namespace plumbline::verification_test {
 namespace {
 
 // Two studies of one scheme each and a gate on each; generic gates are four a study.
@@ -320,4 +320,4 @@ TEST(Selection, UnknownNamesAreRefusedBeforeAnythingRuns) {
 }
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::verification_test
