@@ -504,7 +504,7 @@ std::vector<CaseGate> gates() {
           .or_stops(on_20)
           .in(Tier::full),
       gate("york-fine/length-40", value_at("length_drift", 40), between(-unbroken, unbroken), untorn)
-          .fails(torn, {0.0101, 0.30}, bands)
+          .fails(torn, {0.0101, 0.12}, bands)
           .or_stops(on_40)
           .in(Tier::full),
       gate("york-fine/finite", torn_runs, exactly(0), untorn).fails(torn, {2, 2}, bands).in(Tier::full),
