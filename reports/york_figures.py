@@ -130,7 +130,8 @@ def drawing(entry, title, cases, results):
     if "note" in entry:
         words.append(f"{entry['note']}.")
     if missing:
-        words.append(f"Not in these results: {_named(missing)}.")
+        makes = f"“plumbline verify {entry['case']} --tier full” makes all"
+        words.append(f"Not in these results: {_named(missing)}; {makes}.")
     commands = [_command(result, kind) for _, result in there]
     return Figure(drawn, title, " ".join(words), [result.name for _, result in there], keys, [command for command in commands if command]), ""
 

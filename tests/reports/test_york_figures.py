@@ -106,7 +106,8 @@ def test_a_run_that_is_not_there_is_named():
     cases, results = results_of(entry)
     del results["spring-mass-1.h5"]
     figure, _ = york_figures.drawing(entry, "Figure 26", cases, results)
-    assert "Not in these results: default (study york-load at 10)." in figure.caption and figure.files == ["spring-mass-0.h5"]
+    missing = "Not in these results: default (study york-load at 10); “plumbline verify spring-mass --tier full” makes all."
+    assert missing in figure.caption and figure.files == ["spring-mass-0.h5"]
     assert york_figures.drawing(entry, "Figure 26", cases, {})[1].startswith("not in these results: york1997 (study york1997 at 10)")
     assert york_figures.drawing(entry, "Figure 26", {}, {}) == (None, "spring-mass is not in these results")
 
