@@ -246,6 +246,7 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
                       {"unrecorded", to_json(verification.unrecorded)},
                       {"lost", to_json(verification.lost)},
                       {"settings", common.settings},
+                      {"chosen_gates", options.gates},
                       {"declared", verification.declared},
                       {"not_applicable", to_json(verification.not_applicable)},
                       {"scorecards", scorecards.all},

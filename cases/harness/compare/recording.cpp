@@ -108,6 +108,7 @@ std::vector<RecordedValue> recorded_from(const std::vector<RecordedValue>& befor
       throw UsageError("--record", file, "results of `plumbline verify` without --set", {},
                        file + ": made with --set: recorded values are those of the declared studies");
     const std::string tier = verification.at("tier").get<std::string>(), since = stamp_of(verification, file);
+    const bool all = verification.value("chosen_gates", Json::array()).empty();  // otherwise others were not asked for
     std::set<std::pair<std::string, std::string>> judged;
     std::map<RecordedValue::Key, RecordedValue> found;
     std::set<std::string> known;
@@ -119,7 +120,7 @@ std::vector<RecordedValue> recorded_from(const std::vector<RecordedValue>& befor
     }
     for (auto it = values.begin(); it != values.end();) {
       const RecordedValue& value = it->second;
-      const bool gone = value.tier == tier && judged.count({value.case_name, value.study}) > 0 &&
+      const bool gone = all && value.tier == tier && judged.count({value.case_name, value.study}) > 0 &&
                         found.count(it->first) == 0;
       it = gone ? values.erase(it) : std::next(it);
     }

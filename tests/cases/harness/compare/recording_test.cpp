@@ -76,6 +76,14 @@ TEST(RecordedFrom, OtherStudiesTiersAndGatesThatAreGone) {
   EXPECT_EQ(recorded(before, verification({gate("c", 1, 0.1)})).size(), 3u);
 }
 
+TEST(RecordedFrom, ChosenGatesLeaveTheOthersOfTheirStudy) {
+  const auto before = recorded({}, verification({gate("a", 1, 0.1), gate("b", 1, 0.1)}));
+  Json some = verification({gate("a", 1, 0.1)});
+  EXPECT_EQ(recorded(before, some).size(), 1u) << "b is gone";
+  some["chosen_gates"] = {"a"};
+  EXPECT_EQ(recorded(before, some).size(), 2u) << "b was not asked for";
+}
+
 TEST(RecordedFrom, RefusesOtherResults) {
   Json changed = verification({gate("a", 1, 0.1)});
   changed["settings"] = {"gamma=1.5"};
