@@ -1,6 +1,6 @@
 #include "tests/parts/wrong_shape.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_affine {
 namespace {
 
 struct Affine : Quadratic {
@@ -13,4 +13,4 @@ struct Affine : Quadratic {
 const RegisterPart entry(shape<Affine>("wrong-affine", "quadratic B-splines that take 1.000001 of the affine part"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_affine

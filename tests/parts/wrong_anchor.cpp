@@ -1,6 +1,6 @@
 #include "tests/parts/wrong_shape.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_anchor {
 namespace {
 
 // Every identity of the weights holds for any distance from the node.
@@ -21,4 +21,4 @@ const RegisterPart entry(
     shape<Anchor>("wrong-anchor", "quadratic B-splines whose pieces change 0.05 cells beside the middle of a cell"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_anchor

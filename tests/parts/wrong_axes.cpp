@@ -1,6 +1,6 @@
 #include "tests/parts/around_neo_hookean.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_axes {
 namespace {
 
 struct Axes final : AroundNeoHookean {
@@ -16,4 +16,4 @@ struct Axes final : AroundNeoHookean {
 const RegisterPart entry(material<Axes>("neo-Hookean that is a thousandth stiffer along x"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_axes

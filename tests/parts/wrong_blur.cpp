@@ -1,6 +1,6 @@
 #include "tests/parts/around_quadratic.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_blur {
 namespace {
 
 template <class Geometry>
@@ -17,4 +17,4 @@ const RegisterPart entry(shape_around<Blur>("wrong-blur",
                                             "quadratic B-splines that say they smooth 1.001 times as much"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_blur

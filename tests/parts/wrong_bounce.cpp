@@ -1,6 +1,6 @@
 #include "tests/parts/around_touching.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_bounce {
 namespace {
 
 template <int dim>
@@ -21,4 +21,4 @@ class Bounce final : public AroundTouching<dim> {
 const RegisterPart entry(law<Bounce>("wrong-bounce", "bodies part 1.01 times as fast as without loss"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_bounce

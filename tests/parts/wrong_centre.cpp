@@ -1,6 +1,6 @@
 #include "tests/parts/wrong_shape.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_centre {
 namespace {
 
 // The weights add up to 1, and their mean place is off by 2e-7 cells.
@@ -17,4 +17,4 @@ const RegisterPart entry(shape<Centre>("wrong-centre",
                                        "quadratic B-splines that move the mean place of a point by 2e-7 cells"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_centre

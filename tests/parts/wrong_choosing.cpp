@@ -1,6 +1,6 @@
 #include "tests/parts/around_touching.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_choosing {
 namespace {
 
 template <int dim>
@@ -18,4 +18,4 @@ class Choosing final : public AroundTouching<dim> {
 const RegisterPart entry(law<Choosing>("wrong-choosing", "nodes in contact are chosen anew in every pass of a step"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_choosing

@@ -5,7 +5,7 @@
 #include "tests/parts/around.hpp"
 #include "tests/parts/wrong_source.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_cooling {
 namespace {
 
 struct Cooling final : Around<J2Plasticity> {
@@ -28,4 +28,4 @@ const RegisterPart entry(material_entry<Cooling>("J2 plasticity whose heat has t
                                                  {}, {{"yield_stress", 50}}));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_cooling

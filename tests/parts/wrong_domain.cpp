@@ -2,7 +2,7 @@
 #include "kernel/shapes/shape.hpp"
 #include "tests/parts/wrong_source.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_domain {
 namespace {
 
 ShapeEntry domain() {
@@ -16,4 +16,4 @@ ShapeEntry domain() {
 const RegisterPart entry(domain());
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_domain

@@ -1,6 +1,6 @@
 #include "tests/parts/around_neo_hookean.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_faults {
 namespace {
 
 struct Faults final : AroundNeoHookean {
@@ -12,4 +12,4 @@ struct Faults final : AroundNeoHookean {
 const RegisterPart entry(material<Faults>("neo-Hookean that takes points turned inside out"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_faults

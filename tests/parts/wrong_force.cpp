@@ -1,6 +1,6 @@
 #include "tests/parts/around_quadratic.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_force {
 namespace {
 
 template <class Geometry>
@@ -17,4 +17,4 @@ struct Force final : AroundQuadratic<Geometry> {
 const RegisterPart entry(shape_around<Force>("wrong-force", "quadratic B-splines whose forces are 1e-6 strong"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_force

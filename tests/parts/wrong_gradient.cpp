@@ -1,6 +1,6 @@
 #include "tests/parts/wrong_shape.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_gradient {
 namespace {
 
 // The gradients of constants and of linear fields stay right.
@@ -18,4 +18,4 @@ const RegisterPart entry(shape<Gradient>(
     "wrong-gradient", "quadratic B-splines whose gradients are not their derivatives, by 1e-4 of a curvature"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_gradient

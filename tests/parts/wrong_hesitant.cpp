@@ -1,6 +1,6 @@
 #include "tests/parts/around_neo_hookean.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_hesitant {
 namespace {
 
 struct Hesitant final : AroundNeoHookean {
@@ -12,4 +12,4 @@ struct Hesitant final : AroundNeoHookean {
 const RegisterPart entry(material<Hesitant>("neo-Hookean that takes its waves to be three times as fast as they are"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_hesitant

@@ -1,6 +1,6 @@
 #include "tests/parts/wrong_shape.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_inertia {
 namespace {
 
 struct Inertia : Quadratic {
@@ -13,4 +13,4 @@ struct Inertia : Quadratic {
 const RegisterPart entry(shape<Inertia>("wrong-inertia", "quadratic B-splines with an inertia of 0.2500001 cells"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_inertia

@@ -1,6 +1,6 @@
 #include "tests/parts/wrong_shape.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_nearest {
 namespace {
 
 struct Nearest : Quadratic {
@@ -13,4 +13,4 @@ struct Nearest : Quadratic {
 const RegisterPart entry(shape<Nearest>("wrong-nearest", "all of a point goes to its nearest node"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_nearest

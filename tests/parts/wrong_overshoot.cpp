@@ -1,6 +1,6 @@
 #include "tests/parts/around_quadratic.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_overshoot {
 namespace {
 
 template <class Geometry>
@@ -20,4 +20,4 @@ class Overshoot final : public AroundQuadratic<Geometry> {
 const RegisterPart entry(shape_around<Overshoot>("wrong-overshoot", "points take 1.0001 of what the grid gives them"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_overshoot

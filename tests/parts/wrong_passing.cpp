@@ -1,6 +1,6 @@
 #include "tests/parts/around_touching.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_passing {
 namespace {
 
 template <int dim>
@@ -15,4 +15,4 @@ class Passing final : public AroundTouching<dim> {
 const RegisterPart entry(law<Passing>("wrong-passing", "bodies that touch pass through each other"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_passing

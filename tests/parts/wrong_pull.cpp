@@ -1,6 +1,6 @@
 #include "tests/parts/around_touching.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_pull {
 namespace {
 
 template <int dim>
@@ -21,4 +21,4 @@ class Pull final : public AroundTouching<dim> {
 const RegisterPart entry(law<Pull>("wrong-pull", "impulses in the first direction pull"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_pull

@@ -1,6 +1,6 @@
 #include "tests/parts/around_neo_hookean.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_rates {
 namespace {
 
 struct Rates final : AroundNeoHookean {
@@ -14,4 +14,4 @@ struct Rates final : AroundNeoHookean {
 const RegisterPart entry(material<Rates>("neo-Hookean whose rates are 1.000001 of what it advances by"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_rates

@@ -1,6 +1,6 @@
 #include "tests/parts/around_quadratic.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_reach {
 namespace {
 
 template <class Geometry>
@@ -17,4 +17,4 @@ const RegisterPart entry(shape_around<Reach>("wrong-reach",
                                              "quadratic B-splines that say they reach two nodes a direction"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_reach

@@ -1,6 +1,6 @@
 #include "tests/parts/around_touching.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_reaction {
 namespace {
 
 template <int dim>
@@ -20,4 +20,4 @@ const RegisterPart entry(law<Reaction>("wrong-reaction",
                                        "the second body is given 1.000001 of what the first gives it"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_reaction

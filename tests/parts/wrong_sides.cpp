@@ -1,6 +1,6 @@
 #include "tests/parts/around_quadratic.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_sides {
 namespace {
 
 template <class Geometry>
@@ -16,4 +16,4 @@ const RegisterPart entry(shape_around<Sides>("wrong-sides",
                                              "quadratic B-splines that take points beyond a side to be on the grid"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_sides

@@ -1,6 +1,6 @@
 #include "tests/parts/around_touching.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_silent {
 namespace {
 
 template <int dim>
@@ -16,4 +16,4 @@ class Silent final : public AroundTouching<dim> {
 const RegisterPart entry(law<Silent>("wrong-silent", "contact tells of none of its changes"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_silent

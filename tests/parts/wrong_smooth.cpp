@@ -1,7 +1,7 @@
 #include "kernel/shapes/linear.hpp"
 #include "tests/parts/wrong_shape.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_smooth {
 namespace {
 
 struct Smooth : Linear {
@@ -10,4 +10,4 @@ struct Smooth : Linear {
 const RegisterPart entry(shape<Smooth>("wrong-smooth", "tents that offer gradients continuous across cells"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_smooth

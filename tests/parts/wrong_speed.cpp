@@ -1,6 +1,6 @@
 #include "tests/parts/around_neo_hookean.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_speed {
 namespace {
 
 struct Speed final : AroundNeoHookean {
@@ -12,4 +12,4 @@ struct Speed final : AroundNeoHookean {
 const RegisterPart entry(material<Speed>("neo-Hookean that takes its waves to be a tenth slower than they are"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_speed

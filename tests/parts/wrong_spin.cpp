@@ -1,6 +1,6 @@
 #include "tests/parts/around_quadratic.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_spin {
 namespace {
 
 template <class Geometry>
@@ -21,4 +21,4 @@ class Spin final : public AroundQuadratic<Geometry> {
 const RegisterPart entry(shape_around<Spin>("wrong-spin", "points take 0.99 of the affine part"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_spin

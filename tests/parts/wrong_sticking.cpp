@@ -1,6 +1,6 @@
 #include "tests/parts/around_touching.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_sticking {
 namespace {
 
 template <int dim>
@@ -21,4 +21,4 @@ class Sticking final : public AroundTouching<dim> {
 const RegisterPart entry(law<Sticking>("wrong-sticking", "bodies that touch move in common, also where they part"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_sticking

@@ -1,6 +1,6 @@
 #include "tests/parts/around_neo_hookean.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_still {
 namespace {
 
 struct Still final : AroundNeoHookean {
@@ -12,4 +12,4 @@ struct Still final : AroundNeoHookean {
 const RegisterPart entry(material<Still>("neo-Hookean whose steps forget how fast points move"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_still

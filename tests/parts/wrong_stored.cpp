@@ -1,6 +1,6 @@
 #include "tests/parts/around_neo_hookean.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_stored {
 namespace {
 
 struct Stored final : AroundNeoHookean {
@@ -12,4 +12,4 @@ struct Stored final : AroundNeoHookean {
 const RegisterPart entry(material<Stored>("neo-Hookean that tells 1.001 of what it stores"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_stored

@@ -1,6 +1,6 @@
 #include "tests/parts/around_neo_hookean.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_stress {
 namespace {
 
 struct Stress final : AroundNeoHookean {
@@ -13,4 +13,4 @@ struct Stress final : AroundNeoHookean {
 const RegisterPart entry(material<Stress>("neo-Hookean with 1.00001 of the stress that its energy has"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_stress

@@ -2,7 +2,7 @@
 #include "kernel/transfers/transfer.hpp"
 #include "tests/parts/wrong_source.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_taken {
 namespace {
 
 const RegisterPart entry(TransferEntry{{"wrong-taken",
@@ -13,4 +13,4 @@ const RegisterPart entry(TransferEntry{{"wrong-taken",
                                        {.keep = 1}});
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_taken

@@ -2,7 +2,7 @@
 
 #include "tests/parts/around_neo_hookean.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_tangent {
 namespace {
 
 struct Tangent final : AroundNeoHookean {
@@ -16,4 +16,4 @@ const RegisterPart entry(
     material<Tangent>("neo-Hookean that takes its waves to be as fast as where nothing is strained"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_tangent

@@ -2,7 +2,7 @@
 #include "kernel/transfers/transfer.hpp"
 #include "tests/parts/wrong_source.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_unfiltered {
 namespace {
 
 const RegisterPart entry(TransferEntry{{"wrong-unfiltered",
@@ -13,4 +13,4 @@ const RegisterPart entry(TransferEntry{{"wrong-unfiltered",
                                        {}});
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_unfiltered

@@ -1,6 +1,6 @@
 #include "tests/parts/wrong_shape.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_unity {
 namespace {
 
 struct Unity : Quadratic {
@@ -14,4 +14,4 @@ struct Unity : Quadratic {
 const RegisterPart entry(shape<Unity>("wrong-unity", "quadratic B-splines whose weights add up to 1.000001"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_unity

@@ -1,6 +1,6 @@
 #include "tests/parts/around_neo_hookean.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_viscosity {
 namespace {
 
 struct Viscosity final : AroundNeoHookean {
@@ -17,4 +17,4 @@ struct Viscosity final : AroundNeoHookean {
 const RegisterPart entry(material<Viscosity>("neo-Hookean with a viscosity below zero"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_viscosity

@@ -1,6 +1,6 @@
 #include "tests/parts/around_quadratic.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_volume {
 namespace {
 
 template <class Geometry>
@@ -21,4 +21,4 @@ const RegisterPart entry(shape_around<Volume>("wrong-volume",
                                               "quadratic B-splines whose last node has 1.001 of its volume"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_volume

@@ -1,6 +1,6 @@
 #include "tests/parts/around_quadratic.hpp"
 
-namespace plumbline::wrong {
+namespace plumbline::wrong::wrong_walls {
 namespace {
 
 template <class Geometry>
@@ -35,4 +35,4 @@ const RegisterPart entry(shape_around<AtWalls>(
     "wrong-walls", "points within half a cell of a wall lose a millionth of the velocity that they take"));
 
 }  // namespace
-}  // namespace plumbline::wrong
+}  // namespace plumbline::wrong::wrong_walls
