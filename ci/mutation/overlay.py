@@ -77,7 +77,7 @@ class Base:
         commands = self.build / "compile_commands.json"
         if not commands.exists() or not (self.build / "build.ninja").exists():
             raise BuildError(f"no finished build in {build}: cmake --preset release && cmake --build --preset release")
-        self.compile = {}
+        self.compile, self.units_of_tests = {}, set()
         for entry in json.loads(commands.read_text()):
             words = shlex.split(entry["command"])
             self.compile[words[words.index("-o") + 1]] = (self._relative(entry["file"]), words)
@@ -87,9 +87,11 @@ class Base:
     def _take_units_apart(self):
         """Files of tests that are compiled several at a time have commands of their own, too: those of their unit."""
         for name, (unit, words) in list(self.compile.items()):
-            if not _is_unit(name):
+            if "/Unity/unity_" not in name:
                 continue
             for file in re.findall(r'^#include "(.+)"$', (self.root / unit).read_text(encoding="utf-8"), re.M):
+                if file.endswith("_test.cpp"):
+                    self.units_of_tests.add(name)
                 source = self._relative(file)
                 alone = f"{name.split('/Unity/')[0]}/{source.removeprefix('tests/')}.o"
                 own = list(words)
@@ -137,10 +139,6 @@ class Base:
                 if archives or links:
                     return words
         raise BuildError(f"the build has no command for {output}")
-
-
-def _is_unit(name):
-    return "/Unity/unity_" in name
 
 
 def build(base, folder, mutants, tests=(), evaluator=False, jobs=1, plain=False):
@@ -249,7 +247,7 @@ class _Recipe:
             self.compile(own)
         words = self.base.link_words(f"{part}_test", f"tests/{part}_test")
         folder = f"tests/CMakeFiles/{part}_test.dir/"
-        tests = [word for word in words if word.startswith(folder) and (_is_unit(word) or word.endswith("_test.cpp.o"))]
+        tests = [word for word in words if word in self.base.units_of_tests or (word.startswith(folder) and word.endswith("_test.cpp.o"))]
         first = words.index(tests[0])
         words = [*words[:first], own, *(word for word in words[first:] if word not in tests)]
         name = path.removeprefix("tests/").removesuffix(".cpp").replace("/", "-")

@@ -289,10 +289,11 @@ def test_files_of_one_unit_have_commands_of_their_own(tmp_path, monkeypatch):
     command = f"c++ -O1 -o {made}/Unity/unity_0_cxx.cxx.o -c {unit}"
     (build / "compile_commands.json").write_text(json.dumps([{"file": str(unit), "command": command}]), encoding="utf-8")
     monkeypatch.setattr(overlay.Base, "_ninja", lambda *_: "")
-    known = overlay.Base(tmp_path, build).compile
+    base = overlay.Base(tmp_path, build)
+    assert base.units_of_tests == {f"{made}/Unity/unity_0_cxx.cxx.o"}
     for file in files:
         name = f"{made}/{file.relative_to(tmp_path / 'tests')}.o"
-        assert known[name] == (str(file.relative_to(tmp_path)), ["c++", "-O1", "-o", name, "-c", str(file)])
+        assert base.compile[name] == (str(file.relative_to(tmp_path)), ["c++", "-O1", "-o", name, "-c", str(file)])
 
 
 def test_sources_find_their_tests():

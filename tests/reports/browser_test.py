@@ -9,7 +9,6 @@ import subprocess
 import pytest
 from matplotlib import image
 
-import chromium
 import libraries
 from plumbline import reader
 import render
@@ -60,16 +59,6 @@ CROWDED_TICKS = """(() => [...document.querySelectorAll('.map-frame, .map-bar')]
     Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 &&
     Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 3).map(([other]) => words + ' | ' + other));
 }))()"""
-
-
-@pytest.fixture(scope="module")
-def browser():
-    if not chromium.executable():
-        pytest.skip(
-            "no Chromium is installed (apt-get install chromium): the page was not looked at in a browser"
-        )
-    with chromium.Chromium() as opened:
-        yield opened
 
 
 @pytest.fixture(scope="module")

@@ -10,7 +10,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 REPORTS = HERE.parent.parent / "reports"
 sys.path[:0] = [str(REPORTS), str(HERE)]
 
-import synthetic_results  # noqa: E402  (needs the path above)
+import chromium  # noqa: E402  (needs the path above)
+import synthetic_results  # noqa: E402
 
 
 def each_without(document, depth=7):
@@ -29,6 +30,14 @@ def each_without(document, depth=7):
             place = place[step]
         place[way[-1]] = None
         yield changed
+
+
+@pytest.fixture(scope="module")
+def browser():
+    if not chromium.executable():
+        pytest.skip("no Chromium is installed (apt-get install chromium): the pages were not looked at in a browser")
+    with chromium.Chromium() as opened:
+        yield opened
 
 
 @pytest.fixture(scope="session")

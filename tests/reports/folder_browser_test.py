@@ -9,7 +9,6 @@ import time
 
 import pytest
 
-import chromium
 import history
 import pages
 import render
@@ -25,14 +24,6 @@ LOOKED_AT = ("index.html", "cases/sod.html", "scheme.html", "step.html", "integr
 PRINTED = ("step.html", "york.html", "york-figures.html", "trust.html", "mutants.html", "cases/sod.html", f"cases/{synthetic_crowd.CASE}.html")
 MOST_SHEETS = 10
 WAIT = "new Promise(done => setTimeout(done, 300))"
-
-
-@pytest.fixture(scope="module")
-def browser():
-    if not chromium.executable():
-        pytest.skip("no Chromium is installed (apt-get install chromium): the pages were not looked at in a browser")
-    with chromium.Chromium() as opened:
-        yield opened
 
 
 def words(browser):

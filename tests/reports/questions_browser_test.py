@@ -12,7 +12,6 @@ import numpy
 import pytest
 from plumbline import reader
 
-import chromium
 import history
 import render
 import synthetic_costs
@@ -52,14 +51,6 @@ def report(made, tmp_path_factory):
     output = tmp_path_factory.mktemp("report")
     assert render.main([str(made), str(output)]) == 0
     return output
-
-
-@pytest.fixture(scope="module")
-def browser():
-    if not chromium.executable():
-        pytest.skip("no Chromium is installed (apt-get install chromium): the pages were not looked at in a browser")
-    with chromium.Chromium() as opened:
-        yield opened
 
 
 def document(folder, name):
