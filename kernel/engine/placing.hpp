@@ -18,10 +18,10 @@ class Placing {
 
   explicit Placing(const Space& space) : space_(space) {}
 
-  // Sorts the points into bins, chains excepted, and finds their weights; sorting false: they keep their order. Columns in
+  // Sorts the points into bins, chains and surfaces excepted, and finds their weights; sorting false: they keep their order. Columns in
   // `stale` hold nothing that will be read and are not moved. Throws InadmissibleState where a point left the grid.
   void locate(Body& body, Weights<dim>& at, bool sorting, std::span<const ColumnId> stale) {
-    const bool in_bins = sorting && !body.chain;
+    const bool in_bins = sorting && !body.chain && !body.material->surface();
     at.release();
     if (in_bins && at.bins_hold) {
       follow(body, at, stale);

@@ -51,6 +51,11 @@ class Stress {
         });
         wanted.rates = nullptr;
       }
+      if (of_places) {
+        space_.for_chunks(places, [&](const Chunk& chunk) {
+          body.material->prepare_stress(body.points, {chunk.first, chunk.last}, then);
+        });
+      }
       const auto evaluate_here = [&](const Chunk& chunk) {
         const double lost = wanted.none() ? 0.0 : space_.loops->gather_start(body, places, chunk, wanted);
         if (!source.elsewhere) body.material->evaluate_stress(body.points, {chunk.first, chunk.last}, then);

@@ -1,6 +1,7 @@
 // A material: parameters with units, the columns it needs, and loops of its own over those columns.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,7 @@ class Material {
   virtual void add_columns(Columns& points, int dim) const = 0;
   virtual Store store() const = 0;
   virtual bool chain() const { return false; }        // points are a chain, see Body::chain
+  virtual bool surface() const { return false; }      // points are a surface in space and are never sorted
   virtual bool has_density() const { return false; }  // a density column that a density method may set
   virtual bool takes_heat() const { return false; }   // transfer losses can become internal energy
   virtual bool dissipates() const { return false; }   // part of what it stores is heat()
@@ -73,6 +75,13 @@ class Material {
   // one column after another: points() values each.
   virtual std::vector<const ColumnId*> internal_variables(const MaterialContext& context) const = 0;
   virtual std::vector<double> rates(const Columns& points, const MaterialContext& context) const = 0;
+
+  // Of materials whose points know their neighbours from the rest state: the same material of these points, which stand as
+  // they do at the start of a run. Null: it knows nothing of single points.
+  virtual std::shared_ptr<const Material> of_rest(const Columns&) const { return nullptr; }
+
+  // What points show their neighbours: done for all of them before evaluate_stress() of any.
+  virtual void prepare_stress(Columns&, PointRange, const MaterialContext&) const {}
 
   // Sets stress (and pressure, volume, tangent) from the internal variables and the strain_rate column.
   virtual void evaluate_stress(Columns& points, PointRange range, const MaterialContext& context) const = 0;

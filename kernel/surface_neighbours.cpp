@@ -1,0 +1,183 @@
+#include "kernel/surface_neighbours.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+
+namespace plumbline {
+namespace {
+
+using Vec = Eigen::Vector3d;
+using Frame = Eigen::Matrix<double, 3, 2>;
+constexpr int terms = 5;  // of a quadratic without its constant
+
+Vec place_of(const Columns& points, int p) {
+  return {points(column::position, 0)[p], points(column::position, 1)[p], points(column::position, 2)[p]};
+}
+
+Frame frame_of(const Columns& points, int p) {
+  Frame f;
+  for (int a = 0; a < 2; ++a) {
+    for (int d = 0; d < 3; ++d) f(d, a) = points(column::tangents, 3 * a + d)[p];
+  }
+  return f;
+}
+
+// What may be a neighbour: a point, or an image of one.
+struct Candidate {
+  Vec place;
+  int point;
+  bool image;
+};
+
+// Candidates in cubes of a given size.
+class Cubes {
+ public:
+  Cubes(const std::vector<Candidate>& all, double size) : all_(all), size_(size) {
+    for (std::size_t k = 0; k < all.size(); ++k) held_[cube(all[k].place)].push_back(k);
+  }
+  template <class Visit>
+  void for_near(const Vec& x, Visit&& visit) const {
+    const auto [i, j, k] = cube(x);
+    for (long a = i - 1; a <= i + 1; ++a) {
+      for (long b = j - 1; b <= j + 1; ++b) {
+        for (long c = k - 1; c <= k + 1; ++c) {
+          const auto found = held_.find({a, b, c});
+          if (found == held_.end()) continue;
+          for (const std::size_t n : found->second) visit(all_[n]);
+        }
+      }
+    }
+  }
+
+ private:
+  using Cube = std::tuple<long, long, long>;
+  Cube cube(const Vec& x) const {
+    return {std::lround(std::floor(x[0] / size_)), std::lround(std::floor(x[1] / size_)),
+            std::lround(std::floor(x[2] / size_))};
+  }
+  const std::vector<Candidate>& all_;
+  double size_;
+  std::map<Cube, std::vector<std::size_t>> held_;
+};
+
+std::vector<Candidate> candidates(const Columns& points, const std::vector<OddImage>& images) {
+  std::vector<Candidate> all;
+  for (int p = 0; p < points.points(); ++p) all.push_back({place_of(points, p), p, false});
+  for (const OddImage& image : images) {
+    all.push_back({Vec(image.place[0], image.place[1], image.place[2]), image.partner, true});
+  }
+  return all;
+}
+
+double longest_tangent(const Columns& points) {
+  double longest = 0;
+  for (int p = 0; p < points.points(); ++p) {
+    const Frame f = frame_of(points, p);
+    if (!((f.transpose() * f).determinant() > 0)) {
+      throw std::invalid_argument("point " + std::to_string(p) + " of a surface has no tangents at the start");
+    }
+    longest = std::max(longest, f.operatorNorm());
+  }
+  return longest;
+}
+
+// A neighbour with the terms of its place on the surface at rest, lengths over the reach, and its weight.
+struct Neighbour {
+  Candidate at;
+  Eigen::Matrix<double, terms, 1> phi;
+  double weight;
+};
+
+std::vector<Neighbour> neighbours_of(const Candidate& point, const Frame& f, double reach, const Cubes& near,
+                                     const std::vector<int>& sheet) {
+  const Eigen::Matrix<double, 2, 3> dual = (f.transpose() * f).inverse() * f.transpose();
+  const auto together = [&](int a, int b) {
+    if (sheet.empty()) return true;
+    const int one = sheet[static_cast<std::size_t>(a)], other = sheet[static_cast<std::size_t>(b)];
+    return one == other || one < 0 || other < 0;
+  };
+  std::vector<Neighbour> all;
+  near.for_near(point.place, [&](const Candidate& other) {
+    if ((!other.image && other.point == point.point) || !together(point.point, other.point)) return;
+    const Vec apart = other.place - point.place;
+    const Eigen::Vector2d xi = dual * apart / reach;
+    // Out of the tangents' plane distances are those of space: on a folded sheet the other side is no neighbour.
+    const double across = (apart - f * (dual * apart)).squaredNorm() / (reach * reach);
+    const double square = xi.squaredNorm() + across;
+    if (square >= 1) return;
+    Neighbour found{other, {}, (1 - square) * (1 - square)};
+    found.phi << xi[0], xi[1], xi[0] * xi[0] / 2, xi[0] * xi[1], xi[1] * xi[1] / 2;
+    all.push_back(found);
+  });
+  return all;
+}
+
+void transpose(const SurfaceNeighbours::Links& of, SurfaceNeighbours::Links& on) {
+  const std::size_t points = of.first.size() - 1, count = of.other.size();
+  on.first.assign(points + 1, 0);
+  for (const int other : of.other) ++on.first[static_cast<std::size_t>(other) + 1];
+  for (std::size_t p = 0; p < points; ++p) on.first[p + 1] += on.first[p];
+  std::vector<int> next(on.first.begin(), on.first.end() - 1);
+  on.other.resize(count);
+  on.along.resize(count);
+  on.across.resize(count);
+  for (std::size_t p = 0; p < points; ++p) {
+    for (int k = of.first[p]; k < of.first[p + 1]; ++k) {
+      const auto from = static_cast<std::size_t>(k);
+      const auto to = static_cast<std::size_t>(next[static_cast<std::size_t>(of.other[from])]++);
+      on.other[to] = static_cast<int>(p);
+      on.along[to] = of.along[from];
+      on.across[to] = of.across[from];
+    }
+  }
+}
+
+}  // namespace
+
+SurfaceNeighbours surface_neighbours(const Columns& points, double reach, const std::vector<OddImage>& images,
+                                     const std::vector<int>& sheet) {
+  const std::vector<Candidate> all = candidates(points, images);
+  const Cubes near(all, reach * longest_tangent(points));
+  SurfaceNeighbours found;
+  SurfaceNeighbours::Links& of = found.of;
+  of.first.push_back(0);
+  if (!images.empty()) found.fixed.assign(static_cast<std::size_t>(6 * points.points()), 0.0);
+  const auto add = [&](int other, const Eigen::Vector2d& c) {
+    of.other.push_back(other);
+    of.along.push_back(c[0]);
+    of.across.push_back(c[1]);
+  };
+  for (int p = 0; p < points.points(); ++p) {
+    const std::vector<Neighbour> own =
+        neighbours_of(all[static_cast<std::size_t>(p)], frame_of(points, p), reach, near, sheet);
+    Eigen::Matrix<double, terms, terms> normal = Eigen::Matrix<double, terms, terms>::Zero();
+    for (const Neighbour& n : own) normal += n.weight * n.phi * n.phi.transpose();
+    const Eigen::FullPivLU<Eigen::Matrix<double, terms, terms>> solver(normal);
+    if (solver.rank() < terms) {
+      throw std::invalid_argument("point " + std::to_string(p) + " of a surface has " + std::to_string(own.size()) +
+                                  " neighbours within reach, too few for its tangents: a larger reach, or more points");
+    }
+    const Eigen::Matrix<double, terms, terms> inverse = solver.inverse();
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (const Neighbour& n : own) {
+      const Eigen::Vector2d c = inverse.topRows<2>() * n.phi * (n.weight / reach);  // [Surface 1]
+      sum += c;
+      add(n.at.point, n.at.image ? Eigen::Vector2d(-c) : c);
+      if (!n.at.image) continue;
+      const Vec both = n.at.place + place_of(points, n.at.point);  // what the places of image and partner add up to
+      for (int a = 0; a < 2; ++a) {
+        for (int d = 0; d < 3; ++d) found.fixed[static_cast<std::size_t>(6 * p + 3 * a + d)] += c[a] * both[d];
+      }
+    }
+    add(p, -sum);
+    of.first.push_back(static_cast<int>(of.other.size()));
+  }
+  transpose(of, found.on);
+  return found;
+}
+
+}  // namespace plumbline
