@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace plumbline {
 namespace {
@@ -59,11 +60,17 @@ double SurfaceLaw::wave_speed(const Metric& c) const {
   return std::sqrt((stiff * square * square + stress * square) / density);
 }
 
-void SurfaceLaw::refuse_what_cannot_work() const {
+double SurfaceLaw::fastest_wave(const Columns& points, int first, int last) const {
+  double fastest = 0;
+  for (int p = first; p < last; ++p) fastest = std::max(fastest, wave_speed(metric_of(points, p)));
+  return fastest;
+}
+
+void SurfaceLaw::refuse_what_cannot_work(int dim) const {
+  if (dim != 3) throw std::invalid_argument("a membrane with two tangents lives in space, not in dimension " + std::to_string(dim));
   if (neo_hookean && one_way) {
     throw std::invalid_argument("a membrane is neo_hookean or one_way: the law that wrinkles is of St. Venant, Kirchhoff");
   }
-  if (!(thickness > 0)) throw std::invalid_argument("the thickness of a membrane must be positive");
 }
 
 Metric metric_of(const Columns& points, int p) {

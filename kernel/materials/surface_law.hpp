@@ -33,8 +33,10 @@ struct SurfaceLaw {
   State state(const Metric& metric) const;
   // Of the fastest wave in the membrane, m/s through space.
   double wave_speed(const Metric& metric) const;
-  // Throws std::invalid_argument where the choices exclude each other.
-  void refuse_what_cannot_work() const;
+  // Of points first ... last - 1 the fastest, m/s.
+  double fastest_wave(const Columns& points, int first, int last) const;
+  // Throws std::invalid_argument where the choices exclude each other, or the dimension is not 3.
+  void refuse_what_cannot_work(int dim) const;
 
  private:
   State taut(const Metric& strain) const;  // St. Venant and Kirchhoff, of e

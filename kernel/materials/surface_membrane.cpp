@@ -104,8 +104,7 @@ const RegisterPart entry(material_entry<SurfaceMembrane>("a membrane in space, s
 }  // namespace
 
 void SurfaceMembrane::add_columns(Columns& points, int dim) const {
-  if (dim != 3) throw std::invalid_argument("surface_membrane lives in space: dimension 3");
-  refuse_what_cannot_work();
+  refuse_what_cannot_work(dim);
   points.add(column::tangents, 6);
   points.add(column::surface_pull, 6);
   points.add(column::surface_energy);
@@ -119,9 +118,15 @@ double SurfaceMembrane::spacing(const Columns& points) const {
 }
 
 std::shared_ptr<const Material> SurfaceMembrane::of_rest(const Columns& points) const {
+  return of_rest(points, {}, {});
+}
+
+std::shared_ptr<const SurfaceMembrane> SurfaceMembrane::of_rest(const Columns& points,
+                                                                const std::vector<OddImage>& images,
+                                                                const std::vector<int>& sheet) const {
   auto own = std::make_shared<SurfaceMembrane>(*this);
-  own->neighbours =
-      std::make_shared<const SurfaceNeighbours>(surface_neighbours(points, reach * spacing(points)));
+  own->neighbours = std::make_shared<const SurfaceNeighbours>(
+      surface_neighbours(points, reach * spacing(points), images, sheet));
   return own;
 }
 
@@ -219,9 +224,7 @@ void SurfaceMembrane::describe(Columns& points) const {
 }
 
 StepBounds SurfaceMembrane::step_bounds(const Columns& points, PointRange range, int dim) const {
-  double speed = 0;
-  for (int p = range.first; p < range.last; ++p) speed = std::max(speed, wave_speed(metric_of(points, p)));
-  return {.fastest = speed + fastest_point(points, range, dim)};
+  return {.fastest = fastest_wave(points, range.first, range.last) + fastest_point(points, range, dim)};
 }
 
 Material::Fault SurfaceMembrane::first_fault(const Columns& points, PointRange range) const {

@@ -138,6 +138,7 @@ class Writer {
     MaterialContext context;
     context.dim = scene_.grid.dim;
     context.h = scene_.grid.h;
+    body.material->prepare_stress(points, all_points(points), context);
     body.material->evaluate_stress(points, all_points(points), context);
   }
 

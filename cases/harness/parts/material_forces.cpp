@@ -5,6 +5,7 @@
 #include "cases/harness/parts/material_gates.hpp"
 #include "cases/harness/parts/shape_probe.hpp"
 #include "kernel/materials/segment_membrane.hpp"  // the column rest_length
+#include "kernel/materials/surface_law.hpp"       // the column tangents
 
 namespace plumbline {
 namespace {
@@ -16,7 +17,7 @@ constexpr double rounding = 1e-12;
 
 double worse(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
-// Points a unit apart on a curve, moved by up to a fifth of it; each row a point.
+// Points a unit apart on a curve, or of a surface on a part of one, moved by up to a fifth of it; each row a point.
 class Pulling {
  public:
   Pulling(std::shared_ptr<const Material> material, std::size_t geometry, double density, ProbeRandom& random)
@@ -25,12 +26,15 @@ class Pulling {
     body_ = make_body("points", material_, points_tried, context_.dim, false);
     Eigen::MatrixXd x(points_tried, context_.dim);
     for (int p = 0; p < points_tried; ++p) {
-      const double place[3] = {1.0 + p, 0.05 * p * p, 0.2 * p};
-      for (int d = 0; d < context_.dim; ++d) x(p, d) = place[d];
+      const double along = p % 3, across = p / 3;
+      const double on_curve[3] = {1.0 + p, 0.05 * p * p, 0.2 * p};
+      const double on_surface[3] = {along, across, 0.1 * along * along - 0.05 * along * across};
+      for (int d = 0; d < context_.dim; ++d) x(p, d) = material_->surface() ? on_surface[d] : on_curve[d];
       points()(column::volume)[p] = 1;
       points()(column::mass)[p] = density;
     }
     at(x);
+    know_rest();
     forces();  // the first are those of points at rest
     set_rest_lengths(x);
     at(x + 0.2 * any(random));
@@ -48,6 +52,7 @@ class Pulling {
   }
   // N
   Eigen::MatrixXd forces() {
+    material_->prepare_stress(points(), all_points(points()), context_);
     material_->evaluate_stress(points(), all_points(points()), context_);
     return -column_of(column::stress);  // of volumes of 1 m^3
   }
@@ -58,6 +63,12 @@ class Pulling {
   }
 
  private:
+  void know_rest() {
+    for (int p = 0; points().has(column::tangents) && p < points_tried; ++p) {
+      points()(column::tangents, 0)[p] = points()(column::tangents, 4)[p] = 0.95;  // stretched by as much
+    }
+    if (const auto own = material_->of_rest(points())) material_ = own;
+  }
   // Of chains, which have such a column.
   void set_rest_lengths(const Eigen::MatrixXd& x) {
     if (!points().has(column::rest_length)) return;

@@ -265,7 +265,8 @@ std::vector<MeasuredGate> material_gates(const MaterialEntry& entry) {
   const Material& first = *subject->made.front();
   std::vector<MeasuredGate> all;
   for (std::size_t geometry = 0; geometry < geometry_names().size(); ++geometry) {
-    if (first.chain() && geometry != 1) continue;  // a line of points in the plane
+    if (first.chain() && geometry != 1) continue;    // a line of points in the plane
+    if (first.surface() && geometry != 3) continue;  // a surface in space
     const bool pulls = first.measure() == StressMeasure::point_force;
     if (pulls && geometry == 2) continue;  // forces between rings are no sums of pulls
     std::vector<MeasuredGate> some = pulls ? pulling_gates(subject, geometry) : gates_of(subject, geometry);

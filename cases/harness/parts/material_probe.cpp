@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "kernel/materials/surface_law.hpp"  // the column tangents
+
 namespace plumbline {
 namespace {
 
@@ -28,6 +30,13 @@ MaterialProbe::MaterialProbe(std::shared_ptr<const Material> material, std::size
     if (points().has(column::energy)) points()(column::energy)[p] = 1 + 0.2 * p;
     for (int d = 0; points().has(column::tangent) && d < dim(); ++d) {
       points()(column::tangent, d)[p] = d == 0 ? std::cos(p) : d == 1 ? std::sin(p) : 0;
+    }
+    if (points().has(column::tangents)) {  // two that are orthonormal
+      const double first[] = {std::cos(p), std::sin(p), 0}, second[] = {0, 0, 1};
+      for (int d = 0; d < 3; ++d) {
+        points()(column::tangents, d)[p] = first[d];
+        points()(column::tangents, 3 + d)[p] = second[d];
+      }
     }
   }
   evaluate();

@@ -1,0 +1,144 @@
+// A band of membrane in space turns about its tilted axis, held together by its hoop stress.
+#include <cmath>
+#include <numbers>
+
+#include "cases/catalog/membrane/surface_case.hpp"
+#include "cases/catalog/solid/collision.hpp"
+#include "cases/harness/description/archive.hpp"
+#include "cases/harness/description/schemes.hpp"
+#include "cases/harness/judge/gates.hpp"
+
+namespace plumbline {
+namespace {
+
+// One struct for points and reference.
+struct SpinningBand : SurfaceCase {
+  double height, strain, turns, tilted;
+
+  explicit SpinningBand(Parameters given = {}) : SurfaceCase(std::move(given)) {
+    height = positive("height", 1, "m", "of the band at rest");
+    strain = within("strain", 0.01, "1", 0, 0.2, "e_1 around the axis, by which it turns");
+    turns = positive("turns", 1, "1", "to the end");
+    tilted = any_number("tilt", 0.6, "1", "angle of its axis with that of the grid, rad");
+  }
+
+  // A ring of the band carries S_1 = E e_1 alone: t S_1 l / R = rho t omega^2 l R.
+  double omega() const {
+    return std::sqrt(choice.law.youngs_modulus * strain / choice.law.density) / size;
+  }
+  double around() const { return std::sqrt(1 + 2 * strain); }
+  double along() const { return std::sqrt(1 - 2 * choice.law.poissons_ratio * strain); }
+  // Of the hoop stress, N/m: t S_1 l_1^2 / (l_1 l_2).
+  double resultant() const { return thickness() * choice.law.youngs_modulus * strain * around() / along(); }
+  Vec3 spin() const { return {0, -omega() * std::sin(tilted), omega() * std::cos(tilted)}; }
+};
+
+class SpinningBandRun final : public Problem {
+ public:
+  explicit SpinningBandRun(const Settings& settings) : settings_(settings), at_(settings_) {}
+
+  double end_time() const override { return at_.turns * 2 * std::numbers::pi / at_.omega(); }
+
+  Scene scene() const override {
+    Scene scene;
+    const double far = std::hypot(at_.size * at_.around(), 0.5 * at_.height);
+    scene.grid = surface_grid(at_, settings_, far, far);
+    const double h = scene.grid.h, spacing = h / std::sqrt(settings_.number("ppc"));
+    std::vector<SurfacePoint> points = band_points(at_.size, at_.height, spacing, at_.around(), at_.along());
+    tilt(points, at_.tilted);
+    Body band = surface_body("band", at_.choice, std::move(points), h);
+    turn(band.points);
+    scene.bodies.push_back(std::move(band));
+    apply_choices(settings_, scene);
+    return scene;
+  }
+
+  void observe(const Simulation& simulation) override {
+    energy_.observe(simulation);
+    rows_.push_back({simulation.time(), mean_distance(simulation.scene().bodies.front().points) - 1, energy_.kept() - 1});
+  }
+  void history(Archive& archive) override {
+    archive("energy", energy_);
+    archive("rows", rows_);
+  }
+
+  std::vector<Measure> measures(const Simulation& simulation) const override {
+    const Columns& points = simulation.scene().bodies.front().points;
+    double square = 0;
+    const std::vector<double> pulls = resultants(points, at_.choice.law);
+    for (const double pull : pulls) {  // half the trace: one of the two stresses is none
+      square += std::pow(2 * pull / at_.resultant() - 1, 2) / static_cast<double>(pulls.size());
+    }
+    return {scalar_measure("radius", mean_distance(points), 1, 0, "1"),
+            share_measure("energy_lost", 1 - energy_.kept()),
+            share_measure("energy_rise", energy_.largest_rise()),
+            share_measure("stress", std::sqrt(square))};
+  }
+
+  Profile profile(const Simulation&) const override {
+    return history_profile({{"time", "s", "time", {}},
+                            {"radius", "1", "mean distance from the axis over that of the turning ring, less 1", {}},
+                            {"energy", "1", "energy over that at the start, less 1", {}}},
+                           rows_);
+  }
+
+ private:
+  void turn(Columns& points) const {
+    const Vec3 w = at_.spin();
+    const double cross[3][3] = {{0, -w[2], w[1]}, {w[2], 0, -w[0]}, {-w[1], w[0], 0}};
+    const bool affine = settings_.text("transfer") == "apic";
+    if (affine) points.add(column::affine, 9);
+    for (int p = 0; p < points.points(); ++p) {
+      for (int d = 0; d < 3; ++d) {
+        double v = 0;
+        for (int e = 0; e < 3; ++e) {
+          v += cross[d][e] * points(column::position, e)[p];
+          if (affine) points(column::affine, 3 * d + e)[p] = cross[d][e];
+        }
+        points(column::velocity, d)[p] = v;
+      }
+    }
+  }
+
+  // From the axis through the origin, over the radius of the ring that turns.
+  double mean_distance(const Columns& points) const {
+    const double c = std::cos(at_.tilted), s = std::sin(at_.tilted), ring = at_.size * at_.around();
+    double sum = 0;
+    for (int p = 0; p < points.points(); ++p) {
+      const double x = points(column::position, 0)[p];
+      const double y = c * points(column::position, 1)[p] + s * points(column::position, 2)[p];
+      sum += std::hypot(x, y) / ring;
+    }
+    return sum / points.points();
+  }
+
+  Settings settings_;
+  SpinningBand at_;
+  EnergyWatch energy_;
+  std::vector<std::array<double, 3>> rows_;
+};
+
+std::vector<CaseGate> gates() {
+  return {gate("default/energy-8", value_at("energy_lost", 8), between(-1e-12, 3e-4),
+               requirement("a turn costs less than three ten-thousandths of the energy and never gives any")),
+          gate("default/rise-8", value_at("energy_rise", 8), at_most(1e-6),
+               requirement("no step raises the energy by more than a millionth")),
+          gate("default/radius-8", error_at("radius", 8), at_most(1e-3),
+               requirement("a thousandth of the radius, a tenth of the strain that holds it"))};
+}
+
+Case spinning_band() {
+  return {.name = "spinning-band",
+          .kind = Kind::membrane,
+          .keys = SpinningBand().keys(),
+          .sets = {{"cells", 8.0}},
+          .york_step = courant_number(0.3),
+          .problem = run_of<SpinningBandRun>,
+          .studies = {study("default", "default", "One turn.", {8}).in_full({8, 16})},
+          .gates = gates(),
+          .levels = {8, 16}};
+}
+PLUMBLINE_CASE(spinning_band);
+
+}  // namespace
+}  // namespace plumbline

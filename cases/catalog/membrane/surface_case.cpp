@@ -1,0 +1,95 @@
+#include "cases/catalog/membrane/surface_case.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cases/harness/files/whole.hpp"
+
+namespace plumbline {
+namespace {
+
+double radius_of(const Columns& points, int p) {
+  return std::hypot(points(column::position, 0)[p], points(column::position, 1)[p], points(column::position, 2)[p]);
+}
+
+}  // namespace
+
+SurfaceCase::SurfaceCase(Parameters given, bool neo_hookean) : Parameters(std::move(given)) {
+  SurfaceLaw& law = choice.law;
+  law.neo_hookean = neo_hookean;
+  law.youngs_modulus = positive("youngs_modulus", 1, "Pa", "E");
+  if (!neo_hookean) law.poissons_ratio = number({.name = "poissons_ratio", .value = 0.3, .low = 0, .high = 0.5, .high_open = true, .description = "nu"});
+  law.density = positive("surface_density", 1, "kg/m^3", "density of the membrane at rest");
+  law.thickness = positive("thickness", 0.01, "m", "of the membrane at rest");
+  size = positive("radius", 1, "m", "of the membrane at rest");
+  choice.carried = one_of("tangents", "neighbours", {"neighbours", "carried"},
+                          "of the surface through the points near each at rest, or carried by the grid's velocity "
+                          "gradient") == "carried";
+  choice.reach = within("reach", choice.reach, "1", 1, 10, "of neighbours, over the spacing of the points at rest");
+  const char* const names[] = {"shift.x", "shift.y", "shift.z"};
+  for (std::size_t d = 0; d < 3; ++d) {
+    shift[d] = number({.name = names[d], .value = 0.0, .low = 0, .high = 1, .high_open = true,
+                       .description = "how far the grid is moved, in cells"});
+  }
+}
+
+int surface_points_on(double area, const Settings& settings, double h) {
+  return whole(std::round(settings.number("ppc") * area / (h * h)));
+}
+
+GridSpec surface_grid(const SurfaceCase& at, const Settings& settings, double across, double up) {
+  constexpr int room = 4;  // cells: the stencils, and the shift
+  GridSpec grid;
+  grid.dim = 3;
+  grid.h = at.size / settings.number("cells");
+  const double reach[] = {across, across, up};
+  for (std::size_t d = 0; d < 3; ++d) {
+    const int half = whole(std::ceil(reach[d] / grid.h)) + room;
+    grid.cells[d] = 2 * half;
+    grid.origin[d] = -(half + at.shift[d]) * grid.h;
+  }
+  return grid;
+}
+
+double mean_radius(const Columns& points) {
+  double sum = 0, mass = 0;
+  for (int p = 0; p < points.points(); ++p) {
+    sum += points(column::mass)[p] * radius_of(points, p);
+    mass += points(column::mass)[p];
+  }
+  return sum / mass;
+}
+
+SphereTangents tangents_of_sphere(const Columns& points, double radius_at_rest) {
+  SphereTangents all;
+  const int n = points.points();
+  for (int p = 0; p < n; ++p) {
+    const double stretch = std::sqrt(std::sqrt(metric_of(points, p).determinant()));
+    const double off = stretch / (radius_of(points, p) / radius_at_rest) - 1;
+    all.mean += off / n;
+    all.rms += off * off / n;
+    all.worst = larger(all.worst, std::abs(off));
+  }
+  all.rms = std::sqrt(all.rms);
+  return all;
+}
+
+std::vector<double> resultants(const Columns& points, const SurfaceLaw& law) {
+  std::vector<double> all;
+  for (int p = 0; p < points.points(); ++p) {
+    const SurfaceLaw::Metric c = metric_of(points, p);
+    const SurfaceLaw::State s = law.state(c);
+    const double trace = s.first * c.first + 2 * s.mixed * c.mixed + s.second * c.second;
+    all.push_back(0.5 * law.thickness * trace / std::sqrt(c.determinant()));
+  }
+  return all;
+}
+
+StudyPlan carried_study(std::vector<double> cells, std::string why) {
+  return study("carried", "tangents carried by the velocity gradient", std::move(why), std::move(cells))
+      .with({{"tangents", "carried"}});
+}
+
+std::vector<Override> shifted_grid() { return {{"shift.x", 0.37}, {"shift.y", 0.21}, {"shift.z", 0.13}}; }
+
+}  // namespace plumbline
