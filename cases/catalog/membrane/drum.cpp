@@ -7,6 +7,7 @@
 #include "cases/harness/description/schemes.hpp"
 #include "cases/harness/judge/gates.hpp"
 #include "cases/harness/verify/restart_gate.hpp"
+#include "kernel/materials/linear_elastic.hpp"
 #include "reference/drum.hpp"
 
 namespace plumbline {
@@ -16,6 +17,7 @@ namespace {
 struct Drum : SurfaceCase {
   double stretch, amplitude, rows;
   int mode;
+  std::string clamp;
 
   explicit Drum(Parameters given = {}) : SurfaceCase(std::move(given)) {
     stretch = number({.name = "stretch", .value = 1.05, .low = 1, .high = 3, .low_open = true, .description = "of the drum at rest"});
@@ -23,6 +25,8 @@ struct Drum : SurfaceCase {
     mode = integer({.name = "mode", .value = 0.0, .low = 0, .high = 2, .description = "nodal lines across; no circle but the rim"});
     rows = number({.name = "clamped_rows", .value = 3.0, .low = 0, .high = 10,
                    .description = "points this many spacings from the rim have images behind it"});
+    clamp = one_of("clamp", "images", {"images", "nodes"},
+                   "what holds the rim: odd images of the points behind it, or nodes that do not move outside of it");
   }
 };
 
@@ -46,6 +50,7 @@ class DrumRun final : public Problem {
       body.points(column::position, 2)[p] = at_.amplitude * at_.size * phi[static_cast<std::size_t>(p)];
     }
     scene.bodies.push_back(std::move(body));
+    if (at_.clamp == "nodes") scene.bodies.push_back(still_nodes(scene.grid));
     apply_choices(settings_, scene);
     return scene;
   }
@@ -77,8 +82,33 @@ class DrumRun final : public Problem {
   GridSpec grid() const { return surface_grid(at_, settings_, at_.size, 0); }
   Body flat() const {
     const double h = grid().h, spacing = h / std::sqrt(settings_.number("ppc"));
+    const auto images = [&](const Columns& points) { return images_behind_rim(points, at_.size, at_.rows * spacing); };
     return surface_body("drum", at_.choice, disk_points(at_.size, spacing, at_.stretch), h,
-                        [&](const Columns& points) { return images_behind_rim(points, at_.size, at_.rows * spacing); });
+                        at_.clamp == "images" ? images : std::function<std::vector<OddImage>(const Columns&)>());
+  }
+  // Points so heavy that the nodes about them stand still: on the nodes beyond the rim a cell or more, since each holds its
+  // neighbours, too.
+  Body still_nodes(const GridSpec& on) const {
+    constexpr double heavy = 1e12;  // times the mass of the drum
+    std::vector<Vec3> places;
+    for (int i = 0; i <= on.cells[0]; ++i) {
+      for (int j = 0; j <= on.cells[1]; ++j) {
+        for (int k = 0; k <= on.cells[2]; ++k) {
+          const Vec3 x{on.origin[0] + i * on.h, on.origin[1] + j * on.h, on.origin[2] + k * on.h};
+          const double beyond = std::hypot(x[0], x[1]) - at_.size;
+          if (beyond >= on.h && beyond < 3 * on.h && std::abs(x[2]) < 2 * on.h) places.push_back(x);
+        }
+      }
+    }
+    auto soft = std::make_shared<LinearElastic>();
+    soft->youngs_modulus = soft->density = 1;
+    Body body = make_body("rim", std::move(soft), static_cast<int>(places.size()), 3);
+    for (int p = 0; p < body.points.points(); ++p) {
+      for (int d = 0; d < 3; ++d) body.points(column::position, d)[p] = places[static_cast<std::size_t>(p)][static_cast<std::size_t>(d)];
+      body.points(column::volume)[p] = on.h * on.h * on.h;
+      body.points(column::mass)[p] = heavy;
+    }
+    return body;
   }
   // Of each point, 1 where it is largest.
   std::vector<double> shape() const {
@@ -136,7 +166,10 @@ Case drum() {
           .sets = {{"cells", 8.0}},
           .york_step = courant_number(0.3),
           .problem = run_of<DrumRun>,
-          .studies = {mode(0, "mode (0,1)"), mode(1, "mode (1,1)"), mode(2, "mode (2,1)")},
+          .studies = {mode(0, "mode (0,1)"), mode(1, "mode (1,1)"), mode(2, "mode (2,1)"),
+                      study("nodes", "clamped by nodes that stand still", "A stair of nodes is no circle: order 1.", {8, 11})
+                          .in_full(meshes)
+                          .with({{"clamp", "nodes"}})},
           .gates = gates(),
           .levels = meshes};
 }

@@ -22,9 +22,13 @@ SurfaceCase::SurfaceCase(Parameters given, bool neo_hookean) : Parameters(std::m
   law.density = positive("surface_density", 1, "kg/m^3", "density of the membrane at rest");
   law.thickness = positive("thickness", 0.01, "m", "of the membrane at rest");
   size = positive("radius", 1, "m", "of the membrane at rest");
-  choice.carried = one_of("tangents", "neighbours", {"neighbours", "carried"},
-                          "of the surface through the points near each at rest, or carried by the grid's velocity "
-                          "gradient") == "carried";
+  const std::string tangents =
+      one_of("tangents", "neighbours", {"neighbours", "carried", "refitted"},
+             "of the surface through the points near each at rest; carried by the grid's velocity gradient; or carried and "
+             "turned to the normal of the points near them");
+  choice.tangents = tangents == "carried"    ? Tangents::carried
+                    : tangents == "refitted" ? Tangents::refitted
+                                             : Tangents::neighbours;
   choice.reach = within("reach", choice.reach, "1", 1, 10, "of neighbours, over the spacing of the points at rest");
   const char* const names[] = {"shift.x", "shift.y", "shift.z"};
   for (std::size_t d = 0; d < 3; ++d) {
@@ -85,9 +89,19 @@ std::vector<double> resultants(const Columns& points, const SurfaceLaw& law) {
   return all;
 }
 
-StudyPlan carried_study(std::vector<double> cells, std::string why) {
-  return study("carried", "tangents carried by the velocity gradient", std::move(why), std::move(cells))
-      .with({{"tangents", "carried"}});
+void press(Body& body, const SurfaceCase& at, std::function<double(double, const Columns&)> pressure, double drag) {
+  body.load = surface_load(at.thickness(), std::move(pressure), drag);
+  if (at.choice.tangents == Tangents::refitted) {
+    body.load = refitting(std::move(body.load), body.points, at.choice.reach * body.spacing);
+  }
+}
+
+std::vector<StudyPlan> wrong_tangents(std::vector<double> cells) {
+  return {study("carried", "tangents carried by the velocity gradient", "Tangents relax against the true stretch.", cells)
+              .with({{"tangents", "carried"}}),
+          study("refitted", "carried, and turned to the normal of the points near them",
+                "What is lost is in the stretch, not in the direction.", std::move(cells))
+              .with({{"tangents", "refitted"}})};
 }
 
 std::vector<Override> shifted_grid() { return {{"shift.x", 0.37}, {"shift.y", 0.21}, {"shift.z", 0.13}}; }

@@ -1,6 +1,7 @@
 // What cases of membranes in space have in common: their keys, their grid, and what they read off the points.
 #pragma once
 
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -39,8 +40,11 @@ SphereTangents tangents_of_sphere(const Columns& points, double radius_at_rest);
 // Resultants of the points, N/m: half the trace of t S_ab f_a f_b / |f_1 x f_2|.
 std::vector<double> resultants(const Columns& points, const SurfaceLaw& law);
 
-// In a study's name and its key: the membrane with tangents that the grid carries.
-StudyPlan carried_study(std::vector<double> cells, std::string why);
+// surface_load() of a body made by surface_body(), with what the case's tangents want beside.
+void press(Body& body, const SurfaceCase& at, std::function<double(double, const Columns&)> pressure, double drag = 0);
+
+// Studies `carried` and `refitted`, of what is not to be done.
+std::vector<StudyPlan> wrong_tangents(std::vector<double> cells);
 
 // The grid moved by a part of a cell.
 std::vector<Override> shifted_grid();

@@ -1,5 +1,6 @@
 #include "cases/catalog/membrane/surface_points.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -34,6 +35,10 @@ Vec3 across(const Vec3& n) {
   return times(1 / norm(t), t);
 }
 
+Eigen::Vector3d vector_of(const Columns& points, const ColumnId& id, int first, int p) {
+  return {points(id, first)[p], points(id, first + 1)[p], points(id, first + 2)[p]};
+}
+
 // Cells from the last direction to the first, as the nodes are counted.
 std::array<double, 3> cell_of(const SurfacePoint& point, double h) {
   return {std::floor(point.place[2] / h + 0.5), std::floor(point.place[1] / h + 0.5),
@@ -41,7 +46,7 @@ std::array<double, 3> cell_of(const SurfacePoint& point, double h) {
 }
 
 std::shared_ptr<Material> material_of(const SurfaceChoice& choice) {
-  if (choice.carried) {
+  if (choice.tangents != Tangents::neighbours) {
     auto carried = std::make_shared<CarriedMembrane>();
     static_cast<SurfaceLaw&>(*carried) = choice.law;
     return carried;
@@ -184,6 +189,34 @@ Body surface_body(const std::string& name, const SurfaceChoice& choice, std::vec
     body.material = membrane->of_rest(columns, images_of ? images_of(columns) : std::vector<OddImage>(), sheet);
   }
   return body;
+}
+
+std::function<void(double, Columns&, std::span<const int>)> refitting(
+    std::function<void(double, Columns&, std::span<const int>)> load, const Columns& start, double reach) {
+  return [load = std::move(load), near = surface_neighbours(start, reach).of](double time, Columns& points,
+                                                                             std::span<const int> id) {
+    const auto place = [&](int p) { return vector_of(points, column::position, 0, p); };
+    for (int p = 0; p < points.points(); ++p) {
+      const int first = near.first[at(p)], last = near.first[at(p) + 1];
+      Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+      for (int k = first; k < last; ++k) mean += place(near.other[at(k)]) / (last - first);
+      Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+      for (int k = first; k < last; ++k) {
+        const Eigen::Vector3d off = place(near.other[at(k)]) - mean;
+        spread += off * off.transpose();
+      }
+      Eigen::Vector3d normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
+      const Eigen::Vector3d a = vector_of(points, column::tangents, 0, p), b = vector_of(points, column::tangents, 3, p);
+      if (normal.dot(a.cross(b)) < 0) normal = -normal;
+      const Eigen::Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(a.cross(b), normal).toRotationMatrix();
+      const Eigen::Vector3d turned_a = turn * a, turned_b = turn * b;
+      for (int d = 0; d < 3; ++d) {
+        points(column::tangents, d)[p] = turned_a[d];
+        points(column::tangents, 3 + d)[p] = turned_b[d];
+      }
+    }
+    load(time, points, id);
+  };
 }
 
 Vec3 area_vector(const Columns& points, int p) {

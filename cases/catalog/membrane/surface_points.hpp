@@ -47,9 +47,11 @@ std::vector<OddImage> images_behind_rim(const Columns& points, double radius, do
 // How a membrane knows its tangents.
 //   neighbours  those of the surface through the points near it at rest, SurfaceMembrane
 //   carried     by the velocity gradient of the grid, CarriedMembrane
+//   refitted    carried, and turned in each step to the normal of the points near it; see refitting()
+enum class Tangents { neighbours, carried, refitted };
 struct SurfaceChoice {
   SurfaceLaw law;
-  bool carried = false;
+  Tangents tangents = Tangents::neighbours;
   double reach = 2.8;
 };
 // The points in the order of the cells of size h that they stand in, so that those of a cell are worked on together.
@@ -63,6 +65,11 @@ double enclosed_volume(const Columns& points, double thickness);
 // The load of a pressure from inside, Pa, and a drag against the velocity, 1/s: p A f_1 x f_2 - m k v.
 std::function<void(double, Columns&, std::span<const int>)> surface_load(
     double thickness, std::function<double(double time, const Columns& points)> pressure, double drag = 0);
+
+// A load that first turns the tangents of each point so that their normal is that of the plane closest to the points within `reach`
+// of it at rest (principal components), the same ones always. Lengths stay.
+std::function<void(double, Columns&, std::span<const int>)> refitting(
+    std::function<void(double, Columns&, std::span<const int>)> load, const Columns& start, double reach);
 
 // f_1 x f_2 of point p.
 Vec3 area_vector(const Columns& points, int p);

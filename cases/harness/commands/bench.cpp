@@ -80,6 +80,7 @@ class Bench {
     }
     head("Whole runs");
     for (const TimedRun& run : standard_runs()) measure(run);
+    measure_membranes();
     for (Json& target : scale_targets(kernels_)) targets_.push_back(std::move(target));
   }
 
@@ -151,11 +152,30 @@ class Bench {
 
   void measure(const TimedRun& run) {
     auto [kernel, target] = time_run(run, common_.settings, full_ ? bench_repeats : 3);
+    add(run, std::move(kernel));
+    targets_.push_back(std::move(target));
+  }
+
+  // The same sphere with tangents of neighbours and with tangents that the grid carries.
+  void measure_membranes() {
+    double rate[2];
+    const char* const tangents[] = {"neighbours", "carried"};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const TimedRun run{fmt::format("membrane in space, {}", tangents[k]), "breathing-sphere", "default", 8, 0, false,
+                         {{"tangents", tangents[k]}, {"periods", 1.0}}};
+      Json kernel = time_run(run, common_.settings, full_ ? bench_repeats : 3).first;
+      rate[k] = kernel["particle_steps_per_s"].get<double>();
+      add(run, std::move(kernel));
+    }
+    targets_.push_back(target_entry("cost of a membrane's particle-step with neighbours over that with carried tangents",
+                                    "1", rate[1] / rate[0], {}, 1.5));
+  }
+
+  void add(const TimedRun& run, Json kernel) {
     out_.line("  {:38} {:>9} {:>7} {:>9.2f}   {} steps in {:.4g} s", run.name, kernel["points"].get<long>(), 1,
               1e-6 * kernel["particle_steps_per_s"].get<double>(), kernel["steps"].get<long>(),
               kernel["wall_s"].get<double>());
     kernels_.push_back(std::move(kernel));
-    targets_.push_back(std::move(target));
   }
 
   const CommonOptions& common_;
