@@ -152,8 +152,8 @@ SurfaceNeighbours surface_neighbours(const Columns& points, double reach, const 
     of.across.push_back(c[1]);
   };
   for (int p = 0; p < points.points(); ++p) {
-    const std::vector<Neighbour> own =
-        neighbours_of(all[static_cast<std::size_t>(p)], frame_of(points, p), reach, near, sheet);
+    const std::vector<Neighbour> own = neighbours_of(all[static_cast<std::size_t>(p)], frame_of(points, p), reach, near,
+                                                     sheet);
     Eigen::Matrix<double, terms, terms> normal = Eigen::Matrix<double, terms, terms>::Zero();
     for (const Neighbour& n : own) normal += n.weight * n.phi * n.phi.transpose();
     const Eigen::FullPivLU<Eigen::Matrix<double, terms, terms>> solver(normal);

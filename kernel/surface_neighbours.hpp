@@ -8,6 +8,11 @@
 
 namespace plumbline {
 
+namespace column {
+// 1 at points that have images behind a clamped edge. A body with this column bears from outside what its forces sum to.
+inline const ColumnId clamped{"clamped", "1"};
+}  // namespace column
+
 // Stands at place - (x_p - X_p) with X_p where its partner p is at the start: the odd image of a point behind a clamped edge. It
 // has neither mass nor energy, and what pulls at it pushes its partner. [Surface 4]
 struct OddImage {

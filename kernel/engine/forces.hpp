@@ -5,6 +5,7 @@
 
 #include "kernel/engine/layout.hpp"
 #include "kernel/engine/step_record.hpp"
+#include "kernel/surface_neighbours.hpp"  // the column clamped
 
 namespace plumbline {
 
@@ -46,6 +47,7 @@ class Forces {
   // What else body b does to the nodes once its stresses are mapped.
   void complete(Bodies& at, std::size_t b, Record& step, const StepClock& clock) const {
     add_stress_turn(at.bodies[b], at.weights[b], step.forces->turn);
+    add_clamp(at.bodies[b], at.weights[b], step.forces->clamp);
     map_load(at.bodies[b], at.weights[b], clock.start + step.stress_ahead, at.field(b));
   }
 
@@ -63,6 +65,20 @@ class Forces {
   void clear(const Field& field, std::vector<Value>& values) const {
     field.for_touched(
         space_.grid, [&](std::size_t i) { values[i] = Field::template zero<Value>(); }, space_.threads);
+  }
+
+  // sum_p F_p of a body that is clamped.
+  void add_clamp(const Body& body, const Weights<dim>& at, typename Space::Vec& clamp) const {
+    if (!body.points.has(column::clamped)) return;
+    const double* volume = body.points(column::volume);
+    for (int d = 0; d < dim; ++d) {
+      const double* stress = body.points(column::stress, d);
+      clamp[d] -= space_.template sum_over_chunks<double>(at, [&](const Chunk& chunk) {
+        double sum = 0;
+        for (int p = chunk.first; p < chunk.last; ++p) sum += volume[p] * stress[p];
+        return sum;
+      });
+    }
   }
 
   // Stresses of another instant than the points' places turn a body: sum_i x_i x f_i is -sum_p V_p (sigma_ba - sigma_ab) of

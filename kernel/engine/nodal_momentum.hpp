@@ -103,6 +103,7 @@ class NodalMomentum {
                         [&](std::size_t i) { record.body.work += dt * field.body_force[i].dot(straining[i]); });
     }
     record.wall.linear[0] += dt * forces.hoop;
+    record.wall.linear += dt * forces.clamp;
     return record;
   }
 

@@ -21,8 +21,9 @@ struct Exchange {
 // Forces on the nodes beside what their fields hold.
 template <int dim>
 struct MappedForces {
-  double hoop = 0;                     // what hoop stress adds to the radial momentum, N
-  Spin<dim> turn = Spin<dim>::Zero();  // torque that should be none, N m
+  double hoop = 0;  // what hoop stress adds to the radial momentum, N
+  Eigen::Matrix<double, dim, 1> clamp = Eigen::Matrix<double, dim, 1>::Zero();  // by clamped edges, N
+  Spin<dim> turn = Spin<dim>::Zero();                                           // torque that should be none, N m
 };
 
 // Strain before the forces are known: its stress power is booked with the stress that the forces use.

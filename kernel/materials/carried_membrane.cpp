@@ -12,26 +12,24 @@ namespace {
 
 using Frame = Eigen::Matrix<double, 3, 2>;
 
-const RegisterPart entry(material_entry<CarriedMembrane>("a membrane in space whose tangents the velocity gradient carries",
-                                                         "reports/docs/theory/membranes.md",
-                                                         {{"youngs_modulus", "Pa", &CarriedMembrane::youngs_modulus},
-                                                          {"poissons_ratio", "1", &CarriedMembrane::poissons_ratio},
-                                                          {"density", "kg/m^3", &CarriedMembrane::density},
-                                                          {"thickness", "m", &CarriedMembrane::thickness},
-                                                          {"one_way", &CarriedMembrane::one_way},
-                                                          {"neo_hookean", &CarriedMembrane::neo_hookean}}));
+const RegisterPart entry(material_entry<CarriedMembrane>(
+    "a membrane in space whose tangents the velocity gradient carries", "reports/docs/theory/membranes.md",
+    {{"youngs_modulus", "Pa", &CarriedMembrane::youngs_modulus},
+     {"poissons_ratio", "1", &CarriedMembrane::poissons_ratio},
+     {"density", "kg/m^3", &CarriedMembrane::density},
+     {"thickness", "m", &CarriedMembrane::thickness},
+     {"one_way", &CarriedMembrane::one_way},
+     {"neo_hookean", &CarriedMembrane::neo_hookean}}));
 
 Frame tangents_of(const Columns& points, int p) {
-  return Frame::NullaryExpr([&](Eigen::Index d, Eigen::Index a) {
-    return points(column::tangents, static_cast<int>(3 * a + d))[p];
-  });
+  return Frame::NullaryExpr(
+      [&](Eigen::Index d, Eigen::Index a) { return points(column::tangents, static_cast<int>(3 * a + d))[p]; });
 }
 
 // (grad v) f.
 Frame rate_of(const Columns& points, int p, const Frame& f) {
-  const Eigen::Matrix3d gradient = Eigen::Matrix3d::NullaryExpr([&](Eigen::Index d, Eigen::Index e) {
-    return points(column::strain_rate, static_cast<int>(3 * d + e))[p];
-  });
+  const Eigen::Matrix3d gradient = Eigen::Matrix3d::NullaryExpr(
+      [&](Eigen::Index d, Eigen::Index e) { return points(column::strain_rate, static_cast<int>(3 * d + e))[p]; });
   return gradient * f;
 }
 

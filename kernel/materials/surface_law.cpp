@@ -67,9 +67,11 @@ double SurfaceLaw::fastest_wave(const Columns& points, int first, int last) cons
 }
 
 void SurfaceLaw::refuse_what_cannot_work(int dim) const {
-  if (dim != 3) throw std::invalid_argument("a membrane with two tangents lives in space, not in dimension " + std::to_string(dim));
+  if (dim != 3)
+    throw std::invalid_argument("a membrane with two tangents lives in space, not in dimension " + std::to_string(dim));
   if (neo_hookean && one_way) {
-    throw std::invalid_argument("a membrane is neo_hookean or one_way: the law that wrinkles is of St. Venant, Kirchhoff");
+    throw std::invalid_argument(
+        "a membrane is neo_hookean or one_way: the law that wrinkles is of St. Venant, Kirchhoff");
   }
 }
 

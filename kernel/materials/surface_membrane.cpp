@@ -91,15 +91,15 @@ struct PairColumn {
   }
 };
 
-const RegisterPart entry(material_entry<SurfaceMembrane>("a membrane in space, strained as the surface through its points",
-                                                         "reports/docs/theory/membranes.md",
-                                                         {{"youngs_modulus", "Pa", &SurfaceMembrane::youngs_modulus},
-                                                          {"poissons_ratio", "1", &SurfaceMembrane::poissons_ratio},
-                                                          {"density", "kg/m^3", &SurfaceMembrane::density},
-                                                          {"thickness", "m", &SurfaceMembrane::thickness},
-                                                          {"one_way", &SurfaceMembrane::one_way},
-                                                          {"neo_hookean", &SurfaceMembrane::neo_hookean},
-                                                          {"reach", "1", &SurfaceMembrane::reach}}));
+const RegisterPart entry(material_entry<SurfaceMembrane>(
+    "a membrane in space, strained as the surface through its points", "reports/docs/theory/membranes.md",
+    {{"youngs_modulus", "Pa", &SurfaceMembrane::youngs_modulus},
+     {"poissons_ratio", "1", &SurfaceMembrane::poissons_ratio},
+     {"density", "kg/m^3", &SurfaceMembrane::density},
+     {"thickness", "m", &SurfaceMembrane::thickness},
+     {"one_way", &SurfaceMembrane::one_way},
+     {"neo_hookean", &SurfaceMembrane::neo_hookean},
+     {"reach", "1", &SurfaceMembrane::reach}}));
 
 }  // namespace
 
@@ -228,7 +228,8 @@ StepBounds SurfaceMembrane::step_bounds(const Columns& points, PointRange range,
 }
 
 Material::Fault SurfaceMembrane::first_fault(const Columns& points, PointRange range) const {
-  const Fault fault = first_not_finite(points, range, column::surface_energy, "the energy of a membrane must be finite");
+  const Fault fault = first_not_finite(points, range, column::surface_energy,
+                                       "the energy of a membrane must be finite");
   if (fault.point >= 0) return fault;
   for (int p = range.first; p < range.last; ++p) {
     const double area = metric_of(points, p).determinant();

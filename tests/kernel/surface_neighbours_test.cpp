@@ -100,8 +100,10 @@ TEST(SurfaceNeighbours, LinksOnAPointAreThoseOfTheOthers) {
   Eigen::MatrixXd of = Eigen::MatrixXd::Zero(n, n), on = of;
   for (int p = 0; p < n; ++p) {
     const auto at = static_cast<std::size_t>(p);
-    for (int k = all.of.first[at]; k < all.of.first[at + 1]; ++k) of(p, all.of.other[static_cast<std::size_t>(k)]) += all.of.across[static_cast<std::size_t>(k)];
-    for (int k = all.on.first[at]; k < all.on.first[at + 1]; ++k) on(p, all.on.other[static_cast<std::size_t>(k)]) += all.on.across[static_cast<std::size_t>(k)];
+    for (int k = all.of.first[at]; k < all.of.first[at + 1]; ++k)
+      of(p, all.of.other[static_cast<std::size_t>(k)]) += all.of.across[static_cast<std::size_t>(k)];
+    for (int k = all.on.first[at]; k < all.on.first[at + 1]; ++k)
+      on(p, all.on.other[static_cast<std::size_t>(k)]) += all.on.across[static_cast<std::size_t>(k)];
   }
   EXPECT_EQ((of - on.transpose()).norm(), 0.0);
 }

@@ -18,9 +18,10 @@ struct BreathingSphere : SurfaceCase {
   double stretch, amplitude, periods;
 
   explicit BreathingSphere(Parameters given = {}) : SurfaceCase(std::move(given)) {
-    stretch = number({.name = "stretch", .value = 1.05, .low = 1, .high = 3, .description = "at rest under the pressure"});
+    stretch = number(
+        {.name = "stretch", .value = 1.05, .low = 1, .high = 3, .description = "at rest under the pressure"});
     amplitude = positive("amplitude", 0.002, "1", "by which the stretch at the start is larger");
-    periods = positive("periods", 5, "1", "to the end");
+    periods = positive("periods", 3, "1", "to the end");
   }
 
   reference::PressurisedSphereProblem problem() const {
@@ -37,7 +38,10 @@ struct BreathingSphere : SurfaceCase {
 class BreathingSphereRun final : public Problem {
  public:
   explicit BreathingSphereRun(const Settings& settings)
-      : settings_(settings), at_(settings_), exact_(at_.problem()), period_(exact_.period(at_.amplitude)) {}
+      : settings_(settings),
+        at_(settings_),
+        exact_(at_.problem()),
+        period_(exact_.period(at_.amplitude)) {}
 
   double end_time() const override { return (at_.periods + 0.3) * period_.value; }  // the last zero is past it
 
@@ -68,10 +72,10 @@ class BreathingSphereRun final : public Problem {
     const std::vector<double> swings = amplitudes();
     double largest = 0, loss = std::nan("");
     for (const double swing : swings) largest = larger(largest, swing / swings.front());
-    if (swings.size() > 1) loss = 1 - std::pow(swings.back() / swings.front(), 1.0 / static_cast<double>(swings.size() - 1));
+    if (swings.size() > 1)
+      loss = 1 - std::pow(swings.back() / swings.front(), 1.0 / static_cast<double>(swings.size() - 1));
     return {scalar_measure("period", measured_period(), period_.value, period_.bound, "s"),
-            share_measure("growth", largest - 1),
-            share_measure("loss_per_period", loss),
+            share_measure("growth", largest - 1), share_measure("loss_per_period", loss),
             share_measure("tangents", tangents.rms)};
   }
 
@@ -121,22 +125,33 @@ class BreathingSphereRun final : public Problem {
 std::vector<StudyPlan> studies() {
   std::vector<StudyPlan> all{
       study("default", "default", "Order 2.", {4, 6, 8}).in_full({4, 6, 8, 11, 16}),
-      study("shifted", "the grid moved by a part of a cell", "Order 2.", {8}).with(shifted_grid())};
-  for (StudyPlan& wrong : wrong_tangents({8})) all.push_back(std::move(wrong));
+      study("shifted", "the grid moved by a part of a cell", "Order 2.", {8}).with(shifted_grid()).in(Tier::full)};
+  for (StudyPlan& wrong : wrong_tangents({8}))
+    all.push_back(std::move(wrong).with({{"tangents", wrong.id}, {"periods", 5.0}}));
   return all;
 }
 
 std::vector<CaseGate> gates() {
-  const Because grid_error = requirement("the smoothing by the maps is .24 (h/R)^2 of the frequency; the bound leaves a third more");
+  const Because grid_error = requirement(
+      "the smoothing by the maps is .24 (h/R)^2 of the frequency; the bound leaves a third more");
   std::vector<CaseGate> all;
-  for (const std::string study : {"default", "shifted"}) {
-    all.push_back(gate(study + "/period-8", error_at("period", 8), at_most(5e-3 * 3.6254521), grid_error));
-    all.push_back(gate(study + "/growth-8", value_at("growth", 8), at_most(1e-3),
-                       theory("nothing drives the oscillation; extremes are found to a thousandth of the amplitude")));
+  const Because still = theory("nothing drives the oscillation; extremes are found to a thousandth of the amplitude");
+  const Because same = requirement("stretches of the tangents and of the radius agree to a hundredth of the prestrain");
+  for (const Tier tier : {Tier::quick, Tier::full}) {
+    const std::string study = tier == Tier::quick ? "default" : "shifted",
+                      wrong = tier == Tier::quick ? "carried" : "refitted";
+    all.push_back(gate(study + "/period-8", error_at("period", 8), at_most(5e-3 * 3.6254521), grid_error).in(tier));
+    all.push_back(gate(study + "/growth-8", value_at("growth", 8), at_most(1e-3), still).in(tier));
+    all.push_back(gate(study + "/tangents-8", value_at("tangents", 8), at_most(5e-4), same).in(tier));
+    all.push_back(
+        gate(wrong + "/tangents-8", value_at("tangents", 8), at_most(5e-4), same)
+            .in(tier)
+            .fails("irregular points are no exact quadrature of a uniform tension: points slip, and carried tangents "
+                   "relax a little at each step",
+                   tier == Tier::quick ? Range{7.9e-4, 1.23e-3} : Range{1.54e-3, 2.4e-3}, "2026-11-26 43deee6"));
   }
-  all.push_back(gate("default/tangents-8", value_at("tangents", 8), at_most(1e-3),
-                     requirement("stretches of the tangents and of the radius agree to a fiftieth of the prestrain")));
-  all.push_back(gate("default/period-16", error_at("period", 16), at_most(1.2e-3 * 3.6254521), grid_error).in(Tier::full));
+  all.push_back(
+      gate("default/period-16", error_at("period", 16), at_most(1.2e-3 * 3.6254521), grid_error).in(Tier::full));
   all.push_back(gate("default/period-order", order_of("period"), at_least(1.9),
                      theory("maps and neighbours are of second order; 0.1 for the interval"))
                     .in(Tier::full));

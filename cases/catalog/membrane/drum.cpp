@@ -20,10 +20,22 @@ struct Drum : SurfaceCase {
   std::string clamp;
 
   explicit Drum(Parameters given = {}) : SurfaceCase(std::move(given)) {
-    stretch = number({.name = "stretch", .value = 1.05, .low = 1, .high = 3, .low_open = true, .description = "of the drum at rest"});
+    stretch = number({.name = "stretch",
+                      .value = 1.05,
+                      .low = 1,
+                      .high = 3,
+                      .low_open = true,
+                      .description = "of the drum at rest"});
     amplitude = positive("amplitude", 1e-3, "1", "largest displacement over the radius");
-    mode = integer({.name = "mode", .value = 0.0, .low = 0, .high = 2, .description = "nodal lines across; no circle but the rim"});
-    rows = number({.name = "clamped_rows", .value = 3.0, .low = 0, .high = 10,
+    mode = integer({.name = "mode",
+                    .value = 0.0,
+                    .low = 0,
+                    .high = 2,
+                    .description = "nodal lines across; no circle but the rim"});
+    rows = number({.name = "clamped_rows",
+                   .value = 3.0,
+                   .low = 0,
+                   .high = 10,
                    .description = "points this many spacings from the rim have images behind it"});
     clamp = one_of("clamp", "images", {"images", "nodes"},
                    "what holds the rim: odd images of the points behind it, or nodes that do not move outside of it");
@@ -35,11 +47,13 @@ class DrumRun final : public Problem {
   explicit DrumRun(const Settings& settings)
       : settings_(settings),
         at_(settings_),
-        exact_(sheet()),
+        exact_(reference::drum_of(sheet())),
         body_(flat()),
         watch_(shape(), 0.0, 2, at_.amplitude * at_.size) {}
 
-  double end_time() const override { return 1.3 * 2 * std::numbers::pi / exact_.omega(at_.mode).value; }
+  double end_time() const override {
+    return 1.6 * 2 * std::numbers::pi / exact_.omega(at_.mode).value;
+  }  // past the third zero of one a fifth too slow
 
   Scene scene() const override {
     Scene scene;
@@ -60,12 +74,12 @@ class DrumRun final : public Problem {
 
   std::vector<Measure> measures(const Simulation& simulation) const override {
     const reference::Bounded omega = exact_.omega(at_.mode);
-    std::vector<Measure> all =
-        watch_.measures(simulation, reference::Bounded(2 * std::numbers::pi) / omega);
+    std::vector<Measure> all = watch_.measures(simulation, reference::Bounded(2 * std::numbers::pi) / omega);
     const std::vector<double> pulls = resultants(simulation.scene().bodies.front().points, at_.choice.law);
     double mean = 0;
     for (const double pull : pulls) mean += pull / static_cast<double>(pulls.size());
-    all.push_back(scalar_measure("tension", mean / exact_.tension().value, 1, exact_.tension().bound / exact_.tension().value, "1"));
+    all.push_back(scalar_measure("tension", mean / exact_.tension().value, 1,
+                                 exact_.tension().bound / exact_.tension().value, "1"));
     return all;
   }
   Profile profile(const Simulation&) const override {
@@ -104,7 +118,8 @@ class DrumRun final : public Problem {
     soft->youngs_modulus = soft->density = 1;
     Body body = make_body("rim", std::move(soft), static_cast<int>(places.size()), 3);
     for (int p = 0; p < body.points.points(); ++p) {
-      for (int d = 0; d < 3; ++d) body.points(column::position, d)[p] = places[static_cast<std::size_t>(p)][static_cast<std::size_t>(d)];
+      for (int d = 0; d < 3; ++d)
+        body.points(column::position, d)[p] = places[static_cast<std::size_t>(p)][static_cast<std::size_t>(d)];
       body.points(column::volume)[p] = on.h * on.h * on.h;
       body.points(column::mass)[p] = heavy;
     }
@@ -130,10 +145,10 @@ class DrumRun final : public Problem {
   ModeWatch watch_;
 };
 
-// The period's error over the period.
-Number relative_period(double level) {
-  return number_at("relative error of the period", "period", level, [](const RunResult&, const Measure& period) {
-    return Measured::of(std::abs(period.error / *period.reference));
+// Of the exact period over that of the run.
+Number frequency(double level) {
+  return number_at("relative error of the frequency", "period", level, [](const RunResult&, const Measure& period) {
+    return Measured::of(std::abs(*period.reference / *period.value - 1));
   });
 }
 
@@ -144,34 +159,43 @@ std::vector<CaseGate> gates() {
   const double most[] = {0.02, 0.05, 0.09};
   for (int mode = 0; mode < 3; ++mode) {
     const std::string study = "mode-" + std::to_string(mode);
-    all.push_back(gate(study + "/period-8", relative_period(8), at_most(most[mode]),
-                       requirement("the smoothing by the maps lowers the frequency by .20 (k h)^2, k the zero of the Bessel function over the radius")));
+    all.push_back(gate(study + "/frequency-8", frequency(8), at_most(most[mode]),
+                       requirement("the smoothing by the maps lowers the frequency by .20 (k h)^2, k the zero of the "
+                                   "Bessel function over the radius")));
     all.push_back(gate(study + "/period-order", order_of("period"), at_least(1.9),
                        theory("maps, neighbours and images are of second order; 0.1 for the interval"))
                       .in(Tier::full));
   }
-  all.push_back(gate("mode-0/tension-8", error_at("tension", 8), at_most(5e-4),
-                     requirement("images behind the rim hold the tension: it leaks by less than a two-thousandth in a period")));
+  all.push_back(
+      gate("nodes/frequency-8", frequency(8), at_most(most[0]), requirement("as of the same mode with images"))
+          .fails("a stair of nodes is no circle, and nodes hold what is up to a cell within them", {0.086, 0.134},
+                 "2026-11-26 43deee6"));
+  all.push_back(
+      gate("mode-0/tension-8", error_at("tension", 8), at_most(5e-4),
+           requirement("images behind the rim hold the tension: it leaks by less than a two-thousandth in a period")));
   all.push_back(restart_gate("mode-0", "runs of a membrane in space"));
   return all;
 }
 
 Case drum() {
   const auto mode = [](double m, const std::string& title) {
-    return study("mode-" + std::to_string(static_cast<int>(m)), title, "Order 2.", {8}).in_full(meshes).with({{"mode", m}});
+    return study("mode-" + std::to_string(static_cast<int>(m)), title, "Order 2.", {8})
+        .in_full(meshes)
+        .with({{"mode", m}});
   };
-  return {.name = "drum",
-          .kind = Kind::membrane,
-          .keys = Drum().keys(),
-          .sets = {{"cells", 8.0}},
-          .york_step = courant_number(0.3),
-          .problem = run_of<DrumRun>,
-          .studies = {mode(0, "mode (0,1)"), mode(1, "mode (1,1)"), mode(2, "mode (2,1)"),
-                      study("nodes", "clamped by nodes that stand still", "A stair of nodes is no circle: order 1.", {8, 11})
-                          .in_full(meshes)
-                          .with({{"clamp", "nodes"}})},
-          .gates = gates(),
-          .levels = meshes};
+  return {
+      .name = "drum",
+      .kind = Kind::membrane,
+      .keys = Drum().keys(),
+      .sets = {{"cells", 8.0}},
+      .york_step = courant_number(0.3),
+      .problem = run_of<DrumRun>,
+      .studies = {mode(0, "mode (0,1)"), mode(1, "mode (1,1)"), mode(2, "mode (2,1)"),
+                  study("nodes", "clamped by nodes that stand still", "A stair of nodes is no circle: order 1.", {8})
+                      .in_full(meshes)
+                      .with({{"clamp", "nodes"}})},
+      .gates = gates(),
+      .levels = meshes};
 }
 PLUMBLINE_CASE(drum);
 

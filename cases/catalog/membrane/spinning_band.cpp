@@ -23,9 +23,7 @@ struct SpinningBand : SurfaceCase {
   }
 
   // A ring of the band carries S_1 = E e_1 alone: t S_1 l / R = rho t omega^2 l R.
-  double omega() const {
-    return std::sqrt(choice.law.youngs_modulus * strain / choice.law.density) / size;
-  }
+  double omega() const { return std::sqrt(choice.law.youngs_modulus * strain / choice.law.density) / size; }
   double around() const { return std::sqrt(1 + 2 * strain); }
   double along() const { return std::sqrt(1 - 2 * choice.law.poissons_ratio * strain); }
   // Of the hoop stress, N/m: t S_1 l_1^2 / (l_1 l_2).
@@ -55,7 +53,8 @@ class SpinningBandRun final : public Problem {
 
   void observe(const Simulation& simulation) override {
     energy_.observe(simulation);
-    rows_.push_back({simulation.time(), mean_distance(simulation.scene().bodies.front().points) - 1, energy_.kept() - 1});
+    rows_.push_back(
+        {simulation.time(), mean_distance(simulation.scene().bodies.front().points) - 1, energy_.kept() - 1});
   }
   void history(Archive& archive) override {
     archive("energy", energy_);
@@ -70,8 +69,7 @@ class SpinningBandRun final : public Problem {
       square += std::pow(2 * pull / at_.resultant() - 1, 2) / static_cast<double>(pulls.size());
     }
     return {scalar_measure("radius", mean_distance(points), 1, 0, "1"),
-            share_measure("energy_lost", 1 - energy_.kept()),
-            share_measure("energy_rise", energy_.largest_rise()),
+            share_measure("energy_lost", 1 - energy_.kept()), share_measure("energy_rise", energy_.largest_rise()),
             share_measure("stress", std::sqrt(square))};
   }
 

@@ -14,8 +14,8 @@ namespace plumbline {
 
 struct SurfaceCase : Parameters {
   SurfaceChoice choice;
-  double size = 1;       // of the radius at rest, m
-  Vec3 shift{0, 0, 0};   // of the grid, in cells
+  double size = 1;      // of the radius at rest, m
+  Vec3 shift{0, 0, 0};  // of the grid, in cells
   explicit SurfaceCase(Parameters given, bool neo_hookean = false);
 
   double thickness() const { return choice.law.thickness; }

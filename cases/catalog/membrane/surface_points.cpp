@@ -75,7 +75,8 @@ void move_at_random(std::vector<SurfacePoint>& sphere, double share) {
   std::mt19937_64 numbers(1997);
   const auto random = [&] { return 2 * static_cast<double>(numbers() >> 11U) / 9007199254740992.0 - 1; };
   for (SurfacePoint& point : sphere) {
-    const double stretch = norm(point.first), radius = norm(point.place), most = share * stretch * std::sqrt(point.area);
+    const double stretch = norm(point.first), radius = norm(point.place),
+                 most = share * stretch * std::sqrt(point.area);
     const double along = random() * most / stretch, across_it = random() * most / stretch;
     for (std::size_t d = 0; d < 3; ++d) point.place[d] += along * point.first[d] + across_it * point.second[d];
     const Vec3 n = times(1 / norm(point.place), point.place), first = across(n);
@@ -148,7 +149,8 @@ std::vector<SurfacePoint> band_points(double radius_at_rest, double height, doub
 void tilt(std::vector<SurfacePoint>& points, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   for (SurfacePoint& point : points) {
-    for (Vec3* v : {&point.place, &point.first, &point.second}) *v = {(*v)[0], c * (*v)[1] - s * (*v)[2], s * (*v)[1] + c * (*v)[2]};
+    for (Vec3* v : {&point.place, &point.first, &point.second})
+      *v = {(*v)[0], c * (*v)[1] - s * (*v)[2], s * (*v)[1] + c * (*v)[2]};
   }
 }
 
@@ -186,7 +188,10 @@ Body surface_body(const std::string& name, const SurfaceChoice& choice, std::vec
   }
   body.spacing = std::sqrt(area / columns.points());
   if (const auto* membrane = dynamic_cast<const SurfaceMembrane*>(material.get())) {
-    body.material = membrane->of_rest(columns, images_of ? images_of(columns) : std::vector<OddImage>(), sheet);
+    const std::vector<OddImage> images = images_of ? images_of(columns) : std::vector<OddImage>();
+    body.material = membrane->of_rest(columns, images, sheet);
+    if (!images.empty()) columns.add(column::clamped);
+    for (const OddImage& image : images) columns(column::clamped)[image.partner] = 1;
   }
   return body;
 }
@@ -194,7 +199,7 @@ Body surface_body(const std::string& name, const SurfaceChoice& choice, std::vec
 std::function<void(double, Columns&, std::span<const int>)> refitting(
     std::function<void(double, Columns&, std::span<const int>)> load, const Columns& start, double reach) {
   return [load = std::move(load), near = surface_neighbours(start, reach).of](double time, Columns& points,
-                                                                             std::span<const int> id) {
+                                                                              std::span<const int> id) {
     const auto place = [&](int p) { return vector_of(points, column::position, 0, p); };
     for (int p = 0; p < points.points(); ++p) {
       const int first = near.first[at(p)], last = near.first[at(p) + 1];
@@ -206,7 +211,8 @@ std::function<void(double, Columns&, std::span<const int>)> refitting(
         spread += off * off.transpose();
       }
       Eigen::Vector3d normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
-      const Eigen::Vector3d a = vector_of(points, column::tangents, 0, p), b = vector_of(points, column::tangents, 3, p);
+      const Eigen::Vector3d a = vector_of(points, column::tangents, 0, p),
+                            b = vector_of(points, column::tangents, 3, p);
       if (normal.dot(a.cross(b)) < 0) normal = -normal;
       const Eigen::Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(a.cross(b), normal).toRotationMatrix();
       const Eigen::Vector3d turned_a = turn * a, turned_b = turn * b;
@@ -232,7 +238,8 @@ double enclosed_volume(const Columns& points, double thickness) {
   double sum = 0;
   for (int p = 0; p < points.points(); ++p) {
     const Vec3 n = area_vector(points, p);
-    for (int d = 0; d < 3; ++d) sum += points(column::volume)[p] / thickness * n[at(d)] * points(column::position, d)[p];
+    for (int d = 0; d < 3; ++d)
+      sum += points(column::volume)[p] / thickness * n[at(d)] * points(column::position, d)[p];
   }
   return sum / 3;
 }

@@ -38,7 +38,8 @@ void sweep_areas(std::vector<SurfacePoint>& sphere);
 std::vector<SurfacePoint> disk_points(double radius, double spacing, double stretch);
 // A band about the axis z, |z| <= height / 2 at rest, in rows around it `spacing` apart whose points stand as close; stretched by
 // `around` and `along` the axis.
-std::vector<SurfacePoint> band_points(double radius_at_rest, double height, double spacing, double around, double along);
+std::vector<SurfacePoint> band_points(double radius_at_rest, double height, double spacing, double around,
+                                      double along);
 // Turned about the axis x.
 void tilt(std::vector<SurfacePoint>& points, double angle);
 // Images behind the rim of a disk, of its points no farther than `depth` from it.

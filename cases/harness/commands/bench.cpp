@@ -167,8 +167,9 @@ class Bench {
       rate[k] = kernel["particle_steps_per_s"].get<double>();
       add(run, std::move(kernel));
     }
-    targets_.push_back(target_entry("cost of a membrane's particle-step with neighbours over that with carried tangents",
-                                    "1", rate[1] / rate[0], {}, 1.5));
+    targets_.push_back(
+        target_entry("cost of a membrane's particle-step with neighbours over that with carried tangents", "1",
+                     rate[1] / rate[0], {}, 1.5));
   }
 
   void add(const TimedRun& run, Json kernel) {

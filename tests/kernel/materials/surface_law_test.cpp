@@ -18,10 +18,17 @@ namespace {
 using Metric = SurfaceLaw::Metric;
 
 SurfaceLaw law_of(bool one_way, bool neo_hookean) {
-  return {.youngs_modulus = 7, .poissons_ratio = 0.3, .density = 2, .thickness = 0.1, .one_way = one_way, .neo_hookean = neo_hookean};
+  return {.youngs_modulus = 7,
+          .poissons_ratio = 0.3,
+          .density = 2,
+          .thickness = 0.1,
+          .one_way = one_way,
+          .neo_hookean = neo_hookean};
 }
 
-Eigen::Matrix2d matrix(const Metric& c) { return (Eigen::Matrix2d() << c.first, c.mixed, c.mixed, c.second).finished(); }
+Eigen::Matrix2d matrix(const Metric& c) {
+  return (Eigen::Matrix2d() << c.first, c.mixed, c.mixed, c.second).finished();
+}
 
 // As printed, by eigenvalues.
 double printed_energy(const SurfaceLaw& law, const Metric& c) {
@@ -38,7 +45,8 @@ std::vector<Metric> metrics() {
   scenes::Random random(5);
   std::vector<Metric> all;
   for (int k = 0; k < 300; ++k) {
-    const Eigen::Matrix2d f = Eigen::Matrix2d::NullaryExpr([&] { return random(-0.4, 0.4); }) + Eigen::Matrix2d::Identity();
+    const Eigen::Matrix2d f = Eigen::Matrix2d::NullaryExpr([&] { return random(-0.4, 0.4); }) +
+                              Eigen::Matrix2d::Identity();
     const Eigen::Matrix2d c = f.transpose() * f;
     all.push_back({c(0, 0), c(0, 1), c(1, 1)});
   }
@@ -81,7 +89,8 @@ TEST(SurfaceLaw, WrinklesAreTheLeastEnergy) {
           least = std::min(least, taut.state({first + more_first, 0, second + more_second}).energy);
         }
       }
-      EXPECT_NEAR(wrinkles.state({first, 0, second}).energy, least, 1e-5 * taut.youngs_modulus) << first << ' ' << second;
+      EXPECT_NEAR(wrinkles.state({first, 0, second}).energy, least, 1e-5 * taut.youngs_modulus)
+          << first << ' ' << second;
     }
   }
 }

@@ -100,7 +100,8 @@ TEST(SurfaceMembrane, ForcesAheadAreThoseOfPlacesAhead) {
   Body body = patch(false), then = patch(false);
   constexpr double ahead = 0.01;
   for (int d = 0; d < 3; ++d) {
-    for (int p = 0; p < count; ++p) then.points(column::position, d)[p] += ahead * then.points(column::strain_rate, d)[p];
+    for (int p = 0; p < count; ++p)
+      then.points(column::position, d)[p] += ahead * then.points(column::strain_rate, d)[p];
   }
   EXPECT_LT((forces(body, ahead) - forces(then)).norm(), 1e-11 * forces(then).norm());
 }
@@ -148,7 +149,8 @@ Scene drifting_patch() {
 
 TEST(SurfaceMembrane, MomentaAndLedgerCloseAndThreadsDoNotMatter) {
   for (const char* integrator : {"musl", "leapfrog", "midpoint"}) {
-    Simulation one(drifting_patch(), integrator, {.dt = 2e-3, .threads = 1}), two(drifting_patch(), integrator, {.dt = 2e-3, .threads = 2});
+    Simulation one(drifting_patch(), integrator, {.dt = 2e-3, .threads = 1}),
+        two(drifting_patch(), integrator, {.dt = 2e-3, .threads = 2});
     for (int k = 0; k < 20; ++k) {
       one.step(1);
       two.step(1);
@@ -157,7 +159,8 @@ TEST(SurfaceMembrane, MomentaAndLedgerCloseAndThreadsDoNotMatter) {
     for (const Account& account : ledger.momentum) EXPECT_LT(account.relative_drift(true), 1e-13) << integrator;
     for (const Account& account : ledger.angular_momentum) EXPECT_LT(account.relative_drift(true), 1e-12) << integrator;
     EXPECT_LT(ledger.energy.relative_drift(true), 1e-12) << integrator;
-    EXPECT_EQ(column_of(one.scene().bodies[0].points, column::position), column_of(two.scene().bodies[0].points, column::position));
+    EXPECT_EQ(column_of(one.scene().bodies[0].points, column::position),
+              column_of(two.scene().bodies[0].points, column::position));
   }
 }
 

@@ -99,7 +99,8 @@ TEST(SurfacePoints, LoadPushesOutwardsAndDragsBack) {
   Columns& points = body.points;
   points.add(column::body_force, 3);
   for (int p = 0; p < 800; ++p) points(column::velocity, 1)[p] = 2;
-  surface_load(0.01, [](double time, const Columns&) { return 3 * time; }, 0.5)(2, points, body.id);
+  surface_load(
+      0.01, [](double time, const Columns&) { return 3 * time; }, 0.5)(2, points, body.id);
   for (const int p : {0, 100, 799}) {
     const double share = 6 / (2 * 0.01);  // p A / m
     EXPECT_NEAR(points(column::body_force, 0)[p], share * points(column::position, 0)[p], 1e-10);
@@ -113,7 +114,8 @@ TEST(SurfacePoints, ImagesStandWhereTheRimMirrorsTheirPartners) {
   const auto images = images_behind_rim(body.points, 1, 0.3);
   EXPECT_FALSE(images.empty());
   for (const OddImage& image : images) {
-    const double x = body.points(column::position, 0)[image.partner], y = body.points(column::position, 1)[image.partner];
+    const double x = body.points(column::position, 0)[image.partner],
+                 y = body.points(column::position, 1)[image.partner];
     EXPECT_NEAR(std::hypot(image.place[0], image.place[1]) + std::hypot(x, y), 2, 1e-12);
     EXPECT_NEAR(image.place[0] * y - image.place[1] * x, 0, 1e-12);
     EXPECT_GE(std::hypot(x, y), 0.7);
