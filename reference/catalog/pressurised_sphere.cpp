@@ -42,8 +42,10 @@ class PressurisedSphereReference : public Reference {
     answer.add("pressure", sphere.pressure());
     answer.add("resultant", sphere.resultant());
     answer.add("omega", sphere.omega());
-    answer.add("period", sphere.period(amplitude));
-    answer.add("turning_stretch", sphere.turning_stretch(amplitude));
+    if (amplitude != 0 || sphere.omega().value > 0) {
+      answer.add("period", sphere.period(amplitude));
+      answer.add("turning_stretch", sphere.turning_stretch(amplitude));
+    }
     for (double l : at) {
       add_row(answer, "at_stretch", l,
               {{"pressure", sphere.pressure(l)}, {"resultant", sphere.resultant(l)}, {"stress", sphere.stress(l)}});

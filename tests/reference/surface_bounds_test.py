@@ -53,3 +53,11 @@ def test_random_drums():
         for got, true in zip(other[2:], [mpmath.sqrt(E / rho), zero / a * mpmath.sqrt(E / rho), shape]):
             assert covers(got, true), (p, got, true)
         assert answer[3][1] <= 1e-12 * answer[3][0] and answer[4][1] <= 1e-11, (p, answer)
+
+
+def test_balloon_beyond_its_limit_point():
+    """Its pressure is known; it does not breathe."""
+    p = dict(stretch=2.0, neo_hookean=1)
+    pressure, resultant, omega = evaluate([request("pressurised-sphere", p)])[0]
+    exact = Sphere(1, 0.3, 0.01, 1, 1, **p)
+    assert covers(pressure, exact.p) and covers(resultant, exact.p) and omega == (0.0, omega[1])

@@ -3,6 +3,7 @@ import numpy
 import pytest
 from evaluator import evaluate, request
 from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
 
 SPHERES = {
     "default": dict(amplitude=0.05),
@@ -57,3 +58,52 @@ def test_drum_by_integration(around, across):
     assert answer[3][0] == pytest.approx(zero / 0.4 * numpy.sqrt(30 / 0.07), rel=1e-9)
     shape = numpy.array([path.sol(zero * r / 0.4)[0] for r in places]) / (2.0**m * numpy.prod(range(1, m + 1)))
     assert [value for value, _ in answer[4:]] == pytest.approx(shape, abs=1e-10)
+
+
+SHEETS = {
+    "clamped": ("circular-membrane", dict(load=0.05, poisson_ratio=0.3)),
+    "clamped far": ("circular-membrane", dict(load=0.5, poisson_ratio=0.1)),
+    "balloon": ("mylar-balloon", dict(load=0.01, poisson_ratio=0.3)),
+    "balloon far": ("mylar-balloon", dict(load=0.3, poisson_ratio=0.45)),
+}
+
+
+def sheet(q, nu, strain, dense=False):
+    """r, radial force s S1 r', drop and volume from next to the middle to s = 1, one-way law everywhere:
+    S1 = max(e1, (e1 + nu e2)/(1 - nu^2)) decides by itself where the sheet wrinkles."""
+    start, stretch = 1e-5, numpy.sqrt(1 + 2 * strain)
+    def along(s, y):
+        r, pull, _, _ = y
+        down = q * r**2 / 2
+        force = numpy.hypot(pull, down)
+        hoop = ((r / s) ** 2 - 1) / 2
+        def largest_root(b, c):  # of l^3 + b l = 2 c, one root above 0
+            return max(root.real for root in numpy.roots([1, 0, b, -2 * c]) if abs(root.imag) < 1e-9 * abs(root))
+        l = min(largest_root(2 * nu * hoop - 1, (1 - nu**2) * force / s), largest_root(-1, force / s))
+        across = max(0, hoop + nu * (l**2 - 1) / 2) / (1 - nu**2)
+        fall = l * down / force
+        return [l * pull / force, across * r / s - q * r * fall, fall, numpy.pi * r**2 * fall]
+    first = [stretch * start, start * strain / (1 - nu) * stretch, 0, 0]
+    return solve_ivp(along, (start, 1), first, method="DOP853", rtol=1e-10, atol=1e-13, dense_output=dense)
+
+
+@pytest.mark.parametrize("name", SHEETS)
+def test_sheet_by_shooting(name):
+    """Begins within 2 % of the strain under test; start and steps are good for 1e-9."""
+    kind, p = SHEETS[name]
+    q, nu, clamped = p["load"], p["poisson_ratio"], kind == "circular-membrane"
+    places = [0.3, 0.7, 0.95]
+    answer = [value for value, _ in evaluate([request(kind, p, places)])[0]]
+    tested = (1 - nu) * answer[1 if clamped else 3]
+    def missed(strain):
+        r, pull, _, _ = sheet(q, nu, strain).y[:, -1]
+        return r - 1 if clamped else pull
+    strain = brentq(missed, 0.98 * tested, 1.02 * tested, rtol=1e-12)
+    path = sheet(q, nu, strain, dense=True)
+    r, _, drop, volume = path.y[:, -1]
+    values = [drop, strain / (1 - nu), volume] if clamped else [r, drop, 2 * volume, strain / (1 - nu)]
+    assert answer[:len(values)] == pytest.approx(values, rel=1e-7)
+    for j, s in enumerate(places):
+        row = answer[len(values) + (not clamped) + 5 * j:][:2]
+        at = path.sol(s)
+        assert row == pytest.approx([at[0], drop - at[2]], abs=1e-7)
