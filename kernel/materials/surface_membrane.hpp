@@ -12,7 +12,7 @@ namespace plumbline {
 // U = sum_p A_p t W(c_p) is a function of where points stand, so strain cannot drift, and F_k = -dU/dx_k goes to the nodes by N_ik:
 // momentum and angular momentum are exact. [Surface 3] Points keep the order in which they were made.
 struct SurfaceMembrane final : Material, SurfaceLaw {
-  double reach = 2.8;  // of neighbours at rest, over the root of the mean area of a point, > 0
+  double reach = 2.6;  // of neighbours at rest, over the root of the mean area of a point, > 0
   std::shared_ptr<const SurfaceNeighbours> neighbours;  // of_rest() finds them
 
   std::string name() const override { return "surface_membrane"; }

@@ -53,7 +53,7 @@ enum class Tangents { neighbours, carried, refitted };
 struct SurfaceChoice {
   SurfaceLaw law;
   Tangents tangents = Tangents::neighbours;
-  double reach = 2.8;
+  double reach = 2.6;
 };
 // The points in the order of the cells of size h that they stand in, so that those of a cell are worked on together.
 // images_of: of these points in their new order; may be empty.
