@@ -15,13 +15,14 @@ namespace {
 
 // One struct for points and reference. Times are in radii at rest over sqrt(E / ((1 - nu^2) rho)), the speed of waves at rest.
 struct Balloon : SurfaceCase {
-  double stretch, drag, early, end, jitter;
+  double stretch, excess, drag, early, end, jitter;
   std::string areas;
 
   explicit Balloon(Parameters given = {}) : SurfaceCase(std::move(given), true) {
     stretch = number(
         {.name = "stretch", .value = 1.2, .low = 1, .high = 4, .low_open = true, .description = "at the start"});
-    drag = not_negative("drag", 0.5, "1", "against the velocity, over the speed of waves and the radius");
+    excess = not_negative("excess", 1e-3, "1", "by which the stretch at the start is larger than at rest");
+    drag = not_negative("drag", 2, "1", "against the velocity, over the speed of waves and the radius");
     early = positive("early", 8, "1", "time at which the pressure is read first");
     end = positive("end", 16, "1", "time of the end");
     jitter = number({.name = "jitter",
@@ -59,7 +60,7 @@ class BalloonRun final : public Problem {
     scene.grid = surface_grid(at_, settings_, radius, radius);
     const double h = scene.grid.h;
     const int count = surface_points_on(4 * std::numbers::pi * at_.size * at_.size, settings_, h);
-    std::vector<SurfacePoint> points = sphere_points(count, at_.size, at_.stretch);
+    std::vector<SurfacePoint> points = sphere_points(count, at_.size, at_.stretch + at_.excess);
     if (at_.jitter > 0) move_at_random(points, at_.jitter);
     if (at_.jitter > 0 && at_.areas == "swept") sweep_areas(points);
     Body balloon = surface_body("balloon", at_.choice, std::move(points), h);
