@@ -19,7 +19,10 @@ const RegisterPart entry(material_entry<CarriedMembrane>(
      {"density", "kg/m^3", &CarriedMembrane::density},
      {"thickness", "m", &CarriedMembrane::thickness},
      {"one_way", &CarriedMembrane::one_way},
-     {"neo_hookean", &CarriedMembrane::neo_hookean}}));
+     {"neo_hookean", &CarriedMembrane::neo_hookean}},
+    {{"speed/strained/space",
+      "the gate strains points that stay where they are: of those that move along the stress counts once, not twice",
+      0.05, 0.09}}));
 
 Frame tangents_of(const Columns& points, int p) {
   return Frame::NullaryExpr(

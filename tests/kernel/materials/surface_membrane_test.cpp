@@ -164,6 +164,28 @@ TEST(SurfaceMembrane, MomentaAndLedgerCloseAndThreadsDoNotMatter) {
   }
 }
 
+// A stretched patch that images behind its edge x = 1 hold: what they pull with is booked at the walls. [Surface 4]
+TEST(SurfaceMembrane, ImpulseOfAClampIsBooked) {
+  Scene scene = drifting_patch();
+  Body& body = scene.bodies[0];
+  for (int p = 0; p < count; ++p) body.points(column::velocity, 1)[p] = 0;
+  std::vector<OddImage> images;
+  for (int p = 0; p < count; ++p) {
+    const double x = body.points(column::position, 0)[p];
+    if (x < 1.25)
+      images.push_back({p, {1.9 - x, body.points(column::position, 1)[p], body.points(column::position, 2)[p]}});
+  }
+  const auto& law = static_cast<const SurfaceMembrane&>(*body.material);
+  for (int p = 0; p < count; ++p) body.points(column::tangents, 0)[p] = body.points(column::tangents, 4)[p] = 1.1;
+  body.material = law.of_rest(body.points, images, {});
+  body.points.add(column::clamped);
+  Simulation clamped(std::move(scene), "musl", {.dt = 2e-3});
+  for (int k = 0; k < 10; ++k) clamped.step(1);
+  const Account& along = clamped.ledger().momentum[0];
+  EXPECT_GT(std::abs(along.flow(Flow::walls)), 1e-6);
+  EXPECT_LT(along.relative_drift(false), 1e-12);
+}
+
 // A gradient that turns and stretches: f -> f + dt L f, and V sigma : L is the rate of the energy. [Carried 1]
 TEST(CarriedMembrane, TangentsFollowTheGradient) {
   CarriedMembrane law;
