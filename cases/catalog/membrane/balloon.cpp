@@ -21,7 +21,7 @@ struct Balloon : SurfaceCase {
   explicit Balloon(Parameters given = {}) : SurfaceCase(std::move(given), true) {
     stretch = number(
         {.name = "stretch", .value = 1.2, .low = 1, .high = 4, .low_open = true, .description = "at the start"});
-    excess = not_negative("excess", 1e-3, "1", "by which the stretch at the start is larger than at rest");
+    excess = not_negative("excess", 3e-3, "1", "by which the stretch at the start is larger than at rest");
     drag = not_negative("drag", 2, "1", "against the velocity, over the speed of waves and the radius");
     early = positive("early", 8, "1", "time at which the pressure is read first");
     end = positive("end", 16, "1", "time of the end");
