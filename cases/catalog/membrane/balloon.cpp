@@ -160,7 +160,7 @@ std::vector<CaseGate> gates() {
                            requirement("the stretch of the tangents is that of the radius, to a ten-thousandth"));
     if (study == "large") {
       follow = std::move(follow).fails(
-          "points twice as far apart as at rest: one to the square of the cell size is left", {1e-4, 1.5e-4}, stamp);
+          "points twice as far apart as at rest: one to the square of the cell size is left", {1.01e-4, 1.33e-4}, stamp);
     }
     add(std::move(follow));
   };
@@ -174,11 +174,11 @@ std::vector<CaseGate> gates() {
       "at "
       "each step";
   all.push_back(
-      gate("carried/tangents-8", tangents, at_most(1e-4), as_default).fails(relaxes, {1.12e-3, 1.74e-3}, stamp));
+      gate("carried/tangents-8", tangents, at_most(1e-4), as_default).fails(relaxes, {1.2e-3, 1.6e-3}, stamp));
   all.push_back(
       gate("refitted/tangents-8", tangents, at_most(1e-4), as_default)
           .in(Tier::full)
-          .fails(relaxes + "; what is lost is in the stretch, not in the direction", {1.55e-3, 2.45e-3}, stamp));
+          .fails(relaxes + "; what is lost is in the stretch, not in the direction", {1.66e-3, 2.2e-3}, stamp));
   const Because stays = requirement(
       "the pressure of a balloon at rest stays: strain is a function of where points stand");
   all.push_back(gate("default/creep-8", value_at("creep", 8), at_most(5e-5), stays));
@@ -192,10 +192,10 @@ std::vector<CaseGate> gates() {
               "a random sheet is held out of its shape by its own irregular forces; areas by kernels of 1.6, 2.2 and 3 "
               "spacings, least squares of the forces of a uniform tension, and 2.2 to 4.5 spacings of neighbours "
               "leave 6 to 12 thousandths",
-              {5.9e-3, 9.2e-3}, stamp));
+              {6.8e-3, 9.0e-3}, stamp));
   all.push_back(gate("equal-areas/tangents-8", tangents, at_most(5e-3), of_jitter)
                     .in(Tier::full)
-                    .fails("the areas are not those that the points stand for", {0.0106, 0.0165}, stamp));
+                    .fails("the areas are not those that the points stand for", {0.0124, 0.0165}, stamp));
   all.push_back(restart_gate("default", "runs of a membrane in space"));
   return all;
 }

@@ -168,7 +168,7 @@ std::vector<CaseGate> gates() {
   }
   all.push_back(
       gate("nodes/frequency-8", frequency(8), at_most(most[0]), requirement("as of the same mode with images"))
-          .fails("a stair of nodes is no circle, and nodes hold what is up to a cell within them", {0.086, 0.134},
+          .fails("a stair of nodes is no circle, and nodes hold what is up to a cell within them", {0.088, 0.117},
                  "2026-11-26 43deee6"));
   all.push_back(
       gate("mode-0/tension-8", error_at("tension", 8), at_most(5e-4),

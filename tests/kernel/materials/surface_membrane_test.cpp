@@ -181,9 +181,9 @@ TEST(SurfaceMembrane, ImpulseOfAClampIsBooked) {
   body.points.add(column::clamped);
   Simulation clamped(std::move(scene), "musl", {.dt = 2e-3});
   for (int k = 0; k < 10; ++k) clamped.step(1);
-  const Account& along = clamped.ledger().momentum[0];
-  EXPECT_GT(std::abs(along.flow(Flow::walls)), 1e-6);
-  EXPECT_LT(along.relative_drift(false), 1e-12);
+  const Account& account = clamped.ledger().momentum[0];
+  EXPECT_GT(std::abs(account.flow(Flow::walls)), 1e-6);
+  EXPECT_LT(account.relative_drift(false), 1e-12);
 }
 
 // A gradient that turns and stretches: f -> f + dt L f, and V sigma : L is the rate of the energy. [Carried 1]
