@@ -160,7 +160,8 @@ std::vector<CaseGate> gates() {
                            requirement("the stretch of the tangents is that of the radius, to a ten-thousandth"));
     if (study == "large") {
       follow = std::move(follow).fails(
-          "points twice as far apart as at rest: one to the square of the cell size is left", {1.01e-4, 1.33e-4}, stamp);
+          "points twice as far apart as at rest: one to the square of the cell size is left", {1.01e-4, 1.33e-4},
+          stamp);
     }
     add(std::move(follow));
   };
