@@ -311,10 +311,10 @@ def test_figures_can_be_read(visitor, made):
     (drawn,) = (run for run in runs.values() if run.frames)
     figure = visitor.seen("figure.plot", "Pressure of the gas at the end of the run")
     visitor.browser.evaluate(f"(() => {{ for (let part = {figure}; part; part = part.parentElement) if (part.open === false) part.open = true; }})()")
-    frame, names = len(drawn.frames) - 1, [body["name"] for body in drawn.frames.bodies]
-    values = drawn.frames.body(frame, [body["kind"] for body in drawn.frames.bodies].index("gas"))["pressure"]
+    gas = [body["kind"] for body in drawn.frames.bodies].index("gas")
+    values = drawn.frames.body(len(drawn.frames) - 1, gas)["pressure"]
     low, high = re.search(r" from (\S+) to (\S+) ", visitor.browser.evaluate(f"{figure}.querySelector('figcaption').textContent").translate(DIGITS)).groups()
-    assert is_printed(low, values.min()) and is_printed(high, values.max()), names
+    assert is_printed(low, values.min()) and is_printed(high, values.max())
     scale = [printed(label)[0] for label in visitor.browser.evaluate(SCALE.format(figure)) if re.search(r"\d", label)]
     least, most = numpy.percentile(values, (1, 99))
     step = max(numpy.diff(scale))
