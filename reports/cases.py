@@ -5,6 +5,7 @@ import re
 from collections import Counter
 from dataclasses import dataclass, field
 
+import reproduce
 from plumbline.reader import URGENCY, most_urgent, urgency
 
 VERDICTS = ("PASS", "FAIL", "INCONCLUSIVE", "XFAIL", "XPASS", "INVALID", "NONE")
@@ -134,6 +135,7 @@ def most_urgent_first(gates):
 def gather(folder):
     """The cases of a folder by name."""
     cases = {}
+    _take_commands(folder)
     gates = newest_gates(folder)
     for result in folder.verdicts + folder.studies:
         _take_catalog(cases, result)
@@ -148,6 +150,15 @@ def gather(folder):
         _label(case)
         _name_gates(case)
     return dict(sorted(cases.items()))
+
+
+def _take_commands(folder):
+    """What another program computed is made again by no run of ours: its parts name the command that judged it."""
+    for result in folder.studies + folder.runs:
+        own = result.study or result.run
+        if reproduce.is_foreign(own):
+            for part in (own, *(own.get("levels") or ()), *result.gates):
+                part[reproduce.SCORED_BY] = result.provenance.get("command") or ""
 
 
 def _name_gates(case):

@@ -315,6 +315,7 @@ def case_page(case, results, film_characters, costs, whole):
         "reason": tables.one_line_reason(case),
         "paragraphs": [part.strip() for part in (catalog.get("physics") or "").split("\n\n") if part.strip()],
         "sketch": frame.markup(svg.sketch(catalog.get("sketch") or "", f"{name}-sketch", f"Sketch of {title}")),
+        "described_by": reproduce.description(case.name),
         "parameters": own,
         "choices": [row for row in choices if row["changed"]],
         "default_choices": [row for row in choices if not row["changed"]],

@@ -7,10 +7,19 @@ not state leaves no command rather than one that runs another problem. Commands 
 import shlex
 
 PROGRAM = "plumbline"
+FOREIGN = "foreign:"  # what the scheme of another program's result begins with
+SCORED_BY = "scored_by"  # of such a result, its levels and gates: the command that judged it
+
+
+def is_foreign(part):
+    """Whether another program computed a run, a level or what a gate judges."""
+    return (part.get("scheme") or "").startswith(FOREIGN)
 
 
 def run(level):
     """One run, of a file or of a level of a study; "" where it does not state its choices."""
+    if is_foreign(level):
+        return level.get(SCORED_BY, "")
     if not level.get("case") or level.get("choices") is None:
         return ""
     return _command("run", level["case"], _cells(level), *_choices(level["scheme"], level["choices"]))
@@ -18,6 +27,8 @@ def run(level):
 
 def study(entry, case):
     """The levels of a line of the figures, with the orders fitted to them; a single run where nothing is refined."""
+    if entry.levels and is_foreign(entry.levels[0]):
+        return entry.levels[0].get(SCORED_BY, "")
     if len(entry.levels) < 2 or "trial" in entry.settings:
         return gates(case, f"{entry.study}/*") if "trial" in entry.settings and entry.study else run(entry.levels[-1]) if entry.levels else ""
     if entry.choices is None or not entry.vary:
@@ -29,6 +40,8 @@ def study(entry, case):
 
 def gate(judged):
     """The gate alone, with the runs that it needs; one of an integrator or a part with all of its kind."""
+    if is_foreign(judged):
+        return judged.get(SCORED_BY, "")
     case, scheme, name = judged.get("case"), judged.get("scheme"), judged.get("id")
     if case == "integrator":
         return _command("verify", "", ["--integrator", scheme, "--core"])
@@ -70,6 +83,35 @@ def maps(problem, document):
 def stated(document):
     """The command that a document says it was written by; of times, all else is the same again."""
     return (document.get("provenance") or {}).get("command") or ""
+
+
+def description(case):
+    """What a case says of itself, its sketch among it."""
+    return _command("explain", case, ["--json", "-"])
+
+
+def exported(problem, start, cells):
+    """A start of a scoreboard's problem, in the folder of the scoreboard."""
+    return _command("export", problem["case"], ["--cells", _plain(cells)], _typed(problem), ["--output", f"cases/{start}"])
+
+
+def beside(problem):
+    """The default scheme from the starts of a scoreboard's problem."""
+    cells = [_plain(level["cells"]) for level in problem["own"]["levels"]]
+    return _command("converge" if len(cells) > 1 else "run", problem["case"], ["--cells", ",".join(cells)], _typed(problem))
+
+
+def scored(problem, program):
+    """The verdict on what a program has of a scoreboard's problem, in the folder of the scoreboard; "" where there is none."""
+    starts = [entry["start"] for entry in program["entries"] if entry["outcome"] == "scored"]
+    if not starts:
+        return ""
+    results = [word for start in starts for word in ("--result", f"programs/{program['name']}/{start}")]
+    return _command("score", problem["case"], results, _typed(problem))
+
+
+def _typed(problem):
+    return [word for setting in problem["settings"] for word in ("--set", setting)]
 
 
 def costs(case):

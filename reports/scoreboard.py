@@ -16,6 +16,7 @@ import cases
 import figures
 import frame
 from plumbline import reader
+import reproduce
 import svg
 import tables
 import text
@@ -100,6 +101,7 @@ def problem_page(problem, names, anchor):
     """What the page shows of the starts of one case."""
     programs = {program["name"]: program for program in problem["programs"]}
     shown = [programs[name] for name in names if name in programs]
+    computed = [reproduce.beside(problem), *(reproduce.scored(problem, program) for program in shown)]
     return {
         "anchor": anchor,
         "case": problem["case"],
@@ -108,12 +110,14 @@ def problem_page(problem, names, anchor):
         "measure": with_unit(problem),
         "rows": [mesh_row(problem, shown, number) for number in range(len(problem["own"]["levels"]))],
         "all": series_row(problem, shown) if len(problem["own"]["levels"]) > 1 else None,
-        "figures": frame.ready([convergence(problem, shown, names, anchor)]),
+        "figures": frame.ready([convergence(problem, shown, names, anchor)], *computed),
+        "commands": [reproduce.exported(problem, entry["start"], entry["cells"]) for entry in (shown[0]["entries"] if shown else ())] + computed[:1],
         "programs": [
             {
                 "name": program["name"],
                 "anchor": f"{anchor}-{svg.identifier(program['name'])}",
                 "verdict": program["verdict"],
+                "command": reproduce.scored(problem, program),
                 "gates": tables.gate_rows(program["gates"]),
                 "not_judged": program["not_judged"],
             }

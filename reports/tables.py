@@ -640,16 +640,18 @@ def provenance_rows(stated):
 
 
 def commands(folder):
-    """Distinct command lines, with threads and start: those of verdicts first."""
+    """Distinct command lines, with threads, start, and how many runs they made and in what time: those of verdicts first."""
     found = {}
     for result in folder.verdicts + folder.studies + folder.runs:
-        command = result.provenance.get("command")
-        if command:
-            found.setdefault(command, (result.provenance.get("threads"), result.provenance.get("started")))
+        stated = result.provenance
+        if stated.get("command"):
+            own = found.setdefault(stated["command"], {"threads": stated.get("threads"), "started": stated.get("started"), "walls": []})
+            own["walls"] += [result.run["wall_s"]] if result.run.get("wall_s") else []
     return [
-        {"command": command, "threads": threads, "started": started}
-        for command, (threads, started) in found.items()
-    ]
+        {"command": command, "threads": own["threads"], "started": own["started"], "runs": text.count(len(own["walls"])),
+         "took": text.seconds(sum(own["walls"])) if own["walls"] else ""}
+        for command, own in found.items()
+    ]  # fmt: skip
 
 
 # --- CSV ------------------------------------------------------------------------------------------

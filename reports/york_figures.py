@@ -185,7 +185,7 @@ def _lines(entry, there, styles, prefix, title):
             axis.set_visible(False)
         for place, (axis, (number, panel)) in enumerate(zip(every, panels)):
             along = _panel(axis, panel, there, styles)
-            _mark(axis, entry, number)
+            _mark(axis, entry, number, outside=True, first=place == 0 or not alike)
             axis.set_ylabel(panel["label"])
             _few_ticks(axis.yaxis)
             _few_ticks(axis.xaxis)
@@ -261,8 +261,11 @@ def _few_ticks(axis):
 # --- what the report's text says --------------------------------------------------------------------
 
 
-def _mark(axis, entry, number):
-    """What the text gives as a number, in the panel of this number: a dashed line or a band, with its page."""
+def _mark(axis, entry, number, outside=False, first=True):
+    """What the text gives as a number, in the panel of this number: a dashed line or a band, with its page.
+
+    `outside`: there is nothing above the panel, and the words at a place on the x axis stand there; `first`: no panel above has the same words.
+    """
     for said in entry.get("says", ()):
         if "value" not in said or said.get("panel", number) != number:
             continue
@@ -277,14 +280,15 @@ def _mark(axis, entry, number):
             band(low, high, color=svg.INK, alpha=0.12, linewidth=0)
         else:
             line(low, color=svg.INK, linewidth=0.8, dashes=(4, 3))
-        place, where = ((1, high), ("axes fraction", "data")) if along == "y" else ((high, 1), ("data", "axes fraction"))
         page = f"p.\u00a0{said['page']}"
         words = f"{text.number(low, 5)}, {page}" if low == high else page
-        up = along == "y"
-        axis.annotate(
-            words, place, (0, 2) if up else (-3, 0), xycoords=where, textcoords="offset points", ha="right", va="bottom" if up else "top",
-            fontsize=7.5,
-        )
+        place = {"xy": (1, high), "xycoords": ("axes fraction", "data"), "xytext": (0, 2), "ha": "right", "va": "bottom"}
+        if along == "x":
+            left = high < numpy.mean(axis.get_xlim())
+            place = {"xy": (high, 1), "xycoords": ("data", "axes fraction")}
+            place |= {"xytext": (0, 2), "ha": "left" if left else "right", "va": "bottom"} if outside else {"xytext": (-3, 0), "ha": "right", "va": "top"}
+        if along == "y" or first:
+            axis.annotate(words, textcoords="offset points", fontsize=7.5, **place)
 
 
 def _says_keys(entry):

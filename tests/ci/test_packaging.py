@@ -101,6 +101,12 @@ def test_debian_control():
     assert text(PACKAGING / "debian/source/format") == "3.0 (quilt)\n"
 
 
+def test_what_lintian_may_say_has_a_reason():
+    lines = text(PACKAGING / "debian/plumbline.lintian-overrides").splitlines()
+    said = [number for number, line in enumerate(lines) if not line.startswith("#")]
+    assert lines[0].startswith("# ") and lines[-1].startswith("plumbline: ") and all(lines[number].startswith("plumbline: ") for number in said)
+
+
 def test_scripts_of_the_debian_package():
     tests = [name for part in paragraphs(PACKAGING / "debian/tests/control") for name in part["Tests"].split()]
     assert sorted(tests) == sorted(path.name for path in (PACKAGING / "debian/tests").iterdir() if path.name != "control")
@@ -140,6 +146,8 @@ def test_build_deb_puts_debian_at_the_root_of_an_exported_copy(tmp_path):
     assert "called with -us -uc -b" in between and "rules" in between.split()
     version = f"1.2.0+git202601311200.{commit[:7]}"
     assert f"plumbline ({version}-1) unstable" in between and f"Commit {commit}" in between
+    lines = between.partition("plumbline (")[2].partition("\n -- ")[0].splitlines()
+    assert len(lines) > 3 and max(map(len, lines)) <= 80, "the longest line that lintian lets pass"
     assert (root / f"build/deb/plumbline_{version}.orig.tar.gz").is_file()
     subprocess.run(["git", "-C", root, "-c", "tag.gpgsign=false", "tag", "v1.2.0"], check=True)
     assert "plumbline (1.2.0-1) unstable" in build()

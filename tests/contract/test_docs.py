@@ -244,6 +244,7 @@ def test_the_text_comes_first_on_a_phone_and_the_list_of_pages_unfolds(site, bro
         assert browser.evaluate(LISTED) >= 4
         browser.open(site / page, 1440, 1000)
         assert browser.evaluate(LISTED) >= 4 and browser.evaluate("document.querySelector('.pages summary').checkVisibility()") is False
+        assert browser.evaluate("document.querySelectorAll('.pages .list').length") == 1
     finally:
         browser.allow_scripts(True)
 

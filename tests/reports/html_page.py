@@ -25,6 +25,21 @@ def without_scripts(source):
     return bare
 
 
+def figures_of(sources):
+    """[(path, class, title, text)] of the figures of pages, {path: text}."""
+    found = []
+    for path, source in sources.items():
+        for quoted, bare, figure in re.findall(r'<figure class=(?:"([^"]*)"|([^\s>]*))[^>]*>(.*?)</figure>', source, re.DOTALL):
+            title = re.search(r"plot-title[^>]*>([^<]*)|<figcaption>([^<]*)", figure)
+            found.append((path, quoted or bare, title[1] or title[2], figure))
+    return found
+
+
+def without_command(sources):
+    """[(path, title)] of the figures that name no command."""
+    return [(path, title) for path, _, title, figure in figures_of(sources) if "Reproduce: <code>plumbline " not in figure]
+
+
 # What a tag, or the end of its parent, closes by itself in a table.
 IMPLIED = {
     "td": ("td", "th"), "th": ("td", "th"), "tr": ("td", "th", "tr"), "tbody": ("td", "th", "tr", "thead", "tbody"),

@@ -5,6 +5,7 @@ import math
 import os
 import re
 import shlex
+import shutil
 import statistics
 import subprocess
 
@@ -37,6 +38,8 @@ def made(tmp_path_factory):
     verdicts = synthetic_results.write_all(folder, damaged=False)["verdicts"]
     (folder / verdicts).unlink()
     synthetic_results.write_verdicts(folder, [*synthetic_results.all_gates(), FAILING, HOOP])
+    for path in folder.glob("spring-mass-*.h5"):
+        synthetic_results.state_command(path, "plumbline verify spring-mass --tier quick")
     synthetic_costs.write(folder)
     now = history.entry(reader.load_folder(folder), "quick")
     constants = {name: 1.37 * value for name, value in now["constants"].items()}
@@ -286,10 +289,65 @@ def test_a_quantity_without_reference_has_no_error(visitor, made):
     assert (visitor.cell("Reference", "energy_drift"), visitor.cell("Relative error", "energy_drift")) == ("no reference", "—")
 
 
-def test_how_long_it_takes(visitor, made):
-    """Stands on the index itself."""
-    together = sum(run.run["wall_s"] for run in reader.load_folder(made).runs)
-    assert is_printed(visitor.words().partition("Duration")[2], together)
+LOOKS = """[...document.querySelectorAll('.results figure, .plots figure')].map(figure => [...figure.querySelectorAll('ul.key li')].map(entry =>
+  [entry.querySelector('svg').getAttribute('class'), entry.querySelector('svg').style.color, entry.querySelector('use').getAttribute('href')].join()))"""
+FIRST_AXES = "({}).querySelector('svg[data-plot]').dataset.plot"
+# Labels of numbers to the right of a picture: those of the scale of its colours.
+SCALE = """(() => {{ const figure = {}, edge = figure.querySelector('image').getBoundingClientRect().right;
+  return [...figure.querySelectorAll('text')].filter(part => part.getBoundingClientRect().left >= edge).map(part => part.textContent.trim()); }})()"""
+
+
+def test_figures_can_be_read(visitor, made):
+    """Axes that the exact solution fills, lines that differ, and scales beside the colours of a field."""
+    visitor.follow(synthetic_results.sod_catalog()["title"])
+    looks = [entries for entries in visitor.browser.evaluate(LOOKS) if entries]
+    assert len(looks) > 4 and [entries for entries in looks if len(set(entries)) < len(entries)] == []
+    runs = {run.name: run for run in reader.load_folder(made).runs}
+    finest = runs[study(made, "sod", "york1997")["levels"][-1]["file"]]
+    for field in ("density", "velocity", "pressure"):
+        exact = finest.profile[f"{field}_reference"]
+        *_, low, high, _, _ = json.loads(visitor.browser.evaluate(FIRST_AXES.format(visitor.seen(".results figure", field.capitalize()))))["a"][0]
+        assert low <= exact.min() and exact.max() <= high and high - low < 2.5 * numpy.ptp(exact), field
+    (drawn,) = (run for run in runs.values() if run.frames)
+    figure = visitor.seen("figure.plot", "Pressure of the gas at the end of the run")
+    visitor.browser.evaluate(f"(() => {{ for (let part = {figure}; part; part = part.parentElement) if (part.open === false) part.open = true; }})()")
+    gas = [body["kind"] for body in drawn.frames.bodies].index("gas")
+    values = drawn.frames.body(len(drawn.frames) - 1, gas)["pressure"]
+    low, high = re.search(r" from (\S+) to (\S+) ", visitor.browser.evaluate(f"{figure}.querySelector('figcaption').textContent").translate(DIGITS)).groups()
+    assert is_printed(low, values.min()) and is_printed(high, values.max())
+    scale = [printed(label)[0] for label in visitor.browser.evaluate(SCALE.format(figure)) if re.search(r"\d", label)]
+    least, most = numpy.percentile(values, (1, 99))
+    step = max(numpy.diff(scale))
+    assert len(scale) > 2 and least - step <= min(scale) <= least + step and most - step <= max(scale) <= most + step
+
+
+@pytest.mark.skipif(not shutil.which("pdfinfo"), reason="pdfinfo is not installed (apt-get install poppler-utils)")
+def test_a_case_prints_on_few_sheets(visitor, made, tmp_path):
+    """With all that it says: the numbers of its gates are those of the file."""
+    visitor.follow(synthetic_results.sod_catalog()["title"])
+    target = tmp_path / "page.pdf"
+    target.write_bytes(visitor.browser.pdf())
+    assert int(re.search(r"Pages:\s*(\d+)", subprocess.run(["pdfinfo", target], capture_output=True, text=True, check=True).stdout)[1]) <= 10
+    printed_words = subprocess.run(["pdftotext", "-raw", target, "-"], capture_output=True, text=True, check=True).stdout
+    (verdicts,) = reader.load_folder(made).verdicts
+    (gate,) = (gate for gate in verdicts.gates if gate["id"] == FAILING["id"] and gate["case"] == "sod")
+    after_its_band = printed_words.partition(gate["quantity"])[2].partition(f"{gate['band']['high']}")[2]
+    assert is_printed(after_its_band, gate["measured"])
+
+
+def test_how_long_it_takes_to_make_it_again(visitor, made):
+    """All runs together stand on the index itself; what to type, and what each command took, on the page that it leads to."""
+    runs = reader.load_folder(made).runs
+    assert is_printed(visitor.words().partition("Duration")[2], sum(run.run["wall_s"] for run in runs))
+    visitor.follow("Reproduce", "nav a")
+    said = visitor.words()
+    assert "git clone REPOSITORY plumbline cd plumbline ci/report" in said and "ci/test" in said
+    commands = {run.provenance["command"] for run in runs}
+    assert len(commands) > 1
+    for command in commands:
+        walls = [run.run["wall_s"] for run in runs if run.provenance["command"] == command]
+        assert is_printed(visitor.cell("Runs in this folder", command), len(walls)), command
+        assert is_printed(visitor.cell("They took", command), sum(walls)), command
 
 
 def test_what_the_gates_see_of_bugs(visitor, made):

@@ -14,7 +14,7 @@ def entry(scheme, study, cells, error, wall, case="sod", **more):
 
 
 def document(runs):
-    return {"machine": {"cpu": "some"}, "tier": "quick", "repeats": 3, "runs": runs, "provenance": {}}
+    return {"machine": {"cpu": "some"}, "tier": "quick", "repeats": 3, "runs": runs, "provenance": {"command": "plumbline bench --cases"}}
 
 
 def first_order(scheme, study, constant, **more):

@@ -195,6 +195,13 @@ def run_object(case, scheme, cells, settings, measures, **more):
     return {**run, **more}
 
 
+def state_command(path, command):
+    """Lets a file say that another command than that of the others made it."""
+    with h5py.File(path, "r+") as file:
+        del file["provenance"]
+        file["provenance"] = json.dumps({**PROVENANCE, "command": command})
+
+
 def write_run(folder, run, profile=None, kind="space"):
     parts = {"run": run, **{name: run[name] for name in ("measures", "gates", "provenance", "settings")}}
     with create(folder / run["file"], "run", parts) as file:

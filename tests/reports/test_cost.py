@@ -292,6 +292,8 @@ def test_page_with_costs(tmp_path):
     folder = reader.load_folder(tmp_path)
     part = render.cost_part(folder, {"sod": OneCase("sod")})
     assert not folder.damaged and part["jobs"][0]["scheme"] == "default" and len(part["recommended"]) == 1
+    figures = part["charts"] + part["surfaces"] + cost.case_figures(folder.cost, OneCase("sod"), "sod")
+    assert len(figures) > 2 and [figure.title for figure in figures if not figure.commands] == []
 
 
 @pytest.mark.parametrize("change", [

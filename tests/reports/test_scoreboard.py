@@ -1,17 +1,23 @@
 """The page of a scoreboard: complete, self-contained, and true to the document."""
 
 import copy
+import html
 import json
+import os
+import pathlib
 import re
+import shlex
+import subprocess
 from collections import Counter
 
 import pytest
 
 from plumbline import reader
+import reproduce
 import scoreboard
 import synthetic_board
 import text
-from html_page import Page, without_scripts
+from html_page import Page, without_command, without_scripts
 
 
 @pytest.fixture(scope="module")
@@ -83,6 +89,45 @@ def test_errors_are_drawn_where_there_are_several_meshes(source, page):
     (label,) = page.labels
     assert label == "Error of density.L1 over cell size, Sod’s shock tube: Plumbline’s default, coarse and exact"
     assert "troubled" not in label and source.count('class="plot"') == 1
+
+
+def test_commands_make_each_part_of_the_board_again(source):
+    """In the folder of the page: the starts, the default scheme from them, and each program's score."""
+    assert without_command({"board": source}) == []
+    said = [html.unescape(command) for command in re.findall(r"Reproduce: <code>([^<]*)", source)]
+    results = " ".join(f"--result programs/exact/sod-{cells}.h5" for cells in synthetic_board.CELLS)
+    assert f"plumbline score sod {results}" in said and "plumbline converge sod --cells 50,100,200,400,800" in said
+    assert [command for command in said if command.startswith("plumbline export sod ")][1:2] == ["plumbline export sod --cells 100 --output cases/sod-100.h5"]
+    assert "plumbline run bar-riemann --cells 100 --set velocity=1e-05 --set t_end=1.25" in said
+    assert not [command for command in said if "verify" in command or "troubled" in command]
+
+
+def test_commands_of_a_board_give_its_numbers(tmp_path):
+    program = os.environ.get("PLUMBLINE")
+    if not program:
+        pytest.skip("the environment variable PLUMBLINE names no executable")
+
+    def plumbline(command):
+        done = subprocess.run([program, *shlex.split(command)[1:]], cwd=tmp_path, capture_output=True, text=True, check=False)
+        assert done.returncode in (0, 1), done.stderr
+        return done
+
+    (tmp_path / "cases").mkdir()
+    stranger = pathlib.Path(__file__).resolve().parents[1] / "stranger/adapter.py"
+    for cells in (10, 14):
+        plumbline(f"plumbline export sod --cells {cells} --set ppc=4 --output cases/sod-{cells}.h5")
+    plumbline(f"plumbline scoreboard . --run stranger={stranger}")
+    (problem,) = reader.load_scoreboard(tmp_path / scoreboard.DOCUMENT)["problems"]
+    (entry,) = problem["programs"]
+    scored, own = reproduce.scored(problem, entry), reproduce.beside(problem)
+    before = (tmp_path / "cases/sod-10.h5").read_bytes()
+    (tmp_path / "cases/sod-10.h5").unlink()
+    plumbline(reproduce.exported(problem, "sod-10.h5", 10))
+    assert (tmp_path / "cases/sod-10.h5").read_bytes() == before
+    assert json.loads(plumbline(f"{scored} --json -").stdout)["gates"] == entry["gates"]
+    levels = json.loads(plumbline(f"{own} --json -").stdout)["levels"]
+    for level, stated in zip(levels, problem["own"]["levels"], strict=True):
+        assert {name: measure["error"] for name, measure in level["measures"].items()} == stated["errors"]
 
 
 def test_default_scheme_that_stopped_and_results_that_are_no_series():

@@ -6,10 +6,15 @@ import html
 import re
 
 import cases as gathering
+import matplotlib
 import numpy
 import pytest
+import svg
 import york
 import york_figures
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.text import Annotation, Text
 from plumbline import reader
 
 BUDGET = "energy."
@@ -86,6 +91,31 @@ def test_marks_are_those_of_the_list(number):
             assert f">{given}p.\u00a0{said['page']}<" in words
     unmarked = drawn({**entry, "says": []})
     assert len(re.findall("<path", figure.svg)) - len(re.findall("<path", unmarked.svg)) == marks(entry)
+
+
+@pytest.mark.parametrize("number", [number for number, entry in PICTURES.items() if any("value" in said for said in entry.get("says", ()))])
+def test_words_at_marks_stand_clear_of_other_words_and_marks(number, monkeypatch):
+    crowded = []
+
+    def measure(paint, prefix, label, height, **subplots):
+        with matplotlib.rc_context(svg._STYLE):
+            figure = Figure(figsize=(svg.WIDTH, height))
+            canvas = FigureCanvasAgg(figure)
+            paint(figure.subplots(**subplots))
+            canvas.draw()
+        texts = [part for part in figure.findobj(Text) if part.get_visible() and part.get_text() and all(axes.get_visible() for axes in [part.axes] if axes)]
+        words = [part for part in texts if isinstance(part, Annotation)]
+        dashed = [line for axes in figure.axes for line in axes.lines if line.is_dashed() and len(line.get_xdata()) == 2]
+        for part in words:
+            box = part.get_window_extent()
+            crowded.extend((part.get_text(), other.get_text()) for other in texts if other is not part and box.overlaps(other.get_window_extent()))
+            crowded.extend((part.get_text(), "a mark") for line in dashed if box.overlaps(line.get_window_extent()))
+        assert words or not any(said.get("axis") != "r" for said in PICTURES[number]["says"] if "value" in said)
+        return ""
+
+    monkeypatch.setattr(svg, "draw", measure)
+    york_figures.drawing(PICTURES[number], f"Figure {number}", *results_of(PICTURES[number]))
+    assert crowded == []
 
 
 def marks(entry):

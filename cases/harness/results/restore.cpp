@@ -203,7 +203,7 @@ RunResult read_restore(const Hdf5Reader& file) {
     const std::string case_name = document.at("case");
     RunResult run(case_name, document.at("scheme"), restored_settings(case_name, document.at("settings")));
     restore_whole(file, document, run);
-    if (check_of(run) != document.at("check")) throw std::out_of_range("its check sum");
+    if (Json(check_of(run)) != document.at("check")) throw std::out_of_range("its check sum");
     return run;
   } catch (const FileError&) {
     throw;
