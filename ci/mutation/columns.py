@@ -65,8 +65,9 @@ def not_dear(own, seconds, root):
 def everything(root, build, program, prints):
     """All tests that take seconds: the executables of unit tests, and what ctest calls a unit test of the whole program."""
     own = [judges.GoogleTestJudge(program, f"tests/{part}", first_only=True) for part in PARTS]
-    pairs = {"bin/plumbline": program.plumbline, "tests/reference/evaluate_reference": program.evaluate}
-    finished = {str(build / path): str(switched) for path, switched in pairs.items()}
+    pairs = {build / "bin/plumbline": program.plumbline, build / "tests/reference/evaluate_reference": program.evaluate}
+    pairs |= {build / "lib" / path.name: path for path in program.libraries.glob("*.so*")}
+    finished = {str(path): str(switched) for path, switched in pairs.items()}
     own += [judges.EntryJudge(program, entry, finished) for entry in entries_of(build)]
     print_of = prints.of(*state.EVERYWHERE, "cases/catalog", "tests")
     return [matrix.Column(judge, print_of) for judge in own]

@@ -92,7 +92,7 @@ class Walk:
 
     def emit(self, operator, start, end, replace, why, wrap="expression", more=""):
         find = self.text(start, end)
-        if not find or find == replace or "\n#" in find or (wrap != "statement" and ";" in find and "[" not in find):
+        if not find or find == replace or "\n#" in find:
             return
         if why:
             self.excluded[operator, why] += 1

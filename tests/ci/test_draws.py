@@ -176,6 +176,26 @@ def test_factors_and_passes_are_switched(tmp_path, wrap, kind, clean, bug):
     assert printed == [clean, bug]
 
 
+TOY_TEST = """import os
+def test_program(): assert os.environ["PLUMBLINE"] == "/switched/plumbline" and os.environ["OTHER"] == "kept"
+def test_bug(): assert os.environ["PLUMBLINE_MUTANT"] != "7"
+def test_later(): pass
+"""
+
+
+def test_an_entry_of_ctest_is_run_on_the_switched_program_and_ends_at_its_first_red(tmp_path):
+    (tmp_path / "test_toy.py").write_text(TOY_TEST)
+    command = [sys.executable, "-B", "-m", "pytest", "-q", "-p", "no:cacheprovider", str(tmp_path / "test_toy.py")]
+    entry = {"name": "contract.toy", "command": command, "environment": ["PLUMBLINE=/finished/plumbline", "OTHER=kept"]}
+    program = overlay.Program(pathlib.Path("/switched/plumbline"), tmp_path)
+    judge = judges.EntryJudge(program, entry, {"/finished/plumbline": "/switched/plumbline"})
+    clean = judge.judge(None, None)
+    assert {name: gate["verdict"] for name, gate in clean.gates.items()} == dict.fromkeys(("test_program", "test_bug", "test_later"), "PASS")
+    mutant = declarations.Mutant("one", "", "toy.cpp", "", "a", "b", "", "drawn", at=0, number=7)
+    red = judges.red_gates(clean, judge.judge(mutant, clean))
+    assert [(gate["gate"], gate["verdict"]) for gate in red] == [("test_bug", "FAIL"), ("test_later", "MISSING")]
+
+
 # --- rates ---
 
 
