@@ -16,79 +16,29 @@ counted and not drawn.
 
 import re
 from collections import Counter
-from dataclasses import dataclass
 
 from clang.cindex import CursorKind as Kind
-from clang.cindex import TypeKind
+
+from .tree import BINARY, Expressions, Site, kind_of
 
 OPERATORS = ("coefficient", "term", "sign", "comparison", "index", "range", "column", "stage")
 PERCENT_2 = "1.02"
 SMALLEST = 1e-5  # Numbers below are tolerances and guards: 2 % of one is less than it tolerates.
-INTEGERS = {TypeKind.INT, TypeKind.UINT, TypeKind.LONG, TypeKind.ULONG, TypeKind.LONGLONG, TypeKind.ULONGLONG,
-            TypeKind.SHORT, TypeKind.USHORT}  # fmt: skip
-REALS = {TypeKind.DOUBLE, TypeKind.FLOAT, TypeKind.LONGDOUBLE}
-NUMBERS_OF_CLASS = re.compile(r"\b(Pack|Bounded|State)\b|\bEigen::")  # classes with a product from the left with a double
 FUNCTIONS = {Kind.FUNCTION_DECL, Kind.CXX_METHOD, Kind.FUNCTION_TEMPLATE, Kind.CONSTRUCTOR, Kind.CONVERSION_FUNCTION}
-BINARY = {Kind.BINARY_OPERATOR, Kind.COMPOUND_ASSIGNMENT_OPERATOR, Kind.CALL_EXPR}
 MESSAGES = {"format", "print", "format_to", "to_string"}
-COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 WHOLE_SWAPS = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "=="}
 REAL_SWAPS = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "==": "!=", "!=": "=="}
-SYMBOL = re.compile(r"\s*([-+*/]=?|[<>]=?|[=!]=|&&|=)\s*")
 LITERAL = re.compile(r"[\d.]+(?:[eE][-+]?\d+)?")
 
 
-@dataclass(frozen=True)
-class Site:
-    operator: str
-    file: str
-    start: int  # characters, not bytes
-    find: str
-    replace: str
-    wrap: str = "expression"
-    type: str = ""  # of wrap "factor" the factor, of "skip" the condition
-
-    @property
-    def end(self):
-        return self.start + len(self.find)
-
-
-def kind_of(cursor_type):
-    """"real", "class" (of numbers), "dependent", "int" or ""."""
-    canonical = cursor_type.get_canonical()
-    if canonical.kind in (TypeKind.LVALUEREFERENCE, TypeKind.RVALUEREFERENCE):
-        canonical = canonical.get_pointee().get_canonical()
-    if canonical.kind in REALS:
-        return "real"
-    if canonical.kind in INTEGERS:
-        return "int"
-    if canonical.kind in (TypeKind.DEPENDENT, TypeKind.AUTO) or canonical.spelling.startswith("type-parameter"):
-        return "dependent"
-    if canonical.kind not in (TypeKind.POINTER, TypeKind.BOOL) and NUMBERS_OF_CLASS.search(canonical.spelling):
-        return "class"
-    return ""
-
-
-class Walk:
+class Walk(Expressions):
     """Collects the sites of one file. columns: the names of all columns of points."""
 
     def __init__(self, file, source, columns=()):
+        super().__init__(source)
         self.file, self.columns = file, columns
-        self.bytes = source
         self.sites, self.excluded = {}, Counter()
-
-    # --- text ---
-
-    def text(self, start, end):
-        return self.bytes[start:end].decode()
-
-    def of(self, cursor):
-        return self.text(*self.span(cursor))
-
-    @staticmethod
-    def span(cursor):
-        extent = cursor.extent
-        return extent.start.offset, extent.end.offset
+        self._operands_of_sums, self._conditions_of_loops = set(), set()
 
     def emit(self, operator, start, end, replace, why, wrap="expression", more=""):
         find = self.text(start, end)
@@ -173,34 +123,6 @@ class Walk:
 
     # --- sums, products, comparisons ---
 
-    def parts(self, cursor, children=None):
-        """(operator, left, right) of a binary operation, built in or overloaded; None of anything else."""
-        if cursor.kind not in BINARY:
-            return None
-        children = list(cursor.get_children()) if children is None else children
-        if cursor.kind == Kind.CALL_EXPR:
-            children = children[::2] if len(children) == 3 else []
-        if len(children) != 2:
-            return None
-        between = self.text(self.span(children[0])[1], self.span(children[1])[0])
-        found = SYMBOL.fullmatch(COMMENT.sub("", between))
-        return (found.group(1), *children) if found else None
-
-    def bare(self, cursor):
-        """Without the conversions that the compiler adds."""
-        while cursor.kind in (Kind.UNEXPOSED_EXPR, Kind.CALL_EXPR):
-            own = list(cursor.get_children())
-            if len(own) != 1 or self.span(own[0]) != self.span(cursor):
-                break
-            cursor = own[0]
-        return cursor
-
-    def leaves(self, cursor, symbols):
-        found = self.parts(self.bare(cursor))
-        if not found or found[0] not in symbols:
-            return [cursor]
-        return self.leaves(found[1], symbols) + self.leaves(found[2], symbols)
-
     def _operation(self, cursor, children, why, product):
         """Sites of this operation; True if what is below belongs to a product."""
         found = self.parts(cursor, children)
@@ -214,7 +136,7 @@ class Walk:
             return False
         if not kind or kind == "int":
             return False
-        if symbol in ("+", "-") and not self._is_part_of_sum(cursor):
+        if symbol in ("+", "-") and self._key(cursor) not in self._operands_of_sums:
             for number, leaf in enumerate(self.leaves(cursor, ("+", "-"))):
                 self.scale("term", leaf, kind, "0", why)
                 if number:
@@ -229,18 +151,11 @@ class Walk:
             self.scale("coefficient", right, kind_of(left.type) or kind, PERCENT_2, why)
             return True
         if symbol in ("+", "-"):
-            self._in_sum.update(self._key(self.bare(part)) for part in (left, right))
+            self._operands_of_sums.update(self._key(self.bare(part)) for part in (left, right))
         return symbol in ("*", "/")
-
-    @property
-    def _in_sum(self):
-        return self.__dict__.setdefault("_operands_of_sums", set())
 
     def _key(self, cursor):
         return (*self.span(cursor), cursor.kind)
-
-    def _is_part_of_sum(self, cursor):
-        return self._key(cursor) in self._in_sum
 
     def _negation(self, cursor, kind, why):
         start, end = self.span(cursor)
@@ -255,7 +170,7 @@ class Walk:
 
     def _comparison(self, cursor, symbol, left, right, why):
         kinds = {kind_of(self.bare(side).type) for side in (left, right)}
-        if "" in kinds or self._key(cursor) in self._loop_ends:
+        if "" in kinds or self._key(cursor) in self._conditions_of_loops:
             return
         new = (WHOLE_SWAPS if kinds == {"int"} else REAL_SWAPS)[symbol]
         self.emit("comparison", *self.span(cursor), f"{self.of(left)} {new} {self.of(right)}", why)
@@ -281,10 +196,6 @@ class Walk:
             elif not re.search(r"\+\+|--|=", find):
                 self.emit("index", *self.span(index), f"({find}) > 0 ? ({find}) - 1 : ({find})", why)
 
-    @property
-    def _loop_ends(self):
-        return self.__dict__.setdefault("_conditions_of_loops", set())
-
     def _range(self, children, why):
         heads = children[:-1]
         text = "".join(self.of(head) for head in heads[1:])
@@ -305,7 +216,7 @@ class Walk:
             self._condition(left, down, why)
             self._condition(right, down, why)
         elif symbol in ("<", "<=", ">", ">=", "!="):
-            self._loop_ends.add(self._key(self.bare(head)))
+            self._conditions_of_loops.add(self._key(self.bare(head)))
             if kind_of(self.bare(right).type) == "int":
                 self._shorter(right, "+" if down else "-", why)
 

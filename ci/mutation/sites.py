@@ -10,9 +10,9 @@ import re
 from collections import Counter
 from dataclasses import asdict
 
-from clang.cindex import CursorKind, Index, TranslationUnit
+from clang.cindex import CursorKind, Diagnostic, Index, TranslationUnit
 
-from . import operators
+from . import operators, tree
 from .state import Fingerprints
 
 FOLDERS = ("kernel", "reference", "cases/harness")
@@ -56,20 +56,22 @@ def common_headers(base):
 
 def gather(base, work, say=print):
     """([Site], {(operator, why): how many no switch can stand at}), in the order of files and places."""
-    own = [str(path.relative_to(base.root)) for path in map(pathlib.Path, (__file__, operators.__file__))]
+    own = [str(path.relative_to(base.root)) for path in map(pathlib.Path, (__file__, operators.__file__, tree.__file__))]
     print_of = Fingerprints(base.root).of(*FOLDERS, *own)
     kept = work / "sites.json"
     if kept.exists():
         document = json.loads(kept.read_text())
         if document["fingerprint"] == print_of:
             excluded = Counter({tuple(key.split(": ")): count for key, count in document["excluded"].items()})
-            return [operators.Site(**site) for site in document["sites"]], excluded
+            return [tree.Site(**site) for site in document["sites"]], excluded
     work.mkdir(parents=True, exist_ok=True)
     found, excluded, done, columns = [], Counter(), set(), columns_of(base.root)
     sources, words = arguments_of(base)
     for number, unit in enumerate(_units(base.root, sources, words, common_headers(base), work)):
         if number % 20 == 0:
             say(f"syntax trees: {number} of {len(sources)} sources")
+        for fault in (d for d in unit.diagnostics if d.severity >= Diagnostic.Error and folder_of(_relative(d.location.file, base.root))):
+            say(f"what this spoils has no sites: {fault}")
         for file, walk in of_unit(unit, base.root, done, columns).items():
             found += walk.sites.values()
             excluded += walk.excluded
@@ -82,16 +84,21 @@ def gather(base, work, say=print):
 
 
 def _units(root, sources, words, headers, work):
-    """The tree of these headers together, then of each source."""
-    index = Index.create()
+    """The tree of these headers together, then of each source; what templates become at the end of a source holds no site of its own."""
+    index, incomplete = Index.create(), TranslationUnit.PARSE_INCOMPLETE
     source, header = work / "headers.hpp", work / "headers.pch"
     source.write_text("".join(f"#include <{name}>\n" for name in (*LIBRARIES, *headers)))
-    options = ["-x", "c++-header", "-fpch-instantiate-templates", *words]
-    unit = index.parse(str(source), options, options=TranslationUnit.PARSE_INCOMPLETE)
+    unit = index.parse(str(source), ["-x", "c++-header", *words], options=incomplete)
     unit.save(str(header))
     yield unit
     for source in sources:
-        yield index.parse(str(root / source), [*words, "-include-pch", str(header)])
+        yield index.parse(str(root / source), [*words, "-include-pch", str(header)], options=incomplete)
+
+
+def _relative(file, root):
+    """Of a file of clang; empty where it is none of the project's."""
+    path = pathlib.Path(file.name) if file else root.parent
+    return str(path.relative_to(root)) if path.is_relative_to(root) else ""
 
 
 def of_unit(unit, root, done=frozenset(), columns=()):
@@ -99,14 +106,11 @@ def of_unit(unit, root, done=frozenset(), columns=()):
     walks = {}
     for cursor in unit.cursor.get_children():
         place = cursor.location.file
-        if place is None:
-            continue
-        path = pathlib.Path(place.name)
-        file = str(path.relative_to(root)) if path.is_relative_to(root) else ""
-        if file in done or not (folder_of(file) or root == path.parent):
+        file = _relative(place, root)
+        if not file or file in done or not (folder_of(file) or "/" not in file):
             continue
         if file not in walks:
-            walks[file] = operators.Walk(file, path.read_bytes(), columns)
+            walks[file] = operators.Walk(file, (root / file).read_bytes(), columns)
         if cursor.kind != CursorKind.USING_DECLARATION:
             walks[file].walk(cursor)
     return walks

@@ -13,7 +13,7 @@ from clang.cindex import Index  # noqa: E402
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "ci"))
 
-from mutation import declarations, drawing, judges, matrix, operators, overlay, rates, sites, state  # noqa: E402
+from mutation import declarations, drawing, judges, matrix, operators, overlay, rates, sites, state, tree  # noqa: E402
 
 PACK = """struct Pack { double v; Pack(double x) : v(x) {} };
 inline Pack operator*(const Pack& a, const Pack& b) { return a.v; }
@@ -95,7 +95,7 @@ double f(double x, double y = 2.5) { if (x < 0) throw 7.0 * x; if constexpr (siz
 
 def toy_sites(count):
     """As many of each operator, one below the other in a file."""
-    return [operators.Site(name, "kernel/toy.cpp", 100 * k + 1000 * n, "a * b", "1.02 * (a * b)")
+    return [tree.Site(name, "kernel/toy.cpp", 100 * k + 1000 * n, "a * b", "1.02 * (a * b)")
             for n, name in enumerate(operators.OPERATORS) for k in range(count)]  # fmt: skip
 
 
@@ -118,7 +118,7 @@ def test_the_next_of_the_same_operator_takes_the_place_of_one_that_is_passed_ove
 
 
 def test_one_that_overlaps_an_earlier_one_is_passed_over():
-    alike = [operators.Site("coefficient", "toy.cpp", at, "a * b * c", "1.02 * (a * b * c)") for at in (0, 4, 50)]
+    alike = [tree.Site("coefficient", "toy.cpp", at, "a * b * c", "1.02 * (a * b * c)") for at in (0, 4, 50)]
     drawn = drawing.Draw("1", {"coefficient": 3}, {"coefficient": alike})
     assert [mutant.at for mutant in drawn.mutants()] == [0, 50]
     assert list(drawn.passed_over.values()) == ["overlaps another"]
