@@ -10,8 +10,8 @@
     stage         a stage that an integrator calls left out
 
 A site must be able to stand beside its clean form in one program. Where the language wants a constant (constexpr, default
-arguments, labels, `if constexpr`) no switch can stand; what throws an error or words a message computes nothing. Both are
-counted and not drawn.
+arguments, labels, `if constexpr`) no switch can stand; what throws an error or words a message computes nothing; 2 % of a
+tolerance are within it. All three are counted and not drawn.
 """
 
 import re
@@ -23,7 +23,9 @@ from .tree import BINARY, Expressions, Site, kind_of
 
 OPERATORS = ("coefficient", "term", "sign", "comparison", "index", "range", "column", "stage")
 PERCENT_2 = "1.02"
-SMALLEST = 1e-5  # Numbers below are tolerances and guards: 2 % of one is less than it tolerates.
+# 2 % of a tolerance or of a bound on rounding is less than it tolerates.
+SMALLEST = 1e-5
+TOLERANCE = re.compile(r"\brounding::|\bepsilon\(\)")
 FUNCTIONS = {Kind.FUNCTION_DECL, Kind.CXX_METHOD, Kind.FUNCTION_TEMPLATE, Kind.CONSTRUCTOR, Kind.CONVERSION_FUNCTION}
 MESSAGES = {"format", "print", "format_to", "to_string"}
 WHOLE_SWAPS = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "=="}
@@ -54,8 +56,10 @@ class Walk(Expressions):
         """A number times 1.02, -1 or 0: of a double by two forms, of others by a factor that is 1 in the clean program."""
         start, end = self.span(cursor)
         find = self.text(start, end)
-        if LITERAL.fullmatch(find) and not (float(find) and float(find) >= SMALLEST):
+        if LITERAL.fullmatch(find) and not float(find):
             return
+        if operator == "coefficient" and (TOLERANCE.search(find) or (LITERAL.fullmatch(find) and float(find) < SMALLEST)):
+            why = why or "tolerance"
         if kind == "real":
             new = {"0": "0.0", "-1": f"-({find})"}.get(factor, f"{factor} * ({find})")
             self.emit(operator, start, end, new, why)
@@ -264,7 +268,8 @@ class Walk(Expressions):
             return
         start = self.span(children[-1])[0]
         first = re.match(r"\{|[\w:]+", self.text(start, start + 80))
-        for column in self.columns if first else ():
+        named = re.findall(r"column::(\w+)", head)  # a list that names its columns holds no others
+        for column in (named or self.columns) if first else ():
             condition = name % column
             text = first.group()
             new = f"{{ if ({condition}) continue;" if text == "{" else f"if ({condition}) continue; else {text}"

@@ -33,9 +33,11 @@ def changes(walk, operator):
 
 
 def test_coefficients_are_products_and_numbers_that_stand_alone(tmp_path):
-    walk = sites_of(tmp_path, "double f(double x) { return 2 * x * (0.5 * x) + 3.0 - 1e-9 + x; }")
+    source = "namespace rounding { double unit; }\ndouble f(double x) { return 2 * x * (0.5 * x) + 3.0 - 1e-9 + rounding::unit * x; }"
+    walk = sites_of(tmp_path, source)
     # Not 2, 0.5 and the product in brackets beside the whole product: all would be the same bug.
     assert changes(walk, "coefficient") == {("2 * x * (0.5 * x)", "1.02 * (2 * x * (0.5 * x))"), ("3.0", "1.02 * (3.0)")}
+    assert walk.excluded["coefficient", "tolerance"] == 2
 
 
 def test_terms_and_signs_of_sums_of_any_kind_of_number(tmp_path):
@@ -73,15 +75,18 @@ def test_stages_and_columns(tmp_path):
     (tmp_path / "kernel/integrators").mkdir(parents=True)
     walk = sites_of(tmp_path, source, "kernel/integrators/toy.cpp")
     assert [site.replace for site in walk.sites.values() if site.operator == "stage"] == ["", ""]
-    source = """struct ColumnId { const char* name() const; }; struct All { ColumnId* begin() const; ColumnId* end() const; };
+    source = """#include <initializer_list>
+struct ColumnId { const char* name() const; }; struct All { ColumnId* begin() const; ColumnId* end() const; };
 struct Points { double& operator()(const ColumnId&) const; }; namespace column { ColumnId mass, velocity; }
 void copy(const ColumnId&); void f(All all, Points points) {
   for (const ColumnId& id : all) { copy(id); }
+  for (const ColumnId& id : {column::velocity}) copy(id);
   points(column::mass) /= 2;
 }"""
     walk = sites_of(tmp_path, source, "kernel/toy.cpp", columns=["mass"])
     found = {(site.find, site.wrap, site.type) for site in walk.sites.values() if site.operator == "column"}
-    assert found == {("{", "skip", 'id.name() == "mass"'), ("points(column::mass) /= 2;", "statement", "")}
+    assert found == {("{", "skip", 'id.name() == "mass"'), ("copy", "skip", 'id.name() == "velocity"'),
+                     ("points(column::mass) /= 2;", "statement", "")}  # fmt: skip
 
 
 def test_where_no_switch_can_stand_and_where_nothing_is_computed_sites_are_counted_and_left_out(tmp_path):
