@@ -70,7 +70,7 @@ def gather(base, work, say=print):
     for number, unit in enumerate(_units(base.root, sources, words, common_headers(base), work)):
         if number % 20 == 0:
             say(f"syntax trees: {number} of {len(sources)} sources")
-        for fault in (d for d in unit.diagnostics if d.severity >= Diagnostic.Error and folder_of(_relative(d.location.file, base.root))):
+        for fault in _faults(unit, base.root):
             say(f"what this spoils has no sites: {fault}")
         for file, walk in of_unit(unit, base.root, done, columns).items():
             found += walk.sites.values()
@@ -92,7 +92,15 @@ def _units(root, sources, words, headers, work):
     unit.save(str(header))
     yield unit
     for source in sources:
-        yield index.parse(str(root / source), [*words, "-include-pch", str(header)], options=incomplete)
+        unit = index.parse(str(root / source), [*words, "-include-pch", str(header)], options=incomplete)
+        if _faults(unit, root):  # a name of its own may be one of those headers', too
+            unit = min(unit, index.parse(str(root / source), words, options=incomplete), key=lambda u: len(_faults(u, root)))
+        yield unit
+
+
+def _faults(unit, root):
+    """What the parser did not understand in files of the project."""
+    return [d for d in unit.diagnostics if d.severity >= Diagnostic.Error and _relative(d.location.file, root)]
 
 
 def _relative(file, root):

@@ -98,6 +98,18 @@ double f(double x, double y = 2.5) { if (x < 0) throw 7.0 * x; if constexpr (siz
     assert walk.excluded["comparison", "error"] == 1
 
 
+def test_a_source_whose_names_are_those_of_a_common_header_too_is_read_alone(tmp_path, monkeypatch):
+    monkeypatch.setattr(sites, "LIBRARIES", ())
+    root, source = tmp_path / "root", "struct Line { double slope = 0.5; };\ndouble f(Line line) { return 2 * line.slope; }\n"
+    (root / "kernel").mkdir(parents=True)
+    (root / "kernel/other.hpp").write_text("#pragma once\nstruct Line { double angle = 1.5; };\n")
+    (root / "kernel/toy.cpp").write_text(source)
+    units = list(sites._units(root, ["kernel/toy.cpp"], ["-std=c++20", f"-I{root}"], ["kernel/other.hpp"], tmp_path))
+    found = [{file: changes(walk, "coefficient") for file, walk in sites.of_unit(unit, root).items()} for unit in units]
+    assert found[0] == {"kernel/other.hpp": {("1.5", "1.02 * (1.5)")}}
+    assert found[1] == {"kernel/toy.cpp": {("0.5", "1.02 * (0.5)"), ("2 * line.slope", "1.02 * (2 * line.slope)")}}
+
+
 def toy_sites(count):
     """As many of each operator, one below the other in a file."""
     return [tree.Site(name, "kernel/toy.cpp", 100 * k + 1000 * n, "a * b", "1.02 * (a * b)")
