@@ -27,6 +27,7 @@ import catalog
 import cost
 import cost_charts
 import distributions
+import draws
 import figures
 import frame
 import history
@@ -115,9 +116,11 @@ class _Worker:
 
 
 def front_page(folder, cases):
+    commit = (tables.origin(folder) or {}).get("commit", "")
     parts = {
         "cost": cost_part(folder, cases),
-        "mutants": mutants.page(folder.mutants, (tables.origin(folder) or {}).get("commit", "")),
+        "mutants": mutants.page(folder.mutants, commit),
+        "draw": draws.page(folder.draw, commit),
         "integrators": scorecards.page(folder.scorecards, folder.judges),
         "expected_failures": expected_failures_part(cases),
     }

@@ -6,8 +6,10 @@ it; a mutant
     find, replace            the text and what the bug makes of it; `find` occurs once in `context` (or in the file)
     context                  text that occurs once in the file and holds `find`; `find` itself if left out
     wrap                     "expression" (default) and "statement": both texts stand in the program, chosen when it runs;
-                             "text": replaced as it stands (files that are not compiled)
-    type                     of an expression whose two forms have different types
+                             "text": replaced as it stands (files that are not compiled); of drawn ones also "factor" (of a
+                             number) and "skip" (of a pass of a loop)
+    type                     of an expression whose two forms have different types; the factor; when the pass is left out
+    at                       where `find` stands, in characters: of drawn ones, which hold for their commit alone
     killed_by                [{"case", "gate"} or {"test"}]: those that must turn red on it
     equivalent               why no gate could: the program does the same
     quick                    belongs to the subset that the tests of a change run; its file is no header
@@ -18,8 +20,8 @@ import pathlib
 import re
 from dataclasses import dataclass, field
 
-WRAPS = ("expression", "statement", "text")
-KNOWN = {"id", "kind", "file", "what", "find", "replace", "context", "wrap", "type", "killed_by", "equivalent", "quick"}
+WRAPS = ("expression", "statement", "text", "factor", "skip")
+KNOWN = {"id", "kind", "file", "what", "find", "replace", "context", "wrap", "type", "at", "killed_by", "equivalent", "quick"}
 
 
 AREAS = (
@@ -54,6 +56,7 @@ class Mutant:
     killed_by: list = field(default_factory=list)
     equivalent: str = ""
     quick: bool = False
+    at: int = -1
     number: int = 0  # what PLUMBLINE_MUTANT is set to; 0 is no mutant
 
     @property
@@ -62,6 +65,10 @@ class Mutant:
 
     def place(self, text):
         """(start, end) of `find` in the file's text."""
+        if self.at >= 0:
+            if not text.startswith(self.find, self.at):
+                raise DeclarationError(f"{self.id}: {self.file} is not as it was when the bug was drawn; check out that commit")
+            return self.at, self.at + len(self.find)
         context = self.context or self.find
         if text.count(context) != 1:
             raise DeclarationError(f"{self.id}: {self.file} holds its text {text.count(context)} times, not once")
@@ -83,6 +90,11 @@ class Mutant:
         clean = otherwise or self.find
         if self.wrap == "statement":
             return f"if (PLUMBLINE_MUTANT({self.number})) {{ {self.replace} }} else {{ {clean} }}"
+        if self.wrap == "factor":
+            return f"((PLUMBLINE_MUTANT({self.number}) ? {float(self.type)} : 1.0) * ({clean}))"
+        if self.wrap == "skip":
+            leave = f"if (({self.type}) && PLUMBLINE_MUTANT({self.number})) continue;"
+            return f"{{ {leave}" if self.find == "{" else f"{leave} else {clean}"
         return f"(PLUMBLINE_MUTANT({self.number}) ? {self.type}({self.replace}) : {self.type}({clean}))"
 
 
@@ -96,7 +108,7 @@ def load(folder):
             missing = {"id", "kind", "file", "what", "find", "replace"} - set(entry)
             if missing or set(entry) - KNOWN:
                 raise DeclarationError(f"{path.name}, {name}: lacks {sorted(missing)}, has {sorted(set(entry) - KNOWN)}")
-            area = document.get("area") or next((area for start, area in AREAS if entry["file"].startswith(start)), "")
+            area = document.get("area") or area_of(entry["file"])
             mutant = Mutant(area=area, origin=document["origin"], number=len(mutants) + 1, **entry)
             if mutant.wrap not in WRAPS:
                 raise DeclarationError(f"{name}: wrap is one of {', '.join(WRAPS)}, not {mutant.wrap}")
@@ -107,6 +119,22 @@ def load(folder):
             ids.add(name)
             mutants.append(mutant)
     return mutants
+
+
+def load_drawn(path, known=0):
+    """The bugs of a draw that results/draw.json holds, numbered from `known` + 1; none where there is no such file."""
+    if not path.exists():
+        return []
+    rows = json.loads(path.read_text(encoding="utf-8"))["mutants"]
+    return [
+        Mutant(id=row["id"], kind=row["operator"], file=row["file"], what=row["what"], area=area_of(row["file"]), origin="drawn",
+               number=known + k, **row["bug"])
+        for k, row in enumerate(rows, 1)
+    ]  # fmt: skip
+
+
+def area_of(file):
+    return next((area for start, area in AREAS if file.startswith(start)), "")
 
 
 def switched_text(text, mutants, header):

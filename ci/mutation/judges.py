@@ -116,9 +116,9 @@ class Judge:
         """The outcome with this bug; mutant None: the clean program, clean None: not known yet."""
         raise NotImplementedError
 
-    def _run(self, program, command, mutant, clean, folder):
+    def _run(self, program, command, mutant, clean, folder, more=None):
         reached = pathlib.Path(folder) / "reached"
-        environment = program.environment(PLUMBLINE_MUTANT=str(mutant.number if mutant else -1))
+        environment = program.environment(**(more or {}), PLUMBLINE_MUTANT=str(mutant.number if mutant else -1))
         environment["PLUMBLINE_REACHED"] = str(reached)
         status, output, seconds, why = run(command, environment, limit_of(clean.seconds) if clean else 3600, cwd=folder)
         numbers = sorted({int(n) for n in reached.read_text().split()}) if reached.exists() else []
@@ -159,17 +159,17 @@ def gates_of(document):
 
 
 class GoogleTestJudge(Judge):
-    """An executable of unit tests."""
+    """An executable of unit tests. first_only: a bug ends it at the first red test."""
 
     kind = "tests"
 
-    def __init__(self, program, path):
+    def __init__(self, program, path, first_only=False):
         super().__init__(path)
-        self.program = program
+        self.program, self.more = program, ["--gtest_fail_fast"] if first_only else []
 
     def judge(self, mutant, clean):
         with tempfile.TemporaryDirectory(prefix="plumbline-mutant-") as folder:
-            command = [self.program.tests[self.name], "--gtest_output=json:tests.json", "--gtest_brief=1"]
+            command = [self.program.tests[self.name], "--gtest_output=json:tests.json", "--gtest_brief=1", *self.more]
             status, _, outcome = self._run(self.program, command, mutant, clean, folder)
             document = pathlib.Path(folder) / "tests.json"
             if document.exists():
@@ -210,14 +210,38 @@ class PythonTestJudge(Judge):
             status, _, spent, why = run(command, environment, seconds, cwd=folder)
             numbers = sorted({int(n) for n in reached.read_text().split()}) if reached.exists() else []
             outcome = Outcome({}, why, spent, numbers)
-            document = folder / "tests.xml"
-            if document.exists() and not why:
-                for test in xml.etree.ElementTree.parse(document).iter("testcase"):
-                    bad = test.find("failure") is not None or test.find("error") is not None
-                    verdict = "FAIL" if bad else "PASS"
-                    outcome.gates[test.get("name")] = {"verdict": verdict, "origin": "test", "numbers": []}
-            if not outcome.gates and not why:
-                outcome.stopped = f"exit status {status}"
+            read_tests(folder / "tests.xml", status, outcome)
+        return outcome
+
+
+def read_tests(document, status, outcome):
+    """What pytest wrote, into the outcome."""
+    if document.exists() and not outcome.stopped:
+        for test in xml.etree.ElementTree.parse(document).iter("testcase"):
+            bad = test.find("failure") is not None or test.find("error") is not None
+            verdict = "FAIL" if bad else "PASS"
+            outcome.gates[test.get("name")] = {"verdict": verdict, "origin": "test", "numbers": []}
+    if not outcome.gates and not outcome.stopped:
+        outcome.stopped = f"exit status {status}"
+
+
+class EntryJudge(Judge):
+    """A file of pytest as ctest runs it, with the switched program in the place of the finished one; ends at the first red."""
+
+    kind = "tests"
+
+    def __init__(self, program, entry, finished):
+        super().__init__(entry["name"])
+        self.program, self.command = program, [*entry["command"], "-x", "--junitxml=tests.xml"]
+        self.more = {}
+        for variable in entry["environment"]:
+            name, value = variable.split("=", 1)
+            self.more[name] = finished.get(value, value)
+
+    def judge(self, mutant, clean):
+        with tempfile.TemporaryDirectory(prefix="plumbline-mutant-") as folder:
+            status, _, outcome = self._run(self.program, self.command, mutant, clean, folder, self.more)
+            read_tests(pathlib.Path(folder) / "tests.xml", status, outcome)
         return outcome
 
 

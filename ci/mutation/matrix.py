@@ -133,6 +133,28 @@ class Matrix:
             alike = [(mutant, column) for cost, *_, mutant, column in cells if cost == cells[0][0]]
             self._run(alike[: max(jobs, 1) * 25], jobs, say, len(cells))
 
+    def run_to_first_red(self, mutants, jobs, say):
+        """Each of these bugs against one judge after the other, cheap ones first, until one sees it."""
+        columns = sorted(self.columns, key=lambda c: c.clean.seconds)
+        for number, column in enumerate(columns, 1):
+            alive = [mutant for mutant in mutants if not self.killed(mutant)]
+            tasks = [(mutant, column) for mutant in alive if (cell := self.cell(mutant, column)) and cell.run == "not run"]
+            say(f"judge {number} of {len(columns)}, {column.name}: {len(tasks)} of {len(alive)} that live meet it")
+            self._run(tasks, jobs, say)
+
+    def cells_of(self, mutant):
+        """[(column, Cell)] of the judges that it concerns, cheap ones first."""
+        columns = sorted((c for c in self.columns if c.clean), key=lambda c: c.clean.seconds)
+        return [(column, cell) for column in columns if (cell := self.cell(mutant, column)) is not None]
+
+    def same_numbers(self, mutant):
+        """Whether every case that meets the bug ran and came to the numbers of the clean program, bit for bit."""
+        for column, cell in self.cells_of(mutant):
+            outcome = self.state.get(mutant.id, column.name, self.fingerprint(mutant, column))
+            if cell.run == "not run" or (cell.run == "ran" and outcome.gates != column.clean.gates):
+                return False
+        return True
+
     def _run(self, tasks, jobs, say, left=None):
         left = len(tasks) if left is None else left
         start = time.monotonic()

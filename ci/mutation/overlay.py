@@ -20,7 +20,8 @@ from .declarations import switched_text
 HEADER = "plumbline_mutant.hpp"
 
 # Where a switch stands. Number 0 is the program as it is; below 0 it is, too, and the switches that were met are written
-# to the file PLUMBLINE_REACHED at the end. An inline variable: the executable and its libraries share one.
+# to the file PLUMBLINE_REACHED at the end. An inline variable: the executable and its libraries share one. Each switch that
+# the compiler makes code of leaves its number in a section of the file: templates that nobody asks for leave none.
 SWITCH = """#pragma once
 #include <cstdio>
 #include <cstdlib>
@@ -45,10 +46,20 @@ inline Reached reached;
   reached.at[n] = true;
   return false;
 }
+template <int n>
+[[gnu::always_inline]] inline bool on() {
+  asm volatile(".pushsection %(section)s,\\"\\",@progbits\\n.long %%c0\\n.popsection" : : "i"(n));
+  return chosen == n || (chosen < 0 && note(n));
+}
 }  // namespace plumbline_mutants
-#define PLUMBLINE_MUTANT(n) \\
-  (plumbline_mutants::chosen == (n) || (plumbline_mutants::chosen < 0 && plumbline_mutants::note(n)))
+#define PLUMBLINE_MUTANT(n) plumbline_mutants::on<n>()
 """
+SECTION = "plumbline_switches"
+
+
+def switch(largest):
+    """The header. Room for a round number of switches: a few more of them change nothing else."""
+    return SWITCH % {"count": (largest // 1000 + 1) * 1000, "section": SECTION}
 
 
 class BuildError(Exception):
@@ -141,10 +152,10 @@ class Base:
         raise BuildError(f"the build has no command for {output}")
 
 
-def build(base, folder, mutants, tests=(), evaluator=False, jobs=1, plain=False):
+def build(base, folder, mutants, tests=(), evaluator=False, jobs=1, plain=False, whole=()):
     """The program with all these (compiled) mutants as switches; with `plain` the same objects without any.
 
-    tests: paths of *_test.cpp, each of which becomes an executable of its own.
+    tests: paths of *_test.cpp, each of which becomes an executable of its own; whole: parts, whose tests stay one.
     """
     folder = pathlib.Path(folder).resolve()
     overlay = folder / "overlay"
@@ -152,7 +163,7 @@ def build(base, folder, mutants, tests=(), evaluator=False, jobs=1, plain=False)
     for mutant in mutants:
         if mutant.compiled:
             by_file.setdefault(mutant.file, []).append(mutant)
-    write(overlay / HEADER, SWITCH % {"count": max((m.number for m in mutants), default=0) + 1})
+    write(overlay / HEADER, switch(max((m.number for m in mutants), default=0)))
     for file, own in by_file.items():
         text = (base.root / file).read_text(encoding="utf-8")
         write(overlay / file, text if plain else switched_text(text, own, HEADER))
@@ -169,6 +180,8 @@ def build(base, folder, mutants, tests=(), evaluator=False, jobs=1, plain=False)
     program = Program(folder / "bin/plumbline", folder / "lib")
     for test in tests:
         program.tests[test] = recipe.test(test)
+    for part in whole:
+        program.tests[f"tests/{part}"] = recipe.whole_test(part, affected)
     if evaluator:
         program.evaluate = recipe.link("evaluate_reference", "tests/reference/evaluate_reference")
     recipe.run(jobs)
@@ -255,6 +268,13 @@ class _Recipe:
         here = self.link(None, whole, words=words, as_name=f"bin/{name}")
         del self.new[whole]
         return here
+
+    def whole_test(self, part, affected):
+        words = self.base.link_words(f"{part}_test", f"tests/{part}_test")
+        for word in words:
+            if word in affected and word not in self.new:
+                self.compile(word)
+        return self.link(None, f"tests/{part}_test", words=words)
 
     def run(self, jobs):
         rule = "rule run\n  command = $cmd\n  description = $description\n"

@@ -38,7 +38,8 @@ class Fingerprints:
         return self.known[part]
 
     def of_mutant(self, mutant):
-        text = "\0".join((mutant.file, mutant.context, mutant.find, mutant.replace, mutant.wrap, mutant.type))
+        at = [str(mutant.at)] if mutant.at >= 0 else []
+        text = "\0".join((mutant.file, mutant.context, mutant.find, mutant.replace, mutant.wrap, mutant.type, *at))
         return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 

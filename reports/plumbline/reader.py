@@ -32,6 +32,7 @@ SEAL_SIZE = 512  # bytes in front of the HDF5 part: how many follow, and their c
 BENCH_FILE = "bench.json"
 STABILITY_FILE = "stability.json"
 MUTANTS_FILE = "mutants.json"
+DRAW_FILE = "draw.json"
 COST_FILE = "cost.json"
 EQUATIONS_FILE = "equations.json"
 LIST_FILE = "list.json"
@@ -238,6 +239,7 @@ class Folder:
 
     `bench`: the JSON object of `plumbline bench`, if the folder has one under the name BENCH_FILE; `stability`: that of
     `plumbline stability` under STABILITY_FILE; `mutants`: the kill matrix of ci/mutants under MUTANTS_FILE;
+    `draw`: the rates of `ci/mutants --draw` under DRAW_FILE;
     `cost`: that of `plumbline bench --cases` under COST_FILE; `equations`: that of `ci/check_equations` under
     EQUATIONS_FILE; `coverage`: that of `ci/coverage` under COVERAGE_FILE; `judges`: that of `ci/judges` under JUDGES_FILE;
     `listed`: that of `plumbline list` under LIST_FILE; `scorecards`: those of `plumbline verify --integrator` under SCORECARD_FILES.
@@ -250,6 +252,7 @@ class Folder:
     bench: dict[str, Any] = field(default_factory=dict)
     stability: dict[str, Any] = field(default_factory=dict)
     mutants: dict[str, Any] = field(default_factory=dict)
+    draw: dict[str, Any] = field(default_factory=dict)
     cost: dict[str, Any] = field(default_factory=dict)
     equations: dict[str, Any] = field(default_factory=dict)
     listed: dict[str, Any] = field(default_factory=dict)
@@ -306,6 +309,7 @@ def load_folder(path: str | os.PathLike[str]) -> Folder:
     folder.bench = _load_if_there(load_bench, path / BENCH_FILE, folder)
     folder.stability = _load_if_there(load_stability, path / STABILITY_FILE, folder)
     folder.mutants = _load_if_there(load_mutants, path / MUTANTS_FILE, folder)
+    folder.draw = _load_if_there(load_draw, path / DRAW_FILE, folder)
     folder.cost = _load_if_there(load_cost, path / COST_FILE, folder)
     folder.equations = _load_if_there(load_equations, path / EQUATIONS_FILE, folder)
     folder.listed = _load_if_there(load_list, path / LIST_FILE, folder)
@@ -342,20 +346,36 @@ def load_bench(path):
     return _with_list(path, "kernels", "plumbline bench")
 
 
+def _of_mutants(path, parts):
+    """The JSON object that ci/mutants wrote, whose lists hold objects with these keys."""
+    document = _json_file(path)
+    if not isinstance(document, dict) or not isinstance(document.get("version"), int):
+        raise DamagedFile("not an output of ci/mutants: there is no version")
+    if document["version"] > 1:
+        raise NewerFormat(f"made by a newer version: format {document['version']}, this reader knows up to 1")
+    for part, keys in parts.items():
+        entries = document.get(part)
+        if not isinstance(entries, list) or not all(isinstance(e, dict) and set(keys.split()) <= set(e) for e in entries):
+            raise DamagedFile(f"not an output of ci/mutants: its {part} are not whole")
+    return document
+
+
+def load_draw(path):
+    """The rates that `ci/mutants --draw` wrote. Raises DamagedFile, NewerFormat or FileNotFoundError."""
+    rates = "name by_cases by_everything"
+    row = "id file line what by_case by_test ran left_out equivalent in_cases in_all"
+    draw = _of_mutants(path, {"operators": f"{rates} sites excluded", "folders": rates, "mutants": row})
+    own = [entry[key] for entry in (draw, *draw["operators"], *draw["folders"]) for key in ("by_cases", "by_everything") if key in entry]
+    whole = all(isinstance(rate, dict) and {"killed", "of", "rate", "interval"} <= set(rate) for rate in own)
+    if not whole or not {"seed", "all", "equivalent", "stopped", "by_cases", "by_everything"} <= set(draw):
+        raise DamagedFile("not an output of ci/mutants: there are no rates")
+    return draw
+
+
 def load_mutants(path):
     """The kill matrix that ci/mutants wrote. Raises DamagedFile, NewerFormat or FileNotFoundError."""
-    matrix = _json_file(path)
-    if not isinstance(matrix, dict) or not isinstance(matrix.get("version"), int):
-        raise DamagedFile("not an output of ci/mutants: there is no version")
-    if matrix["version"] > 1:
-        raise NewerFormat(f"made by a newer version: format {matrix['version']}, this reader knows up to 1")
-    for part, keys in (
-        ("columns", ("name", "kind", "gates")),
-        ("mutants", "id file line area kind origin what status killed_by tests stopped cells must_kill".split()),
-    ):
-        entries = matrix.get(part)
-        if not isinstance(entries, list) or not all(isinstance(e, dict) and set(keys) <= set(e) for e in entries):
-            raise DamagedFile(f"not an output of ci/mutants: its {part} are not whole")
+    row = "id file line area kind origin what status killed_by tests stopped cells must_kill"
+    matrix = _of_mutants(path, {"columns": "name kind gates", "mutants": row})
     if not isinstance(matrix.get("counts"), dict) or not _number_or_none(matrix.get("score")) or matrix["score"] is None:
         raise DamagedFile("not an output of ci/mutants: there is no score")
     return matrix

@@ -177,9 +177,9 @@ def test_cards_of_integrators_that_are_no_more_are_not_shown(tree):
     assert sorted(path.name for path in folder.glob("scorecard-[gm]*")) == ["scorecard-mine.json", "scorecard-musl.txt"]
 
 
-@pytest.mark.parametrize("name", ["mutants", "judges"])
-def test_what_the_last_night_showed_is_shown_unless_there_is_newer(tree, name):
-    kept, own = tree.root / f"tests/{name}/last/{name}.json", tree.root / f"results/{name}.json"
+@pytest.mark.parametrize("folder, name", [("mutants", "mutants"), ("mutants", "draw"), ("judges", "judges")])
+def test_what_the_last_night_showed_is_shown_unless_there_is_newer(tree, folder, name):
+    kept, own = tree.root / f"tests/{folder}/last/{name}.json", tree.root / f"results/{name}.json"
     kept.parent.mkdir(parents=True)
     kept.write_text("kept")
     assert tree.run("report").returncode == 0 and own.read_text() == "kept"

@@ -15,6 +15,7 @@ import sys
 import h5py
 import numpy
 
+import synthetic_draw
 import synthetic_mutants
 import synthetic_scorecards
 
@@ -1037,6 +1038,7 @@ def write_all(folder, damaged=True):
     }
     write_bench(folder)
     write_stability(folder)
+    synthetic_draw.write(folder)
     synthetic_mutants.write(folder)
     synthetic_scorecards.write(folder)
     sod_study(

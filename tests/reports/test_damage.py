@@ -122,6 +122,15 @@ DAMAGED = {
             '{"version": 1, "columns": [], "mutants": [], "counts": {}, "score": null}': "there is no score",
         },
     ),
+    "draw.json": (
+        "of a random draw the gates see was not tried",
+        {
+            "[]": "there is no version",
+            '{"version": 2}': "made by a newer version",
+            '{"version": 1, "operators": [], "folders": [], "mutants": [{"id": "a"}]}': "its mutants are not whole",
+            '{"version": 1, "operators": [], "folders": [], "mutants": []}': "there are no rates",
+        },
+    ),
     "equations.json": ("", {"[]": "", '{"equations": [{"tag": 1}]}': ""}),
     "coverage.json": ("", {'{"total": 2, "folders": {}}': "", '{"total": 0.9}': ""}),
     "list.json": ("", {'{"schemes": [{"name": "default"}]}': ""}),

@@ -24,7 +24,7 @@ def test_score_and_counts_are_those_of_the_matrix(folder):
     words = shown(folder).text
     for part in (
         "57.1 % of the 7 bugs that change anything (4)",
-        "Gates of cases see 2 of the 8; unit tests alone see 2",
+        "Gates of cases see 2 of the 7; unit tests alone see 2",
         "Of the 36 gates of the cases 8 went red at least once",
         "from commit 0123456",
         "wrong-sign is no longer killed by spring-mass, amplitude",
