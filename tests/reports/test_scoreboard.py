@@ -125,8 +125,8 @@ def test_commands_of_a_board_give_its_numbers(tmp_path):
     plumbline(reproduce.exported(problem, "sod-10.h5", 10))
     assert (tmp_path / "cases/sod-10.h5").read_bytes() == before
     assert json.loads(plumbline(f"{scored} --json -").stdout)["gates"] == entry["gates"]
-    levels = json.loads(plumbline(f"{own} --json -").stdout)["levels"]
-    for level, stated in zip(levels, problem["own"]["levels"], strict=True):
+    (study,) = json.loads(plumbline(f"{own} --json -").stdout)["studies"]
+    for level, stated in zip(study["levels"], problem["own"]["levels"], strict=True):
         assert {name: measure["error"] for name, measure in level["measures"].items()} == stated["errors"]
 
 
