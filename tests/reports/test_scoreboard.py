@@ -8,6 +8,7 @@ import pathlib
 import re
 import shlex
 import subprocess
+import sys
 from collections import Counter
 
 import pytest
@@ -113,10 +114,13 @@ def test_commands_of_a_board_give_its_numbers(tmp_path):
         return done
 
     (tmp_path / "cases").mkdir()
-    stranger = pathlib.Path(__file__).resolve().parents[1] / "stranger/adapter.py"
+    adapter = pathlib.Path(__file__).resolve().parents[1] / "stranger/adapter.py"
+    stranger = tmp_path / "stranger"  # by the interpreter of the tests, which has what it imports
+    stranger.write_text(f'#!/bin/sh\nexec {shlex.quote(sys.executable)} -B {shlex.quote(str(adapter))} "$@"\n')
+    stranger.chmod(0o755)
     for cells in (10, 14):
         plumbline(f"plumbline export sod --cells {cells} --set ppc=4 --output cases/sod-{cells}.h5")
-    plumbline(f"plumbline scoreboard . --run stranger={stranger}")
+    plumbline(f"plumbline scoreboard . --run stranger=./stranger")
     (problem,) = reader.load_scoreboard(tmp_path / scoreboard.DOCUMENT)["problems"]
     (entry,) = problem["programs"]
     scored, own = reproduce.scored(problem, entry), reproduce.beside(problem)
