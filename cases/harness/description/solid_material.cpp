@@ -17,7 +17,7 @@ bool is_elastic_solid(const MaterialEntry& entry, bool finite) {
   const auto material = entry.make({});
   if (finite && material->measure() != StressMeasure::full) return false;
   const MaterialParameters parameters = entry.parameters(*material);
-  return !material->chain() && !material->dissipates() && has(parameters, "youngs_modulus") &&
+  return !material->chain() && !material->surface() && !material->dissipates() && has(parameters, "youngs_modulus") &&
          has(parameters, "density");
 }
 

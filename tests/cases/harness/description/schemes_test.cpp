@@ -142,8 +142,10 @@ TEST(Schemes, York1997IsYorks) {
     EXPECT_EQ(settings.text("integrator"), "musl") << entry->name;
     const std::set<std::string> published{"sod", "two-bar", "two-disks", "ball-net"};
     const std::set<std::string> at_rest{"normals-cell", "normals-first-step"};  // one step, in which nothing moves
-    const bool his_own = published.count(entry->name) ||                        // their steps are given
-                         (entry->kind == Kind::membrane && !at_rest.count(entry->name));
+    const std::set<std::string> in_space{"balloon", "breathing-sphere", "circular-membrane",  // he ran none
+                                         "drum",    "mylar-balloon",    "spinning-band"};
+    const bool his_own = published.count(entry->name) ||  // their steps are given
+                         (entry->kind == Kind::membrane && !at_rest.count(entry->name) && !in_space.count(entry->name));
     EXPECT_NE(settings.is_set("dt"), settings.is_set("cfl")) << entry->name;
     EXPECT_TRUE(entry->kind == Kind::coupled || settings.is_set("dt") == his_own) << entry->name;
     if (entry->kind == Kind::coupled) {
