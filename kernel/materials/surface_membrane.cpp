@@ -1,7 +1,5 @@
 #include "kernel/materials/surface_membrane.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 

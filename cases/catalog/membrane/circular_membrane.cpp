@@ -11,8 +11,7 @@
 namespace plumbline {
 namespace {
 
-// One struct for points and reference. Times are in radii over the speed of
-// waves at rest.
+// One struct for points and reference. Times are in radii over the speed of waves at rest.
 struct CircularSheet : SurfaceCase {
   double load, drag, end, rows;
 
@@ -26,12 +25,6 @@ struct CircularSheet : SurfaceCase {
                    .high = 10,
                    .description = "points this many spacings from the rim have images behind it"});
   }
-
-  double speed() const {
-    const SurfaceLaw& law = choice.law;
-    return std::sqrt(law.youngs_modulus / ((1 - law.poissons_ratio * law.poissons_ratio) * law.density));
-  }
-  double pressure() const { return load * choice.law.youngs_modulus * thickness() / size; }
 };
 
 class CircularSheetRun final : public Problem {
@@ -51,7 +44,8 @@ class CircularSheetRun final : public Problem {
       return images_behind_rim(points, at_.size, at_.rows * spacing);
     });
     press(
-        sheet, at_, [p = at_.pressure()](double, const Columns&) { return p; }, at_.drag * at_.speed() / at_.size);
+        sheet, at_, [p = at_.pressure(at_.load)](double, const Columns&) { return p; },
+        at_.drag * at_.speed() / at_.size);
     scene.bodies.push_back(std::move(sheet));
     apply_choices(settings_, scene);
     return scene;
@@ -107,20 +101,14 @@ class CircularSheetRun final : public Problem {
     return {body.points(column::volume)[p], off, exact.height.value, exact.radius.bound + exact.height.bound};
   }
 
-  // By the parabola w_0 + c r^2 closest to the points of the inner sixth of the
-  // radius, where r^4 adds some 1e-5 of it.
+  // By the parabola w_0 + c r^2 closest to the points of the inner sixth of the radius, where r^4 adds some 1e-5 of it.
   double middle_height(const Columns& points) const {
-    double n = 0, r2 = 0, r4 = 0, z = 0, zr2 = 0;
+    std::vector<std::array<double, 2>> pairs;
     for (int p = 0; p < points.points(); ++p) {
-      const double r = distance(points, p) / at_.size, square = r * r, height = points(column::position, 2)[p];
-      if (r > 1.0 / 6) continue;
-      n += 1;
-      r2 += square;
-      r4 += square * square;
-      z += height;
-      zr2 += height * square;
+      const double r = distance(points, p);
+      if (r <= at_.size / 6) pairs.push_back({r, points(column::position, 2)[p]});
     }
-    return (z * r4 - zr2 * r2) / (n * r4 - r2 * r2);
+    return parabola_vertex(pairs);
   }
 
   std::vector<double> rests() const {

@@ -1,5 +1,4 @@
-// Two round sheets in space, sewn together at their rims and blown up: wrinkled
-// nearly everywhere.
+// Two round sheets in space, sewn together at their rims and blown up: wrinkled nearly everywhere.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -15,8 +14,7 @@
 namespace plumbline {
 namespace {
 
-// One struct for points and reference. Times are in radii at rest over the
-// speed of waves at rest.
+// One struct for points and reference. Times are in radii at rest over the speed of waves at rest.
 struct SewnSheets : SurfaceCase {
   double load, drag, end;
 
@@ -26,12 +24,6 @@ struct SewnSheets : SurfaceCase {
     drag = not_negative("drag", 1, "1", "against the velocity, over the speed of waves and the radius");
     end = positive("end", 8, "1", "time of the end");
   }
-
-  double speed() const {
-    const SurfaceLaw& law = choice.law;
-    return std::sqrt(law.youngs_modulus / ((1 - law.poissons_ratio * law.poissons_ratio) * law.density));
-  }
-  double pressure() const { return load * choice.law.youngs_modulus * thickness() / size; }
 };
 
 class MylarBalloonRun final : public Problem {
@@ -53,7 +45,8 @@ class MylarBalloonRun final : public Problem {
     const double h = scene.grid.h;
     Body balloon = surface_body("balloon", at_.choice, points(), h);
     press(
-        balloon, at_, [p = at_.pressure()](double, const Columns&) { return p; }, at_.drag * at_.speed() / at_.size);
+        balloon, at_, [p = at_.pressure(at_.load)](double, const Columns&) { return p; },
+        at_.drag * at_.speed() / at_.size);
     scene.bodies.push_back(std::move(balloon));
     apply_choices(settings_, scene);
     return scene;
@@ -86,8 +79,7 @@ class MylarBalloonRun final : public Problem {
  private:
   // Both sheets in rings of equal width at rest, where the exact solution has
   // them. What is wrinkled is put together around the axis: the length of the
-  // second tangent is r/s. Across the seam the surface goes on, so that its
-  // neighbours do.
+  // second tangent is r/s. Across the seam the surface goes on, so that its neighbours do.
   std::vector<SurfacePoint> points() const {
     const int rings = ring_count();
     const double wide = ring_width();
@@ -106,8 +98,7 @@ class MylarBalloonRun final : public Problem {
                        sn = std::sin(angle);
           const Vec3 meridian{along * dr * c, along * dr * sn, along * dz}, hoop{-r / s * sn, r / s * c, 0};
           const double area = 2 * std::numbers::pi * s * wide / count;
-          // Outwards is up on the upper sheet: the meridian from the middle
-          // times the way around, turned over below.
+          // Outwards is up on the upper sheet: the meridian from the middle times the way around, turned over below.
           all.push_back(side > 0 ? SurfacePoint{{r * c, r * sn, z}, meridian, hoop, area}
                                  : SurfacePoint{{r * c, r * sn, z}, hoop, meridian, area});
         }
@@ -148,28 +139,20 @@ class MylarBalloonRun final : public Problem {
     return sum;
   }
 
-  // The seam and the poles, by the parabola through the mean places of the
-  // outer two rings of each sheet, and of the inner points.
+  // By parabolas: of the seam distances from the axis by heights, of the poles heights by distances from the axis.
   double rim(const Columns& points) const { return vertex(points, true); }
   double pole(const Columns& points) const { return vertex(points, false); }
 
-  // Least squares of value = v + c offset^2: of the seam distances from the
-  // axis by heights, of the poles heights by distances.
   double vertex(const Columns& points, bool seam) const {
-    const double near = (seam ? 0.25 * exact_.half_height().value : at_.size / 6);
-    double n = 0, o2 = 0, o4 = 0, v = 0, vo2 = 0;
+    const double near = seam ? 0.25 * exact_.half_height().value : at_.size / 6;
+    std::vector<std::array<double, 2>> pairs;
     for (int p = 0; p < points.points(); ++p) {
       const double r = std::hypot(points(column::position, 0)[p], points(column::position, 1)[p]);
       const double z = std::abs(points(column::position, 2)[p]);
-      const double offset = seam ? z : r, value = seam ? r : z, square = offset * offset;
-      if (offset > near || (seam && r < 0.5 * exact_.rim_radius().value)) continue;
-      n += 1;
-      o2 += square;
-      o4 += square * square;
-      v += value;
-      vo2 += value * square;
+      if ((seam ? z : r) > near || (seam && r < 0.5 * exact_.rim_radius().value)) continue;
+      pairs.push_back(seam ? std::array{z, r} : std::array{r, z});
     }
-    return (v * o4 - vo2 * o2) / (n * o4 - o2 * o2);
+    return parabola_vertex(pairs);
   }
 
   Settings settings_;

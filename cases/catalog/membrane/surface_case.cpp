@@ -17,6 +17,7 @@ double radius_of(const Columns& points, int p) {
 SurfaceCase::SurfaceCase(Parameters given, bool neo_hookean) : Parameters(std::move(given)) {
   SurfaceLaw& law = choice.law;
   law.neo_hookean = neo_hookean;
+  law.poissons_ratio = 0.5;  // of the neo-Hookean
   law.youngs_modulus = positive("youngs_modulus", 1, "Pa", "E");
   if (!neo_hookean)
     law.poissons_ratio = number(
@@ -42,6 +43,13 @@ SurfaceCase::SurfaceCase(Parameters given, bool neo_hookean) : Parameters(std::m
                        .description = "how far the grid is moved, in cells"});
   }
 }
+
+double SurfaceCase::speed() const {
+  const SurfaceLaw& law = choice.law;
+  return std::sqrt(law.youngs_modulus / ((1 - law.poissons_ratio * law.poissons_ratio) * law.density));
+}
+
+double SurfaceCase::pressure(double load) const { return load * choice.law.youngs_modulus * thickness() / size; }
 
 int surface_points_on(double area, const Settings& settings, double h) {
   return whole(std::round(settings.number("ppc") * area / (h * h)));
@@ -78,10 +86,22 @@ SphereTangents tangents_of_sphere(const Columns& points, double radius_at_rest) 
     const double off = stretch / (radius_of(points, p) / radius_at_rest) - 1;
     all.mean += off / n;
     all.rms += off * off / n;
-    all.worst = larger(all.worst, std::abs(off));
   }
   all.rms = std::sqrt(all.rms);
   return all;
+}
+
+double parabola_vertex(const std::vector<std::array<double, 2>>& pairs) {
+  double n = 0, o2 = 0, o4 = 0, v = 0, vo2 = 0;
+  for (const auto& [offset, value] : pairs) {
+    const double square = offset * offset;
+    n += 1;
+    o2 += square;
+    o4 += square * square;
+    v += value;
+    vo2 += value * square;
+  }
+  return (v * o4 - vo2 * o2) / (n * o4 - o2 * o2);
 }
 
 std::vector<double> resultants(const Columns& points, const SurfaceLaw& law) {

@@ -19,6 +19,8 @@ struct SurfaceCase : Parameters {
   explicit SurfaceCase(Parameters given, bool neo_hookean = false);
 
   double thickness() const { return choice.law.thickness; }
+  double speed() const;                // of waves in the sheet at rest, m/s
+  double pressure(double load) const;  // of q = p a / (E t), Pa
 };
 
 // As many points as `ppc` says for each square of the cell size, on an area at rest, m^2.
@@ -27,15 +29,17 @@ int surface_points_on(double area, const Settings& settings, double h);
 // A cell size of `size` over the cells, and a box around |x|, |y| <= across, |z| <= up with room for the stencils.
 GridSpec surface_grid(const SurfaceCase& at, const Settings& settings, double across, double up);
 
-// Means of a membrane about the origin, weighted with mass.
+// Of the points' distances from the origin, weighted with mass.
 double mean_radius(const Columns& points);
 
-// How far the tangents are from where the points stand: sqrt(det c) of each point over the square of its distance from the origin at
-// rest, the root of which is the stretch of a sphere.
+// The stretch of the tangents of a sphere about the origin, (det c)^(1/4), over that of its radius, less 1.
 struct SphereTangents {
-  double mean = 0, rms = 0, worst = 0;  // of the stretch of the tangents over that of the radius, less 1
+  double mean = 0, rms = 0;
 };
 SphereTangents tangents_of_sphere(const Columns& points, double radius_at_rest);
+
+// v of the parabola v + c o^2 closest to pairs (o, v): where the offset is none.
+double parabola_vertex(const std::vector<std::array<double, 2>>& pairs);
 
 // Resultants of the points, N/m: half the trace of t S_ab f_a f_b / |f_1 x f_2|.
 std::vector<double> resultants(const Columns& points, const SurfaceLaw& law);
