@@ -163,6 +163,7 @@ def build(base, folder, mutants, tests=(), evaluator=False, jobs=1, plain=False,
     for mutant in mutants:
         if mutant.compiled:
             by_file.setdefault(mutant.file, []).append(mutant)
+    remove_stale(overlay, by_file)
     write(overlay / HEADER, switch(max((m.number for m in mutants), default=0)))
     for file, own in by_file.items():
         text = (base.root / file).read_text(encoding="utf-8")
@@ -186,6 +187,13 @@ def build(base, folder, mutants, tests=(), evaluator=False, jobs=1, plain=False,
         program.evaluate = recipe.link("evaluate_reference", "tests/reference/evaluate_reference")
     recipe.run(jobs)
     return program
+
+
+def remove_stale(overlay, kept):
+    """Copies of an earlier build, which would stand before the sources."""
+    for path in [*overlay.rglob("*")]:
+        if path.is_file() and str(path.relative_to(overlay)) not in {HEADER, *kept}:
+            path.unlink()
 
 
 def write(path, text):

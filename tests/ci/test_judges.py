@@ -245,7 +245,7 @@ def test_a_parenthesis_that_is_not_closed_is_an_error():
 
 # --- the command ---
 
-STUB = """#!/usr/bin/env python3
+STUB = f"#!{sys.executable}" + """
 import json, pathlib, sys
 told = json.loads(pathlib.Path(__file__).with_name("told.json").read_text())
 words = sys.argv[1:]

@@ -122,7 +122,7 @@ Body fill_gas(std::shared_ptr<const IdealGas> gas, const GasBox& box, const Poin
                        : std::vector<Strip>{{box.low[d], 1.0}};
     lines *= static_cast<int>(across[d].size());
   }
-  Body body = make_body("gas", gas, lines * on_line, grid.dim);
+  Body body = make_body("gas", gas, lines * on_line, grid.dim, grid.axisymmetric);
   const Filler filler(*gas, box, grid, intervals);
   int first = 0;
   for (const Strip& z : across[2]) {

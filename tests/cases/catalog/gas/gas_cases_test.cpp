@@ -24,8 +24,9 @@ namespace plumbline::gas_cases_test {
 namespace {
 
 const std::vector<std::string> tubes{"toro-1", "toro-2", "toro-3", "toro-4", "toro-5", "lax", "leblanc"};
-const std::vector<std::string> others{"shu-osher",  "woodward-colella", "noh",         "piston-shock", "acoustic-pulse",
-                                      "sod-moving", "sod-3d",           "sod-rotated", "shear-decay",  "standing-wave"};
+const std::vector<std::string> others{
+    "shu-osher", "woodward-colella", "noh",         "piston-shock",  "acoustic-pulse",     "sod-moving",
+    "sod-3d",    "sod-rotated",      "shear-decay", "standing-wave", "uniform-compression"};
 std::vector<std::string> all_names() {
   std::vector<std::string> all = tubes;
   all.insert(all.end(), others.begin(), others.end());
@@ -455,6 +456,37 @@ TEST(ShearDecay, TheRateIsThatOfYorksViscosity) {
     const double decay = mu * rate * time;
     const double dt = 0.5 * 0.1 / std::sqrt(1.4);  // cfl h/c
     EXPECT_NEAR(std::log(none / shear_left(to_text(mu))), decay, (pass + mu * rate * dt / 2) * decay) << mu;
+  }
+}
+
+TEST(UniformCompression, RefusesWhatHasNoSolution) {
+  const Case& entry = find_case("uniform-compression");
+  const auto key_of = [&](const std::vector<std::string>& choices) -> std::string {
+    try {
+      entry.problem(entry.settings("default", {}, choices));
+    } catch (const UsageError& error) {
+      return error.key;
+    }
+    return "";
+  };
+  EXPECT_EQ(key_of({}), "");
+  EXPECT_EQ(key_of({"viscosity.closing=divergence", "viscosity.linear=0.5"}), "viscosity.linear");
+  EXPECT_EQ(key_of({"viscosity.closing=divergence", "viscosity.linear=0.5", "viscosity=0", "viscosity.quadratic=1"}),
+            "viscosity.linear");
+  EXPECT_EQ(key_of({"geometry=3d"}), "geometry");
+  EXPECT_EQ(key_of({"dimension=2", "geometry=3d"}), "geometry");
+  EXPECT_EQ(key_of({"dimension=2", "rate=-0.1"}), "rate");
+}
+
+// Rings have a stress around the axis; boxes of gas did not bring its column.
+TEST(UniformCompression, EveryGeometryHasItsViscousStress) {
+  const Case& entry = find_case("uniform-compression");
+  for (const auto& [choices, strains] : {std::pair{std::vector<std::string>{"dimension=2"}, 3},
+                                         {{"dimension=2", "geometry=axisymmetric"}, 4},
+                                         {{"dimension=3", "geometry=axisymmetric"}, 4},
+                                         {{"dimension=3", "geometry=3d"}, 6}}) {
+    const Scene scene = entry.problem(entry.settings("default", {{"cells", 4.0}, {"ppc", 2.0}}, choices))->scene();
+    EXPECT_EQ(scene.bodies[0].points.components(column::stress), strains);
   }
 }
 
