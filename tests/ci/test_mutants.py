@@ -282,6 +282,13 @@ def test_files_of_one_unit_have_commands_of_their_own(tmp_path, monkeypatch):
         assert base.compile[name] == (str(file.relative_to(tmp_path)), ["c++", "-O1", "-o", name, "-c", str(file)])
 
 
+def test_copies_of_an_earlier_build_do_not_stay(tmp_path):
+    for name in (overlay.HEADER, "kernel/a.cpp", "kernel/b.hpp"):
+        overlay.write(tmp_path / name, "text")
+    overlay.remove_stale(tmp_path, {"kernel/a.cpp": []})
+    assert sorted(str(path.relative_to(tmp_path)) for path in tmp_path.rglob("*") if path.is_file()) == ["kernel/a.cpp", overlay.HEADER]
+
+
 def test_sources_find_their_tests():
     found = judges.tests_of(ROOT, "reference/wave_curve.cpp")
     assert "tests/reference/riemann_test.cpp" in found and "tests/reference/riemann_second_test.py" in found

@@ -1,5 +1,6 @@
 #include "cases/catalog/gas/gas_case.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -12,6 +13,32 @@ Override york_step(const Settings&) { return {"cfl", 0.021}; }
 
 std::function<std::unique_ptr<Problem>(const Settings&)> gas_run(std::function<GasFlow(const Settings&)> flow_of) {
   return [flow_of = std::move(flow_of)](const Settings& settings) { return gas_problem(flow_of(settings), settings); };
+}
+
+GasFlow with_mirror_image(GasFlow flow) {
+  const auto axis = static_cast<std::size_t>(flow.axis);
+  const double wall = flow.low[axis], high = flow.high[axis];
+  const double sign = flow.direction ? 1 : -1;  // of the image's velocity: one across the axis is the same
+  const auto image = [wall](double s) { return 2 * wall - s; };
+  flow.judged = Interval{wall, high};
+  flow.low[axis] = image(high);
+  flow.margin[0] = flow.margin[1];
+  std::vector<double> jumps = flow.jumps;
+  for (const double at : flow.jumps) jumps.insert(jumps.begin(), image(at));
+  flow.jumps = jumps;
+  flow.initial = [=, initial = flow.initial](double s) {
+    if (s >= wall) return initial(s);
+    reference::GasState state = initial(image(s));
+    state.velocity *= sign;
+    return state;
+  };
+  flow.exact = [=, exact = flow.exact](double s, double t) {
+    if (s >= wall) return exact(s, t);
+    reference::Sample at = exact(image(s), t);
+    at.velocity.value *= sign;
+    return at;
+  };
+  return flow;
 }
 
 std::vector<CaseGate> required_order(const std::string& study, const std::string& measure, double order,
@@ -27,26 +54,50 @@ CaseGate energy_gate(const std::string& study) {
               identity("the step closes the energy ledger to rounding; 1e-12 is 1e4 units in the last place"));
 }
 
-CaseGate same_numbers_gate(const std::string& study, const std::string& as, double level) {
-  const auto largest_difference = [as, level](const StudyResult& s) {
+namespace {
+
+// Of the norms of all fields at a level, here and in a sibling.
+Number largest_difference(const std::string& quantity, const std::string& as, double level,
+                          double (*difference)(const Measure& here, const Measure& there)) {
+  const auto largest = [=](const StudyResult& s) {
     const StudyLevel *here = s.level(level), *there = s.sibling(as)->level(level);
-    double largest = here && there ? 0 : std::nan("");
+    double found = here && there ? 0 : std::nan("");
     for (const char* field : {"density", "velocity", "pressure", "energy"}) {
       for (const char* norm : {".L1", ".L2", ".Linf"}) {
         const Measure *a = here ? here->run.find(std::string(field) + norm) : nullptr,
                       *b = there ? there->run.find(std::string(field) + norm) : nullptr;
-        largest = larger(largest, a && b ? std::abs(a->error / b->error - 1) : std::nan(""));
+        found = larger(found, a && b ? difference(*a, *b) : std::nan(""));
       }
     }
-    return Measured::of(largest);
+    return Measured::of(found);
   };
-  const std::string at = to_text(level);
-  return gate(study + "/as-" + as + "-" + at,
-              number_of("largest relative difference of the errors' norms to those of " + as + " at " + at,
-                        largest_difference, {level}),
+  return number_of("largest " + quantity + " to those of " + as + " at " + to_text(level), largest, {level});
+}
+
+}  // namespace
+
+CaseGate same_numbers_gate(const std::string& study, const std::string& as, double level) {
+  return gate(study + "/as-" + as + "-" + to_text(level),
+              largest_difference("relative difference of the errors' norms", as, level,
+                                 [](const Measure& a, const Measure& b) { return std::abs(a.error / b.error - 1); }),
               at_most(1e-10),
               identity("sums across the flow are one but for rounding, 1e-16 a step and point; steps carry it on "
                        "and jumps sharpen it, 1e6 times at most"))
+      .beside({as});
+}
+
+CaseGate mirror_gate(const std::string& study, const std::string& as, double level) {
+  return gate(
+             study + "/as-" + as + "-" + to_text(level),
+             largest_difference("difference of the errors' norms over the larger of the field's and its error's", as,
+                                level,
+                                [](const Measure& a, const Measure& b) {
+                                  return std::abs(a.error - b.error) / std::max(b.scale, b.error);
+                                }),
+             at_most(1e-9),
+             identity(
+                 "what a wall reflects is what the gas in its place is, but for rounding: 1e-16 of the gas is 1e-10 of "
+                 "errors that are a millionth of it, and steps carry it on"))
       .beside({as});
 }
 

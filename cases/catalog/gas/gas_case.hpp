@@ -19,6 +19,10 @@ Override york_step(const Settings& settings);
 // Case::problem of the flow that follows from the settings.
 std::function<std::unique_ptr<Problem>(const Settings&)> gas_run(std::function<GasFlow(const Settings&)> flow_of);
 
+// The same flow with its mirror image in the place of the wall at the lower end of the axis, judged above it alone: what
+// walls reflect - states, densities, slopes - must be what the gas beyond them would be.
+GasFlow with_mirror_image(GasFlow flow);
+
 // The gates of a study in which a field's error falls: the estimate at least `order`, the low end of
 // its interval at least 0.1 below that.
 std::vector<CaseGate> required_order(const std::string& study, const std::string& measure, double order,
@@ -30,6 +34,10 @@ CaseGate coverage_gate(const std::string& study, double level);
 // That two runs of one flow have the same numbers at a level: the largest relative difference of the norms of the
 // errors in density, velocity, pressure and energy.
 CaseGate same_numbers_gate(const std::string& study, const std::string& as, double level);
+
+// That a run of with_mirror_image() has the numbers of the one with the wall: differences over the
+// larger of a field's norm and its error's.
+CaseGate mirror_gate(const std::string& study, const std::string& as, double level);
 
 // The error of a measure at a level. Throws std::runtime_error where there is none.
 double error_in(const StudyResult& study, const std::string& measure, double level);

@@ -19,6 +19,7 @@ struct Inflow : Parameters {
   std::string geometry;
   reference::NohProblem noh;
   double pressure, end_time;
+  bool mirrored = false;
 
   explicit Inflow(int dimension, Parameters given = {}) : Parameters(std::move(given)) {
     const bool plane = dimension == 1;
@@ -31,6 +32,7 @@ struct Inflow : Parameters {
                        .low = 0,
                        .high = plane ? HUGE_VAL : 1e-3,
                        .description = "of the cold gas; the reference has none"});
+    if (plane) mirrored = yes_or_no("mirrored", false, "the gas beyond the wall at x = 0 in its place");
     end_time = within("t_end", latest, "s", 0, plane ? HUGE_VAL : latest, "end time");
   }
 };
@@ -64,7 +66,7 @@ GasFlow noh_flow(int dimension, const Settings& settings) {
     if (geometry) all.push_back(coverage_within(*geometry, points, judged, h));
     return all;
   };
-  return flow;
+  return inflow.mirrored ? with_mirror_image(flow) : flow;
 }
 
 Case noh_case(std::string name, int dimension, StudyPlan plan, std::vector<CaseGate> gates) {
@@ -96,7 +98,10 @@ Case against_wall() {
                        joined({required_order("default", "density.L1", 0.8,
                                               "a shock and the layer at the wall allow 1; 0.8 as of the shock tubes"),
                                shock_gates("default", 400, 1.0 / 400, 4),
-                               {energy_gate("default"), coverage_gate("default", 100), wall_heating_gate(100, 0.15)}}));
+                               {energy_gate("default"), coverage_gate("default", 100), wall_heating_gate(100, 0.15),
+                                mirror_gate("mirrored", "default", 100)}}));
+  made.studies.push_back(study("mirrored", "two streams without the wall between them", "As with the wall.", {100})
+                             .with({{"mirrored", "yes"}}));
   made.levels = {100, 200, 400, 800, 1600};
   return made;
 }

@@ -32,6 +32,7 @@ struct Shear : Parameters {
                                                           .high = 0.15,
                                                           .description = "mu [York 4.1]"})};
   double end_time = within("t_end", 0.2, "s", 0, 0.2, "end time");
+  bool mirrored = yes_or_no("mirrored", false, "the gas beyond the wall at x = 0 in its place");
 };
 
 GasFlow shear_flow(const Settings& settings) {
@@ -53,7 +54,7 @@ GasFlow shear_flow(const Settings& settings) {
   flow.direction = [](const Position&) { return Position{0, 1, 0}; };
   flow.inside = [](const Position& x) { return std::abs(x[1] - height / 2) <= half_strip; };
   flow.filled = false;
-  return flow;
+  return shear.mirrored ? with_mirror_image(flow) : flow;
 }
 
 Case shear_decay() {
@@ -65,10 +66,14 @@ Case shear_decay() {
           .problem = gas_run(shear_flow),
           .studies = {study("default", "default, shear between slip walls",
                             "Nothing jumps: shapes, step and points are each of second order.", {10, 12, 14, 17, 20})
-                          .in_full({10, 14, 20, 28, 40})},
+                          .in_full({10, 14, 20, 28, 40}),
+                      study("mirrored", "the same without the wall at x = 0", "As with the wall.", {10})
+                          .with({{"mirrored", "yes"}})},
           .gates = joined({required_order("default", "velocity.L1", 1.8,
                                           "smooth flow allows 2; 0.2 for the coarsest mesh, as of the sound pulse"),
-                           {energy_gate("default")}}),
+                           required_order("default", "pressure.L1", 1.8,
+                                          "the heat of viscosity is of second order as what makes it is"),
+                           {energy_gate("default"), mirror_gate("mirrored", "default", 10)}}),
           .levels = {10, 14, 20, 28, 40}};
 }
 PLUMBLINE_CASE(shear_decay);
