@@ -10,6 +10,7 @@ OPERATORS = {
     "column": "a column of points left out",
     "stage": "a stage of an integrator left out",
 }
+KINDS = ("by_cases", "by_gates", "by_everything")  # gates of cases; of parts, too; and tests
 PASSED_OVER = {
     "does not compile": "do not compile",
     "no code": "are in code that the compiler makes nothing of",
@@ -34,20 +35,20 @@ def page(document, commit=""):
         "made": document.get("made", ""),
         "commit": document.get("commit", "")[:7] + (" with changes" if document.get("dirty") else ""),
         "elsewhere": bool(commit) and bool(document.get("commit")) and not commit.startswith(document["commit"][:7]),
-        "by_cases": _rate(document["by_cases"]),
-        "by_everything": _rate(document["by_everything"]),
+        **{kind: _rate(document[kind]) for kind in KINDS},
         "operators": [{**_row(entry), "words": OPERATORS.get(entry["name"], ""), "sites": f"{entry['sites']:,}"} for entry in document["operators"]],
         "folders": [_row(entry) for entry in document["folders"]],
         "passed_over": [f"{count} {PASSED_OVER.get(why, why)}" for why, count in passed.items()],
         "survivors": [row for row in judged if not row["in_all"]],
-        "only_tests": [row for row in judged if row["in_all"] and not row["in_cases"]],
+        "only_parts": [row for row in judged if row["in_gates"] and not row["in_cases"]],
+        "only_tests": [row for row in judged if row["in_all"] and not row["in_gates"]],
         "equivalents": [row for row in document["mutants"] if row["equivalent"]],
         "broken": document.get("broken", []),
     }
 
 
 def _row(entry):
-    return {"name": entry["name"], "of": entry["by_cases"]["of"], "by_cases": _rate(entry["by_cases"]), "by_everything": _rate(entry["by_everything"])}
+    return {"name": entry["name"], "of": entry["by_cases"]["of"], **{kind: _rate(entry[kind]) for kind in KINDS}}
 
 
 def _rate(rate):

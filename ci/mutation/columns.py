@@ -7,6 +7,7 @@ from . import declarations, judges, matrix, overlay, state
 
 JUDGED_BY_TESTS = ("references", "estimators", "reading")
 PARTS = ("kernel", "reference", "cases", "parts")  # executables of unit tests
+SORTS = ("integrator", "shape", "transfer", "material", "contact")  # of parts that have gates of their own
 ENTRIES = ("contract.", "reference.")  # of ctest: files of pytest that drive the program or the references
 
 
@@ -30,6 +31,13 @@ def case_columns(root, program, prints, names=None):
             parts = (*state.EVERYWHERE, folders[case])
             columns.append(matrix.Column(judges.CaseJudge(program, case), prints.of(*parts)))
     return columns
+
+
+def part_columns(program, prints):
+    """The gates of all built-in parts of schemes."""
+    listed = subprocess.run([program.plumbline, "list", "--json", "-"], env=program.environment(), capture_output=True)
+    document, own = json.loads(listed.stdout), prints.of(*state.EVERYWHERE)
+    return [matrix.Column(judges.PartJudge(program, sort, entry["name"]), own) for sort in SORTS for entry in document[f"{sort}s"]]
 
 
 def folders_of_cases(root, cases):

@@ -130,11 +130,11 @@ class CaseJudge(Judge):
 
     def __init__(self, program, case, tier="quick"):
         super().__init__(case)
-        self.program, self.tier = program, tier
+        self.program, self.selection = program, [case, "--tier", tier]
 
     def judge(self, mutant, clean):
         with tempfile.TemporaryDirectory(prefix="plumbline-mutant-") as folder:
-            command = [self.program.plumbline, "verify", self.name, "--tier", self.tier, "--threads", "1"]
+            command = [self.program.plumbline, "verify", *self.selection, "--threads", "1"]
             command += ["--results", "results", "--json", "verdicts.json"]
             status, output, outcome = self._run(self.program, command, mutant, clean, folder)
             document = pathlib.Path(folder) / "verdicts.json"
@@ -145,6 +145,16 @@ class CaseJudge(Judge):
         if status == 1 and not outcome.stopped and not any(g["verdict"] in RED for g in outcome.gates.values()):
             outcome.stopped = "exit status 1 without a red gate"
         return outcome
+
+
+class PartJudge(CaseJudge):
+    """`plumbline verify --shape NAME` and the like: the gates of a part of a scheme, those of an integrator that take seconds."""
+
+    kind = "part"
+
+    def __init__(self, program, sort, name):
+        super().__init__(program, f"{sort} {name}")
+        self.selection = [f"--{sort}", name, *(["--core"] if sort == "integrator" else [])]
 
 
 def gates_of(document):

@@ -10,6 +10,7 @@ from .matrix import DRIFT
 from .sites import FOLDERS, folder_of
 
 LEVEL = 0.95
+RATES = {"by_cases": "in_cases", "by_gates": "in_gates", "by_everything": "in_all"}  # by gates of cases; of parts, too; and by tests
 
 
 def interval(killed, of):
@@ -47,10 +48,10 @@ def by_sites(rows, sites, key):
 
 
 def row_of(mutant, line, cells, reason, same_numbers):
-    """One bug of the draw. cells: [(column, Cell)] in the order they were run, cases before tests."""
-    kinds = {"case": None, "tests": None}
+    """One bug of the draw. cells: [(column, Cell)] in the order they were run: cases, parts, tests."""
+    kinds = {"case": None, "part": None, "tests": None}
     for column, cell in cells:
-        kind = "case" if column.judge.kind == "case" else "tests"
+        kind = column.judge.kind
         if kinds[kind] is None and cell.kills_beyond_drift:
             gate = next((gate["gate"] for gate in cell.red if gate["origin"] != DRIFT), "")
             kinds[kind] = {"by": column.name, "gate": gate, "stopped": cell.stopped}
@@ -63,13 +64,15 @@ def row_of(mutant, line, cells, reason, same_numbers):
         "what": mutant.what,
         "bug": {"find": mutant.find, "replace": mutant.replace, "wrap": mutant.wrap, "type": mutant.type, "at": mutant.at},
         "by_case": kinds["case"],
+        "by_part": kinds["part"],
         "by_test": kinds["tests"],
         "ran": sum(cell.run == "ran" for _, cell in cells),
         "left_out": sum(cell.run == "not run" for _, cell in cells),
         "equivalent": reason,
         "same_numbers": same_numbers,
         "in_cases": bool(kinds["case"]),
-        "in_all": bool(kinds["case"] or kinds["tests"]),
+        "in_gates": bool(kinds["case"] or kinds["part"]),
+        "in_all": any(kinds.values()),
     }  # fmt: skip
 
 
@@ -85,23 +88,25 @@ def document(rows, drawn, sites, excluded, provenance):
         "all": len(rows),
         "equivalent": len(rows) - len(judged),
         "stopped": sum(bool(row["by_case"] and row["by_case"]["stopped"]) for row in judged),
-        "by_cases": {**rate(sum(row["in_cases"] for row in judged), len(judged)), "by_sites": by_sites(judged, sites, "in_cases")},
-        "by_everything": {**rate(sum(row["in_all"] for row in judged), len(judged)), "by_sites": by_sites(judged, sites, "in_all")},
+        **{key: {**_rate(judged, seen), "by_sites": by_sites(judged, sites, seen)} for key, seen in RATES.items()},
         "operators": [
-            {"name": name, "sites": sites[name], "excluded": excluded.get(name, 0), **_both(judged, "operator", name)}
+            {"name": name, "sites": sites[name], "excluded": excluded.get(name, 0), **_rates(judged, "operator", name)}
             for name in drawn.counts
         ],
-        "folders": [{"name": name, **_both(judged, "folder", name)} for name in FOLDERS],
+        "folders": [{"name": name, **_rates(judged, "folder", name)} for name in FOLDERS],
         "passed_over": _counted(drawn.passed_over.values()),
         "broken": broken,
         "mutants": rows,
     }  # fmt: skip
 
 
-def _both(rows, key, name):
+def _rates(rows, key, name):
     own = [row for row in rows if row[key] == name]
-    cases, everything = sum(row["in_cases"] for row in own), sum(row["in_all"] for row in own)
-    return {"by_cases": rate(cases, len(own)), "by_everything": rate(everything, len(own))}
+    return {key: _rate(own, seen) for key, seen in RATES.items()}
+
+
+def _rate(rows, seen):
+    return rate(sum(row[seen] for row in rows), len(rows))
 
 
 def _counted(values):

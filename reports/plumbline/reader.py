@@ -362,12 +362,13 @@ def _of_mutants(path, parts):
 
 def load_draw(path):
     """The rates that `ci/mutants --draw` wrote. Raises DamagedFile, NewerFormat or FileNotFoundError."""
-    rates = "name by_cases by_everything"
-    row = "id file line what by_case by_test ran left_out equivalent in_cases in_all"
+    kinds = ("by_cases", "by_gates", "by_everything")
+    rates = f"name {' '.join(kinds)}"
+    row = "id file line what by_case by_part by_test ran left_out equivalent in_cases in_gates in_all"
     draw = _of_mutants(path, {"operators": f"{rates} sites excluded", "folders": rates, "mutants": row})
-    own = [entry[key] for entry in (draw, *draw["operators"], *draw["folders"]) for key in ("by_cases", "by_everything") if key in entry]
+    own = [entry[key] for entry in (draw, *draw["operators"], *draw["folders"]) for key in kinds if key in entry]
     whole = all(isinstance(rate, dict) and {"killed", "of", "rate", "interval"} <= set(rate) for rate in own)
-    if not whole or not {"seed", "all", "equivalent", "stopped", "by_cases", "by_everything"} <= set(draw):
+    if not whole or not {"seed", "all", "equivalent", "stopped", *kinds} <= set(draw):
         raise DamagedFile("not an output of ci/mutants: there are no rates")
     return draw
 

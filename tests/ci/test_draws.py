@@ -13,7 +13,7 @@ from clang.cindex import Index  # noqa: E402
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "ci"))
 
-from mutation import declarations, drawing, judges, matrix, operators, overlay, rates, sites, state, tree  # noqa: E402
+from mutation import columns, declarations, drawing, judges, matrix, operators, overlay, rates, sites, state, tree  # noqa: E402
 
 PACK = """struct Pack { double v; Pack(double x) : v(x) {} };
 inline Pack operator*(const Pack& a, const Pack& b) { return a.v; }
@@ -224,10 +224,10 @@ def test_the_interval_is_that_of_clopper_and_pearson():
         assert rates.interval(killed, of) == pytest.approx([own.low, own.high], abs=1e-12)
 
 
-def row(operator, killed, tested=False, **more):
+def row(operator, killed, tested=False, in_part=False, **more):
     return {"id": operator, "operator": operator, "folder": "kernel", "equivalent": None, "same_numbers": False,
             "by_case": {"by": "sod", "gate": "g", "stopped": ""} if killed else None, "in_cases": killed,
-            "in_all": killed or tested, **more}  # fmt: skip
+            "in_gates": killed or in_part, "in_all": killed or in_part or tested, **more}  # fmt: skip
 
 
 def drawn_of(**counts):
@@ -238,7 +238,7 @@ def test_rates_are_over_all_that_were_drawn_and_operators_weigh_as_their_sites()
     rows = [row("term", True), row("term", True), row("stage", False), row("stage", False, tested=True)]
     result = rates.document(rows, drawn_of(term=2, stage=2), {"term": 900, "stage": 100}, {"term": 7}, {})
     assert (result["by_cases"]["killed"], result["by_cases"]["of"], result["by_cases"]["rate"]) == (2, 4, 0.5)
-    assert result["by_everything"]["rate"] == 0.75
+    assert result["by_gates"]["rate"] == 0.5 and result["by_everything"]["rate"] == 0.75
     weighted = result["by_cases"]["by_sites"]
     assert weighted["rate"] == pytest.approx(0.9)  # 900 sites of 1000 are of an operator whose bugs all die
     assert weighted["effective"] == pytest.approx(1000**2 / (2 * 450**2 + 2 * 50**2))
@@ -252,6 +252,16 @@ def test_an_equivalent_bug_must_change_no_number():
     rows[1]["same_numbers"] = False
     result = rates.document(rows, drawn_of(term=1, stage=1), {"term": 1, "stage": 1}, {}, {})
     assert result["broken"] == ["stage is declared equivalent, yet changes numbers"]
+
+
+def test_parts_of_schemes_are_judged_by_their_gates(tmp_path):
+    listed = {"integrators": [{"name": "musl"}], "shapes": [{"name": "cubic"}], "transfers": [], "materials": [], "contacts": []}
+    program = tmp_path / "plumbline"
+    program.write_text(f"#!/bin/sh\necho '{json.dumps(listed)}'\n")
+    program.chmod(0o755)
+    found = columns.part_columns(overlay.Program(program, tmp_path), state.Fingerprints(tmp_path))
+    assert [(own.name, own.judge.kind, own.judge.selection) for own in found] == [
+        ("integrator musl", "part", ["--integrator", "musl", "--core"]), ("shape cubic", "part", ["--shape", "cubic"])]  # fmt: skip
 
 
 class CaseOfOneGate:

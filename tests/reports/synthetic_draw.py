@@ -8,7 +8,7 @@ def rate(killed, of):
     return {"killed": killed, "of": of, "rate": share, "interval": [max(0, share - 0.25), min(1, share + 0.125)] if of else None}
 
 
-def row(name, case=None, test=None, **more):
+def row(name, case=None, part=None, test=None, **more):
     seen = {"by": "sod", "gate": "order", "stopped": ""}
     return {
         "id": f"s7-{name}",
@@ -18,18 +18,21 @@ def row(name, case=None, test=None, **more):
         "line": 12,
         "what": f"a<b of {name}: left out",
         "by_case": seen if case else None,
+        "by_part": {"by": "shape cubic", "gate": "sum", "stopped": ""} if part else None,
         "by_test": {"by": "tests/kernel", "gate": "Walls.Reflect", "stopped": ""} if test else None,
         "ran": 3,
         "left_out": 0,
         "equivalent": None,
         "in_cases": bool(case),
-        "in_all": bool(case or test),
+        "in_gates": bool(case or part),
+        "in_all": bool(case or part or test),
         **more,
     }
 
 
 def document():
     rows = [row("term-000", case=True), row("term-001", test=True), row("stage-000"), row("stage-001", ran=0),
+            row("stage-002", part=True),
             row("sign-000", equivalent="minus nothing is nothing")]  # fmt: skip
     sites = {"rate": 0.4, "interval": [0.1, 0.8], "effective": 3.0}
     return {
@@ -40,17 +43,18 @@ def document():
         "made": "2026-11-25 02:00 UTC",
         "cases": 63,
         "dear": 30,
-        "all": 5,
+        "all": 6,
         "equivalent": 1,
         "stopped": 0,
-        "by_cases": {**rate(1, 4), "by_sites": sites},
-        "by_everything": {**rate(2, 4), "by_sites": sites},
+        "by_cases": {**rate(1, 5), "by_sites": sites},
+        "by_gates": {**rate(2, 5), "by_sites": sites},
+        "by_everything": {**rate(3, 5), "by_sites": sites},
         "operators": [
-            {"name": "term", "sites": 4000, "excluded": 7, "by_cases": rate(1, 2), "by_everything": rate(2, 2)},
-            {"name": "stage", "sites": 60, "excluded": 0, "by_cases": rate(0, 2), "by_everything": rate(0, 2)},
-            {"name": "sign", "sites": 940, "excluded": 0, "by_cases": rate(0, 0), "by_everything": rate(0, 0)},
+            {"name": "term", "sites": 4000, "excluded": 7, "by_cases": rate(1, 2), "by_gates": rate(1, 2), "by_everything": rate(2, 2)},
+            {"name": "stage", "sites": 60, "excluded": 0, "by_cases": rate(0, 3), "by_gates": rate(1, 3), "by_everything": rate(1, 3)},
+            {"name": "sign", "sites": 940, "excluded": 0, "by_cases": rate(0, 0), "by_gates": rate(0, 0), "by_everything": rate(0, 0)},
         ],
-        "folders": [{"name": "kernel", "by_cases": rate(1, 4), "by_everything": rate(2, 4)}],
+        "folders": [{"name": "kernel", "by_cases": rate(1, 5), "by_gates": rate(2, 5), "by_everything": rate(3, 5)}],
         "passed_over": {"no code": 2},
         "broken": [],
         "mutants": rows,

@@ -20,8 +20,8 @@ def page(tmp_path):
 
 def test_rates_stand_with_their_intervals_seed_and_commit_beside_the_declared_bugs(page):
     for part in (
-        "Gates of cases see 25 % (1 of 4; 0 to 38 %), gates and tests 50 % (2; 25 to 62 %)",
-        "a seed (7) drew 5 of 5,000 places",
+        "Gates of cases see 20 % (1 of 5; 0 to 32 %), with the gates of parts of schemes 40 % (2; 15 to 52 %), gates and tests 60 % (3; 35 to 72 %)",
+        "a seed (7) drew 6 of 5,000 places",
         "from commit 0123456",
         "gates of cases see 40 % (10 to 80 %)",
         "Passed over for the next of their operator: 2 are in code that the compiler makes nothing of",
@@ -32,16 +32,17 @@ def test_rates_stand_with_their_intervals_seed_and_commit_beside_the_declared_bu
 
 
 def test_operators_and_folders_have_rates_of_their_own(page):
-    rows = {cells[0]: cells[1:] for section, cells in page.rows if section == "mutants" and len(cells) == 5}
-    assert rows["a term left out"] == ["4,000", "2", "50 % 25 to 62 %", "100 % 75 to 100 %"]
+    rows = {cells[0]: cells[1:] for section, cells in page.rows if section == "mutants" and len(cells) == 6}
+    assert rows["a term left out"] == ["4,000", "2", "50 % 25 to 62 %", "50 % 25 to 62 %", "100 % 75 to 100 %"]
     assert rows["the other sign"][1:3] == ["0", "—"]
-    assert rows["kernel/"][1:] == ["4", "25 % 0 to 38 %", "50 % 25 to 62 %"]
+    assert rows["kernel/"][1:] == ["5", "20 % 0 to 32 %", "40 % 15 to 52 %", "60 % 35 to 72 %"]
 
 
 def test_survivors_and_those_that_only_tests_see_are_named(page):
     rows = {cells[0].split()[0]: cells for section, cells in page.rows if section == "mutants" and cells[0].startswith("s7-")}
     assert rows["s7-stage-000"][1:] == ["a<b of stage-000: left out", "—"]
     assert rows["s7-stage-001"][2] == "No case or test meets this place."
+    assert rows["s7-stage-002"][2] == "shape cubic: sum"
     assert rows["s7-term-001"][2] == "tests/kernel: Walls.Reflect" and "s7-term-000" not in rows
     assert rows["s7-sign-000"][2] == "minus nothing is nothing"
 
