@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <functional>
+#include <initializer_list>
+
 #include "tests/kernel/scenes.hpp"
 
 namespace plumbline::integrator_traits_test {
@@ -73,6 +76,26 @@ TEST(IntegratorTraits, StepsBackwardsAreNotForDissipation) {
   EXPECT_THAT(under_apic[0].text(), HasSubstr("transfer apic needs forward-steps: integrator test_backwards"));
   const Scene viscous_gas = scenes::rough_gas(1, "linear", "flip");
   EXPECT_EQ(lacks(entry, viscous_gas).size(), 1U);
+}
+
+TEST(IntegratorTraits, EachDissipationOfASceneIsRefusedByItself) {
+  const IntegratorEntry entry = entry_of<Backwards>("test_backwards");
+  const auto lacks_with = [&](const std::function<void(Scene&)>& choose) {
+    Scene scene;
+    scene.shape = "linear";
+    scene.transfer = "flip";
+    choose(scene);
+    return lacks(entry, scene);
+  };
+  EXPECT_TRUE(lacks_with([](Scene&) {}).empty());
+  for (const std::function<void(Scene&)>& choose : std::initializer_list<std::function<void(Scene&)>>{
+           [](Scene& s) { s.chain_relaxation = 0.5; }, [](Scene& s) { s.strain_smoothing = 0.5; },
+           [](Scene& s) { s.heat_exchange = 0.5; }, [](Scene& s) { s.filter.sound = 0.5; },
+           [](Scene& s) { s.filter.compression = 0.5; }, [](Scene& s) { s.contact = "touching"; }}) {
+    const std::vector<Lack> found = lacks_with(choose);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].trait, Trait::forward_steps);
+  }
 }
 
 TEST(IntegratorTraits, ForcesOfAStepAreCounted) {
