@@ -53,6 +53,8 @@ class RowNeighbours {
   }
 
   bool plain(int i) const { return i >= first_ && i < last_; }
+  // The first and one past the last of them; none: the first is not less.
+  std::pair<int, int> plain_nodes() const { return {first_, last_}; }
 
   // Of node i of the row, as neighbour().
   Neighbour operator()(int i, int d, int side) const {

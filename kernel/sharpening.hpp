@@ -52,29 +52,34 @@ class Sharpening {
 
   // to = Q from, on the touched nodes that are not ghosts of a wall.
   void apply(VelocityField<dim>& field, const std::vector<Vec>& from, std::vector<Vec>& to, int threads) const {
-    apply_powers(field, from, to, threads, [](int, int, int, int, const Vec&, bool) {});
+    apply_powers(
+        field, from, to, threads, [](int, int, const Vec&) {}, [](int, int, int, int, const Vec&) {});
   }
 
   // The same; returns what Q adds to sum_i M_i a_i and sum_i x_i x M_i a_i.
   SharpeningAction<dim> apply_to_accelerations(VelocityField<dim>& field, const std::vector<Vec>& from,
                                                std::vector<Vec>& to, int threads) const {
     std::vector<SharpeningAction<dim>> rows(static_cast<std::size_t>(grid_.rows()));
-    apply_powers(field, from, to, threads, [&](int row, int i, int j, int d, const Vec& change, bool off_walls) {
-      if (!off_walls && on_wall(i, d)) return;  // counted from inside
-      // Node i is pulled from node j, which node i pulls back: a couple with the arm x_i - x_j, half of it counted from
-      // each side, all of it where the other node stands on a wall.
-      SharpeningAction<dim>& all = rows[static_cast<std::size_t>(row)];
+    // Node i is pulled from node j, which node i pulls back: a couple with the arm x_i - x_j, half of it counted from each
+    // side, all of it where the other node stands on a wall.
+    const auto couple = [&](int row, int d, double arm, const Vec& pull) {
+      const Vec direction = Vec::Unit(d);
+      rows[static_cast<std::size_t>(row)].turn += cross<dim>(arm * direction, pull);
+    };
+    const auto plain = [&](int row, int d, const Vec& pulls) { couple(row, d, 0.5 * grid_.h(), pulls); };
+    const auto other = [&](int row, int i, int j, int d, const Vec& change) {
+      if (on_wall(i, d)) return;  // counted from inside
+      const bool walled_in = on_wall(j, d);
       const Vec pull = field.mass[static_cast<std::size_t>(i)] * change;
-      const bool walled_in = !off_walls && on_wall(j, d);
-      Vec arm = Vec::Zero();
-      arm[d] = (walled_in ? 1.0 : 0.5) * grid_.h() * (i > j ? 1 : -1);
-      all.turn += cross<dim>(arm, pull);
+      couple(row, d, (walled_in ? 1.0 : 0.5) * grid_.h() * (i > j ? 1 : -1), pull);
       if (!walled_in) return;
       // The node on the wall takes what is even of the other half; what is odd the wall takes.
+      WallAction<dim>& walls = rows[static_cast<std::size_t>(row)].walls;
       const Vec held = held_by(pull, j, d);
-      all.walls.linear += held;
-      all.walls.angular += cross<dim>(grid_.position(j), held);
-    });
+      walls.linear += held;
+      walls.angular += cross<dim>(grid_.position(j), held);
+    };
+    apply_powers(field, from, to, threads, plain, other);
     return pairwise_sum(rows.data(), rows.size());
   }
 
@@ -102,35 +107,59 @@ class Sharpening {
     if (walled(0, 1)) to = std::min(to, last(0) + 1);
     for (int i = from; i < to; ++i) visit(row * grid_.row_length() + i);
   }
-  // visit(row, i, j, direction, what neighbour j adds to (Q u)_i, whether i is plain) for neighbours that are no mirror images.
-  template <class Visit>
+  // to = so_far + amount B_d u, next = B_d u (null: not wanted) of plain nodes [first, last) of a row. Returns
+  // sum_i amount M_i (what the lower neighbour adds to (B_d u)_i less what the upper one does).
+  static Vec apply_plain(int first, int last, int stride, double theta, double amount, const double* mass, const Vec* u,
+                         const Vec* so_far, Vec* to, Vec* next) {
+    const auto pull = [&](int i, int j) __attribute__((always_inline)) {
+      const double own = mass[i], other = mass[j];
+      const double share = own > least_mass && other > least_mass ? 2 * theta * other / (own + other) : 0.0;
+      return Vec(share * (u[i] - u[j]));
+    };
+    Vec apart = Vec::Zero();
+    for (int i = first; i < last; ++i) {
+      const Vec below = pull(i, i - stride), above = pull(i, i + stride), sum = below + above;
+      apart += mass[i] * (below - above);
+      to[i] = so_far[i] + amount * sum;
+      if (next) next[i] = sum;
+    }
+    return amount * apart;
+  }
+
+  // Of what neighbours add to (Q u)_i: visit_plain(row, direction, what apply_plain returns) of the plain nodes of a row, for
+  // others visit(row, i, j, direction, neighbour j's) of neighbours that are no mirror images.
+  template <class VisitPlain, class Visit>
   void apply_powers(VelocityField<dim>& field, const std::vector<Vec>& from, std::vector<Vec>& to, int threads,
-                    Visit&& visit) const {
+                    VisitPlain&& visit_plain, Visit&& visit) const {
     for (int d = 0; d < dim; ++d) {
       const std::vector<Vec>* power = &from;
       for (int k = 0; k < powers_; ++k) {
         std::vector<Vec>* const next = k + 1 == powers_ ? nullptr
                                                         : &field.held(k % 2 == 0 ? field.corrected.odd_power
                                                                                  : field.corrected.even_power);
+        const std::vector<Vec>& so_far = d == 0 && k == 0 ? from : to;
+        const double amount = amounts_[static_cast<std::size_t>(k)];
         for_each_piece(grid_.rows(), threads, [&](int row) {
           if (ghost_row(row)) return;
           const RowNeighbours<dim> beside(grid_, field, row);
           for_own_nodes(field, row, [&](int i) {
+            if (beside.plain(i)) return;
             const auto at = static_cast<std::size_t>(i);
-            const bool plain = beside.plain(i);
-            const double amount = amounts_[static_cast<std::size_t>(k)];
             Vec sum = Vec::Zero();
-            for_neighbours(
-                field, beside, i, d, [&](int j, bool mirrored, double share) __attribute__((always_inline)) {
-                  Vec other = (*power)[static_cast<std::size_t>(j)];
-                  if (mirrored) other = image(other, i, d);
-                  const Vec change = theta_ * share * ((*power)[at] - other);
-                  sum += change;
-                  if (!mirrored) visit(row, i, j, d, amount * change, plain);
-                });
+            for_neighbours(field, beside, i, d, [&](int j, bool mirrored, double share) {
+              Vec other = (*power)[static_cast<std::size_t>(j)];
+              if (mirrored) other = image(other, i, d);
+              const Vec change = theta_ * share * ((*power)[at] - other);
+              sum += change;
+              if (!mirrored) visit(row, i, j, d, amount * change);
+            });
             if (next) (*next)[at] = sum;
-            to[at] = (d == 0 && k == 0 ? from[at] : to[at]) + amount * sum;
+            to[at] = so_far[at] + amount * sum;
           });
+          const auto [first, last] = beside.plain_nodes();
+          visit_plain(row, d,
+                      apply_plain(first, last, grid_.stride(d), theta_, amount, field.mass.data(), power->data(),
+                                  so_far.data(), to.data(), next ? next->data() : nullptr));
         });
         power = next;
       }
@@ -150,9 +179,8 @@ class Sharpening {
   template <class Visit>
   void for_neighbours(const VelocityField<dim>& field, const RowNeighbours<dim>& beside, int i, int d,
                       Visit&& visit) const {
-    const bool plain = beside.plain(i);
     const auto mass_of = [&](int node) {
-      return (!plain && on_wall(node, d) ? 2 : 1) * field.mass[static_cast<std::size_t>(node)];
+      return (on_wall(node, d) ? 2 : 1) * field.mass[static_cast<std::size_t>(node)];
     };
     const double mass = mass_of(i);
     if (!(mass > least_mass)) return;
