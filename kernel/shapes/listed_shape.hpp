@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "kernel/engine/point_loops.hpp"
@@ -32,6 +33,8 @@ class NodeList {
     end_.clear();
   }
 
+  bool holds_memory() const { return entries_.capacity() > 0; }  // not so once it was moved elsewhere
+
   int points() const { return static_cast<int>(end_.size()); }
   std::span<const Entry> of(int point) const {
     const auto p = static_cast<std::size_t>(point);
@@ -42,6 +45,33 @@ class NodeList {
  private:
   std::vector<Entry> entries_;
   std::vector<std::size_t> end_;
+};
+
+// A list in memory that stays with the thread: those of a chunk are long, and a step wants several of each.
+template <int dim>
+class SpareList {
+ public:
+  SpareList() {
+    if (spare().empty()) return;
+    list_ = std::move(spare().back());
+    spare().pop_back();
+    list_.clear();
+  }
+  SpareList(SpareList&&) = default;
+  SpareList& operator=(SpareList&&) = default;
+  ~SpareList() {
+    if (list_.holds_memory()) spare().push_back(std::move(list_));
+  }
+
+  NodeList<dim>& operator*() { return list_; }
+  const NodeList<dim>& operator*() const { return list_; }
+
+ private:
+  static std::vector<NodeList<dim>>& spare() {
+    thread_local std::vector<NodeList<dim>> lists;
+    return lists;
+  }
+  NodeList<dim> list_;
 };
 
 // A shape on one grid. Of every point sum_i N_ip = 1 and sum_i N_ip x_i = x_p; the affine transfer also wants nodes that are not

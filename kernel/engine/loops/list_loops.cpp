@@ -53,8 +53,8 @@ auto ListLoops<G>::reach(const Columns& points, const Places<dim>& places, Point
     }
     on_grid.x[d] = x.data() - range.first;
   }
-  shape_->list(points, on_grid, range, found.nodes);
-  if (found.nodes.points() != static_cast<int>(count))
+  shape_->list(points, on_grid, range, *found.nodes);
+  if ((*found.nodes).points() != static_cast<int>(count))
     throw std::logic_error("a shape lists the nodes of another number of points than it was asked for");
   return found;
 }

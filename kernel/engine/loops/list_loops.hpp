@@ -72,8 +72,8 @@ class ListLoops : public PointLoops<Geometry> {
   struct Reach {
     PointRange range;
     std::array<std::vector<double>, dim> x;  // of the range, on the grid
-    NodeList<dim> nodes;
-    Entries of(int p) const { return nodes.of(p - range.first); }
+    SpareList<dim> nodes;
+    Entries of(int p) const { return (*nodes).of(p - range.first); }
     Vec place(int p) const {
       Vec at;
       for (int d = 0; d < dim; ++d) at[d] = x[static_cast<std::size_t>(d)][static_cast<std::size_t>(p - range.first)];
