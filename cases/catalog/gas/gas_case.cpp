@@ -56,29 +56,13 @@ CaseGate energy_gate(const std::string& study) {
 
 namespace {
 
-// Of the norms of all fields at a level, here and in a sibling.
-Number largest_difference(const std::string& quantity, const std::string& as, double level,
-                          double (*difference)(const Measure& here, const Measure& there)) {
-  const auto largest = [=](const StudyResult& s) {
-    const StudyLevel *here = s.level(level), *there = s.sibling(as)->level(level);
-    double found = here && there ? 0 : std::nan("");
-    for (const char* field : {"density", "velocity", "pressure", "energy"}) {
-      for (const char* norm : {".L1", ".L2", ".Linf"}) {
-        const Measure *a = here ? here->run.find(std::string(field) + norm) : nullptr,
-                      *b = there ? there->run.find(std::string(field) + norm) : nullptr;
-        found = larger(found, a && b ? difference(*a, *b) : std::nan(""));
-      }
-    }
-    return Measured::of(found);
-  };
-  return number_of("largest " + quantity + " to those of " + as + " at " + to_text(level), largest, {level});
-}
+const std::vector<std::string> fields{"density", "velocity", "pressure", "energy"};
 
 }  // namespace
 
 CaseGate same_numbers_gate(const std::string& study, const std::string& as, double level) {
   return gate(study + "/as-" + as + "-" + to_text(level),
-              largest_difference("relative difference of the errors' norms", as, level,
+              largest_difference("relative difference of the errors' norms", as, level, fields,
                                  [](const Measure& a, const Measure& b) { return std::abs(a.error / b.error - 1); }),
               at_most(1e-10),
               identity("sums across the flow are one but for rounding, 1e-16 a step and point; steps carry it on "
@@ -90,7 +74,7 @@ CaseGate mirror_gate(const std::string& study, const std::string& as, double lev
   return gate(
              study + "/as-" + as + "-" + to_text(level),
              largest_difference("difference of the errors' norms over the larger of the field's and its error's", as,
-                                level,
+                                level, fields,
                                 [](const Measure& a, const Measure& b) {
                                   return std::abs(a.error - b.error) / std::max(b.scale, b.error);
                                 }),

@@ -1,6 +1,8 @@
 #include "cases/catalog/solid/manufactured_problem.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -26,6 +28,25 @@ Vector<double> place(const Columns& points, int dim, int p) {
   Vector<double> x{};
   for (int d = 0; d < dim; ++d) x[static_cast<std::size_t>(d)] = points(column::position, d)[p];
   return x;
+}
+
+// For each place the number of the one where a quarter turn about the origin takes it, to a millionth of the largest coordinate;
+// none if one of them has none.
+std::vector<std::size_t> quarter_turned(const std::vector<Vector<double>>& places) {
+  double largest = 0;
+  for (const Vector<double>& x : places) largest = std::max({largest, std::abs(x[0]), std::abs(x[1])});
+  const auto key = [&](double x, double y) {
+    return std::pair(std::llround(1e6 * x / largest), std::llround(1e6 * y / largest));
+  };
+  std::map<std::pair<long long, long long>, std::size_t> number;
+  for (std::size_t k = 0; k < places.size(); ++k) number[key(places[k][0], places[k][1])] = k;
+  std::vector<std::size_t> images;
+  for (const Vector<double>& x : places) {
+    const auto found = number.find(key(-x[1], x[0]));
+    if (found == number.end()) return {};
+    images.push_back(found->second);
+  }
+  return images;
 }
 
 // Sums of squares over the components of a vector or tensor.
@@ -108,6 +129,9 @@ class ManufacturedProblem final : public Problem, public JudgedAtEnd {
     add("displacement", "m", displacement);
     add("velocity", "m/s", velocity);
     add("stress", "Pa", stress);
+    if (const std::vector<std::size_t> images = setup_.turns ? quarter_turned(start_) : std::vector<std::size_t>{};
+        !images.empty())
+      all.push_back(share_measure("turned", turned_difference(body, images)));
     return all;
   }
 
@@ -126,6 +150,23 @@ class ManufacturedProblem final : public Problem, public JudgedAtEnd {
   int dim() const { return setup_.exact->dimension(); }
   const Vector<double>& start_of(const Body& body, int p) const {
     return start_[static_cast<std::size_t>(body.id[static_cast<std::size_t>(p)])];
+  }
+
+  // Of the displacement where the points started turned by 90 degrees and the turned one, over the largest.
+  double turned_difference(const Body& body, const std::vector<std::size_t>& images) const {
+    std::vector<Vector<double>> displacement(start_.size());
+    for (int p = 0; p < body.points.points(); ++p) {
+      const auto id = static_cast<std::size_t>(body.id[static_cast<std::size_t>(p)]);
+      for (std::size_t d = 0; d < 2; ++d)
+        displacement[id][d] = body.points(column::position, static_cast<int>(d))[p] - start_[id][d];
+    }
+    double apart = 0, largest = 0;
+    for (std::size_t k = 0; k < images.size(); ++k) {
+      const Vector<double>&u = displacement[k], &image = displacement[images[k]];
+      apart = larger(apart, std::hypot(image[0] + u[1], image[1] - u[0]));
+      largest = larger(largest, std::hypot(u[0], u[1]));
+    }
+    return apart / largest;
   }
 
   // Norms of the displacement's error and of the exact displacement.

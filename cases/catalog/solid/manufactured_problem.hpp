@@ -20,6 +20,7 @@ struct ManufacturedSetup {
   GridSpec grid = {};
   Body body = Body();
   bool loaded = true;  // false: the body is let go from the start of the motion
+  bool turns = false;  // in the plane: grid and motion stay the same in a quarter turn about the origin
 };
 
 // The neo-Hookean material of the solution.
@@ -37,6 +38,8 @@ void start_motion(const reference::ManufacturedSolution& exact, bool affine, Bod
 //   displacement.worst  largest over time of sqrt(sum_p V_p |u_p - u(X_p, t)|^2), m^(1 + dim/2): the norm of the
 //                       published studies (de Vaucorbeil et al. 2020), over some 400 instants and the end
 //   displacement, velocity, stress (first Piola-Kirchhoff, worked out of F): .L1 .L2 .Linf at the end
+//   turned              of a setup that turns, if its points are the same after a quarter turn: largest distance between the displacement of a point's image in a quarter turn
+//                       and the turned displacement, over the largest displacement, at the end
 // Of a body that is let go, which follows a motion of its own:
 //   energy_rise, energy_lost  largest rise in a step, and what is lost to the end, over the energy at the start
 std::unique_ptr<Problem> manufactured_problem(ManufacturedSetup setup, const Settings& settings);

@@ -90,6 +90,24 @@ Number number_of(std::string quantity, std::function<Measured(const StudyResult&
   return {std::move(quantity), std::move(read), std::move(levels)};
 }
 
+Number largest_difference(const std::string& quantity, const std::string& as, double level,
+                          const std::vector<std::string>& fields,
+                          double (*difference)(const Measure& here, const Measure& there)) {
+  const auto largest = [=](const StudyResult& s) {
+    const StudyLevel *here = s.level(level), *there = s.sibling(as)->level(level);
+    double found = here && there ? 0 : std::nan("");
+    for (const std::string& field : fields) {
+      for (const char* norm : {".L1", ".L2", ".Linf"}) {
+        const Measure *a = here ? here->run.find(field + norm) : nullptr,
+                      *b = there ? there->run.find(field + norm) : nullptr;
+        found = larger(found, a && b ? difference(*a, *b) : std::nan(""));
+      }
+    }
+    return Measured::of(found);
+  };
+  return number_of(fmt::format("largest {} to those of {} at {}", quantity, as, level), largest, {level});
+}
+
 Number error_at(const std::string& measure, double level) {
   return number_at(fmt::format("{} at {}", measure, level), measure, level, [](const RunResult&, const Measure& m) {
     Measured measured;

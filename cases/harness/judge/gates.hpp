@@ -57,6 +57,12 @@ Number number_at(std::string quantity, const std::string& measure, double level,
 Number number_of(std::string quantity, std::function<Measured(const StudyResult&)> read,
                  std::vector<double> levels = {});
 
+// Largest difference(here, in the study `as`) of the norms L1, L2 and Linf of these fields at a level; not a number where one
+// lacks a norm or the level. The gate runs beside that study, see CaseGate::beside.
+Number largest_difference(const std::string& quantity, const std::string& as, double level,
+                          const std::vector<std::string>& fields,
+                          double (*difference)(const Measure& here, const Measure& there));
+
 // What such a number says of a run that stopped: where, and why. Empty of one that did not.
 std::optional<Measured> stop_of(const RunResult& run);
 
