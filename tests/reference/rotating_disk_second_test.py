@@ -1,6 +1,6 @@
 """Second computations: the rotating disk by finite elements along the radius (numpy, consistent loads, Richardson's
 extrapolation), and by finite strain (shooting with a neo-Hookean law) to see that what the bounds allow for small strains
-is enough. The flight of two disks in 50-digit arithmetic.
+is enough. The flight of two disks and the cylinder that breathes in 50-digit arithmetic.
 """
 import mpmath
 import numpy
@@ -113,3 +113,29 @@ def test_flight_of_two_disks():
     assert len(answer) == len(exact)
     for (value, bound), true in zip(answer, exact):
         assert abs(value - true) <= bound <= 1e-14 * max(1, abs(value))
+
+
+@pytest.mark.parametrize("mode", [1, 2, 5])
+@pytest.mark.parametrize("nu", [-0.3, 0.0, 0.3, 0.49])
+def test_breathing_cylinder_in_50_digits(mode, nu):
+    """Graff's frequency equation for a cylinder that breathes, and the state at a time, by mpmath."""
+    p = dict(radius=0.8, youngs_modulus=50.0, poisson=nu, density=2.0, velocity=0.03, mode=mode, time=0.37)
+    R, E, rho, v, t = (mpmath.mpf(p[k]) for k in ("radius", "youngs_modulus", "density", "velocity", "time"))
+    nu = mpmath.mpf(nu)
+    lam, mu = E * nu / ((1 + nu) * (1 - 2 * nu)), E / (2 * (1 + nu))
+    low = mpmath.besseljzero(1, mode - 1) if mode > 1 else mpmath.mpf("0.001")
+    surface = lambda x: x * mpmath.besselj(0, x) * (lam + 2 * mu) - 2 * mu * mpmath.besselj(1, x)
+    x = mpmath.findroot(surface, (low, mpmath.besseljzero(0, mode)), solver="anderson")
+    k, c = x / R, mpmath.sqrt((lam + 2 * mu) / rho)
+    u = lambda r: v / (k * c) * mpmath.besselj(1, k * r) / mpmath.besselj(1, x) * mpmath.sin(k * c * t)
+    radii = [0.0, 0.2, 0.55, 0.8]
+    answer = numpy.array(evaluate([request("cylinder-vibration", p, radii)])[0], dtype=float)
+    assert abs(answer[1][0] - k) <= answer[1][1] <= 1e-12 * k
+    rows = answer[6:].reshape(-1, 4, 2)
+    for r, row in zip(radii, rows):
+        slope = mpmath.diff(u, r)
+        around = u(r) / r if r > 0 else slope
+        exact = [u(r), mpmath.mpf(0), (lam + 2 * mu) * slope + lam * around, lam * slope + (lam + 2 * mu) * around]
+        exact[1] = v * mpmath.besselj(1, k * r) / mpmath.besselj(1, x) * mpmath.cos(k * c * t)
+        for (value, bound), right in zip(row, exact):
+            assert abs(value - right) <= bound + 1e-300
