@@ -62,7 +62,7 @@ Bounded CylinderVibration::slope(double radius) const {
 
 Bounded CylinderVibration::displacement(double radius, double time) const {
   check_finite("time", time);
-  return Bounded(problem_.velocity) / omega() * shape(radius) * sin(omega() * time);  // [Cylinder]
+  return Bounded(problem_.velocity) / omega() * shape(radius) * sin(omega() * time);  // [Graff 8.2]
 }
 
 Bounded CylinderVibration::velocity(double radius, double time) const {

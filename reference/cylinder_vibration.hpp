@@ -1,5 +1,5 @@
 #pragma once
-// A solid elastic cylinder that breathes without axial strain; linear elasticity. Tag [Cylinder]: A. E. H. Love, A Treatise on the
+// A solid elastic cylinder that breathes without axial strain; linear elasticity. Tag [Graff 8.2]: A. E. H. Love, A Treatise on the
 // Mathematical Theory of Elasticity, 4th ed., 1927, chapter XII; K. F. Graff, Wave Motion in Elastic Solids, 1975, section 8.2. With
 // c^2 = (lambda + 2 mu)/rho, omega = c k and x = k R,
 //   u = V/omega J_1(k r)/J_1(x) sin omega t,  x J_0(x) = (1 - 2 nu)/(1 - nu) J_1(x),

@@ -9,7 +9,7 @@ namespace {
 const CylinderVibrationProblem some{0.7, 30, 0.2, 2, 0.01, 1};
 
 // rho u_tt = sigma_r' + (sigma_r - sigma_theta)/r by central differences, h^2 k^2 of the largest stress over r.
-TEST(CylinderVibration, ObeysTheEquationOfMotion) {  // [Cylinder]
+TEST(CylinderVibration, ObeysTheEquationOfMotion) {  // [Graff 8.2]
   const double h = 1e-4;
   for (int mode : {1, 2, 3}) {
     CylinderVibrationProblem problem = some;
@@ -30,7 +30,7 @@ TEST(CylinderVibration, ObeysTheEquationOfMotion) {  // [Cylinder]
 }
 
 // Kinetic energy at t = 0 by Simpson's rule: h^4 k^4 of it.
-TEST(CylinderVibration, EnergyIsThatOfTheStart) {  // [Cylinder]
+TEST(CylinderVibration, EnergyIsThatOfTheStart) {  // [Graff 8.2]
   const CylinderVibration cylinder(some);
   const int pieces = 400;
   double sum = 0;
@@ -44,7 +44,7 @@ TEST(CylinderVibration, EnergyIsThatOfTheStart) {  // [Cylinder]
 }
 
 // Where nu = 0, x J_0 = J_1; where nu is near 1/2 the surface hardly strains, and x is the zero of J_0.
-TEST(CylinderVibration, RootsOfLimits) {                                                   // [Cylinder]
+TEST(CylinderVibration, RootsOfLimits) {                                                   // [Graff 8.2]
   EXPECT_NEAR(CylinderVibration({1, 1, 0, 1, 1, 1}).wavenumber().value, 1.8411838, 1e-7);  // J_1' = 0, DLMF table 10.21
   EXPECT_NEAR(CylinderVibration({1, 1, 0.5 - 1e-9, 1, 1, 1}).wavenumber().value, 2.4048256, 1e-7);
 }
