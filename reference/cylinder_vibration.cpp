@@ -12,7 +12,7 @@ namespace plumbline::reference {
 namespace {
 
 // The n-th positive root of x J_0(x) = share J_1(x), 0 < share < 3/2: between the (n-1)-th zero of J_1 (0 of the first) and
-// the n-th of J_0, as x J_0 - share J_1 changes its sign there and no zero of one function is near one of the other.
+// the n-th of J_0, between which x J_0 - share J_1 changes its sign.
 Bounded surface_root(Bounded share, int mode) {
   const double sign = mode % 2 == 0 ? 1 : -1;  // increasing
   const auto f = [&](double x) { return Bounded(sign) * (Bounded(x) * bessel_J0(x) - share * bessel_J1(x)); };
@@ -50,12 +50,13 @@ Bounded CylinderVibration::shape(double radius) const {
   return bessel_J1(wavenumber() * radius) / edge_;
 }
 
-// (J_1(z)/z)' = J_0 - J_1/z over z; at the axis both strains are k/2.
+// At the axis J_1(k r)/r is k/2.
 Bounded CylinderVibration::circling(double radius) const {
   check_within("radius", radius, 0, problem_.radius);
   return radius == 0 ? wavenumber() / 2.0 / edge_ : shape(radius) / radius;
 }
 
+// J_1'(z) = J_0(z) - J_1(z)/z.
 Bounded CylinderVibration::slope(double radius) const {
   return wavenumber() * bessel_J0(wavenumber() * radius) / edge_ - circling(radius);
 }

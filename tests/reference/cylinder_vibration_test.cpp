@@ -1,4 +1,4 @@
-// The breathing cylinder: the published root, the equations of motion, the free surface, and the energy.
+// The breathing cylinder: the equations of motion, the free surface, the energy, and roots of limits.
 #include "reference/cylinder_vibration.hpp"
 
 #include "tests/reference/checks.hpp"
