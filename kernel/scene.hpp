@@ -60,8 +60,9 @@ struct Scene {
   bool loss_to_gas =
       false;  // what maps, and strains of membranes, take from points without an energy equation heats the
               // gas at their nodes [Coupling 1]
-  double chain_relaxation = 0;  // theta of segments, [0, 1]: null-space modes of motion are taken out [Coupling 2]
-  double strain_smoothing = 0;  // kappa >= 0 of carried strains: null-space modes are taken out [Coupling 3]
+  double chain_relaxation = 0;   // theta of segments, [0, 1]: null-space modes of motion are taken out [Coupling 2]
+  double strain_smoothing = 0;   // kappa >= 0 of carried strains: null-space modes are taken out [Coupling 3]
+  bool mean_dilatation = false;  // points of solids that hardly compress share their cell's dilatation [Dilatation 1]
   FilterRate filter;
   double heat_exchange = 0;  // kappa >= 0: heat that points of a compressed gas exchange through the nodes [Exchange 1]
 };

@@ -23,7 +23,7 @@ auto Motion<G>::finish_body(Bodies& at, std::size_t b, const Record& step, doubl
   if (step.rates_of != NodalVelocity::midpoint) motion.straining = &space_.straining_velocity(field, field.midpoint);
   if (body.material->takes_heat()) loss_to_gas_.take(body, places, field);
   // Whether its points look where others stand: then all move before any does.
-  const bool together = body.chain || body.material->measure() == StressMeasure::point_force;
+  const bool together = body.chain || body.material->measure() == StressMeasure::point_force || dilatation_.of(body);
   if (together || loss_to_gas_.gives(body, field)) places.keep(body.points);
   const auto move = [&](const Chunk& chunk) { return space_.loops->gather_motion(body, places, chunk, field, motion); };
   const auto pass = [&](auto&& work) {
@@ -44,6 +44,7 @@ auto Motion<G>::finish_body(Bodies& at, std::size_t b, const Record& step, doubl
     own.motion = space_.template sum_over_chunks<MotionSums>(places, move);
     stop_if_too_far(own.motion, body, dt);
     chains_.relax(body, places, own.motion);
+    if (motion.straining) dilatation_.average_rates(body, places);
     own += pass([&](const Chunk&, PointRange range, Sums& sums) { strain_and_heat(body, range, dt, sums); });
     ledger_.energy.book(Flow::constitutive, chains_.smooth_strain(body, places, dt));
     own += pass([&](const Chunk&, PointRange range, Sums& sums) { look_back(body, range, drift.has_value(), sums); });

@@ -54,6 +54,7 @@ class Mechanics final : public Engine {
         body.points.add(column::sound_speed);
       }
       motion_.add_columns(body, layout_.field(b));
+      if (scene.mean_dilatation) MeanDilatation<Geometry>::add_columns(body);
     }
   }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "kernel/engine/layout.hpp"
+#include "kernel/materials/shared_dilatation.hpp"
 
 namespace plumbline {
 
@@ -18,6 +19,7 @@ void for_state_columns(std::vector<Body>& bodies, const MaterialContext& context
     visit(body, column::position);
     visit(body, column::velocity);
     for (const ColumnId* id : body.material->internal_variables(context)) visit(body, *id);
+    if (body.points.has(column::dilatation)) visit(body, column::dilatation);
   }
 }
 
@@ -67,6 +69,9 @@ State state_rate(const Discretisation<G>& space, Layout<G::dim>& at) {
     space.gather(body.points, at.weights[b], rates);
     const std::vector<double> internal = body.material->rates(body.points, space.context);
     rate.values.insert(rate.values.end(), internal.begin(), internal.end());
+    if (!body.points.has(column::dilatation)) continue;
+    const auto shared = body.points.values(column::dilatation_rate);  // [Dilatation 1]
+    rate.values.insert(rate.values.end(), shared.begin(), shared.end());
   }
   return rate;
 }

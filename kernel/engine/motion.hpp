@@ -28,6 +28,7 @@ class Motion {
   Motion(const Space& space, const Scene& scene, bool keep_loss, Ledger& ledger)
       : space_(space),
         chains_(space, scene.chain_relaxation, scene.strain_smoothing),
+        dilatation_(space),
         reflection_(space),
         filter_(space),
         loss_to_gas_(space, scene.loss_to_gas && keep_loss),
@@ -68,6 +69,7 @@ class Motion {
         if (power_wanted) sums.power = power_of(body, {chunk.first, chunk.last}, space_.context, step.advance->dt);
         return sums;
       });
+      if (!strained) dilatation_.average_rates(body, at.weights[b]);
       stop_if_too_far(own.motion, body, dt);
       all += own;
     }
@@ -265,6 +267,7 @@ class Motion {
 
   const Space& space_;
   Chains<Geometry> chains_;
+  MeanDilatation<Geometry> dilatation_;
   Reflection<Geometry> reflection_;
   VelocityFilter<Geometry> filter_;
   LossToGas<Geometry> loss_to_gas_;

@@ -3,6 +3,7 @@
 
 #include "kernel/engine/chains.hpp"
 #include "kernel/engine/layout.hpp"
+#include "kernel/engine/mean_dilatation.hpp"
 #include "kernel/engine/step_record.hpp"
 
 namespace plumbline {
@@ -42,6 +43,7 @@ class Strain {
   // smoothing: kappa of strains that chains carry.
   Strain(const Space& space, double smoothing, Ledger& ledger)
       : space_(space),
+        dilatation_(space),
         chains_(space, 0, smoothing),
         ledger_(ledger) {}
 
@@ -60,6 +62,7 @@ class Strain {
       lost += space_.template sum_over_chunks<double>(at.weights[b], [&](const Chunk& chunk) {
         return space_.loops->gather_start(at.bodies[b], at.weights[b], chunk, wanted);
       });
+      dilatation_.average_rates(at.bodies[b], at.weights[b]);
     }
     if (!step.map_loss) step.map_loss = lost;
     step.rates_of = which;
@@ -129,6 +132,7 @@ class Strain {
   }
 
   const Space& space_;
+  MeanDilatation<Geometry> dilatation_;
   Chains<Geometry> chains_;
   Ledger& ledger_;
 };

@@ -3,6 +3,7 @@
 
 #include "kernel/engine/densities.hpp"
 #include "kernel/engine/forces.hpp"
+#include "kernel/engine/mean_dilatation.hpp"
 
 namespace plumbline {
 
@@ -18,6 +19,7 @@ class Stress {
   Stress(const Space& space, const Scene& scene, Shares shares)
       : space_(space),
         densities_(space, scene.density, scene.sharpened_density ? scene.sharpening : 0),
+        dilatation_(space),
         forces_(space, shares) {}
 
   // Stresses of the step's start and `ahead` s more, with the strain rates of a nodal velocity; sums what the map lost, if
@@ -45,12 +47,14 @@ class Stress {
       }
       if (!source.elsewhere) wanted.density = source.nodes;
       wanted.specific = source.specific;
-      if (of_places && wanted.rates) {  // the velocities of all points before any looks at others'
+      if ((of_places || dilatation_.of(body)) && wanted.rates) {  // those of all points before any looks at others'
         space_.for_chunks(places, [&](const Chunk& chunk) {
           space_.loops->gather_start(body, places, chunk, {.rates = wanted.rates});
         });
+        dilatation_.average_rates(body, places);
         wanted.rates = nullptr;
       }
+      dilatation_.average_dilatation(body, places);
       if (of_places) {
         space_.for_chunks(places, [&](const Chunk& chunk) {
           body.material->prepare_stress(body.points, {chunk.first, chunk.last}, then);
@@ -88,6 +92,7 @@ class Stress {
  private:
   const Space& space_;
   Densities<Geometry> densities_;
+  MeanDilatation<Geometry> dilatation_;
   Forces<Geometry> forces_;
 };
 

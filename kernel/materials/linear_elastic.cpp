@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kernel/materials/material_entry.hpp"
+#include "kernel/materials/shared_dilatation.hpp"
 #include "kernel/pack.hpp"
 #include "kernel/register_part.hpp"
 
@@ -27,33 +28,34 @@ const RegisterPart entry(
 // Normal components come first: 1 of 1, 2 of 3, 3 of 4 and of 6.
 int normals_of(int components) { return components == 1 ? 1 : components == 3 ? 2 : 3; }
 
+// lambda and mu of the geometry that has so many components.
+LameConstants constants_of(const LinearElastic& material, int components) {
+  return material.constants(components == 1 ? 1 : components == 6 || components == 4 ? 3 : 2);
+}
+
 struct Law {
-  double lambda, mu;
   int components, normals;
+  double mu;
+  Bulk bulk;
 
   Law(const LinearElastic& material, const Columns& points)
       : components(points.components(column::stress)),
-        normals(normals_of(components)) {
-    const LameConstants constants = material.constants(components == 1                      ? 1
-                                                       : components == 6 || components == 4 ? 3
-                                                                                            : 2);
-    lambda = constants.lambda;
-    mu = constants.mu;
-  }
+        normals(normals_of(components)),
+        mu(constants_of(material, components).mu),
+        bulk(constants_of(material, components), points) {}
   Pack trace(const Pack* strain) const {
     Pack sum = strain[0];
     for (int k = 1; k < normals; ++k) sum += strain[k];
     return sum;
   }
-  // Component k of the stress; shear strains are engineering strains. [Hooke 1]
-  Pack stress(const Pack* strain, const Pack& trace, int k) const {
-    return k < normals ? lambda * trace + 2 * mu * strain[k] : mu * strain[k];
+  // Component k of the stress, the first term of normal ones given; shear strains are engineering strains. [Hooke 1]
+  Pack stress(const Pack* strain, const Pack& tension, int k) const {
+    return k < normals ? tension + 2 * mu * strain[k] : mu * strain[k];
   }
-  // W = sigma : eps / 2, J/m^3.
-  Pack energy(const Pack* strain) const {
-    const Pack tr = trace(strain);
-    Pack sum = 0.0;
-    for (int k = 0; k < components; ++k) sum += 0.5 * stress(strain, tr, k) * strain[k];
+  // W, J/m^3.
+  Pack energy(const Pack* strain, const Pack& theta) const {
+    Pack sum = bulk.energy(trace(strain), theta);
+    for (int k = 0; k < components; ++k) sum += 0.5 * stress(strain, 0.0, k) * strain[k];
     return sum;
   }
 };
@@ -79,6 +81,15 @@ void LinearElastic::add_columns(Columns& points, int) const {
   points.add(column::strain, points.components(column::stress));
 }
 
+void LinearElastic::share_dilatation(Columns& points) const {
+  const int components = points.components(column::stress);
+  if (!hardly_compresses(constants_of(*this, components))) return;
+  points.add(column::dilatation);
+  for (int k = 0; k < normals_of(components); ++k) {
+    for (int p = 0; p < points.points(); ++p) points(column::dilatation)[p] += points(column::strain, k)[p];
+  }
+}
+
 std::vector<const ColumnId*> LinearElastic::internal_variables(const MaterialContext&) const {
   return {&column::strain};
 }
@@ -95,13 +106,14 @@ double LinearElastic::advance(Columns& points, PointRange range, const MaterialC
   for_packs(range.first, range.last, [&](int p, int count) {
     Pack strain[most];
     for (int k = 0; k < law.components; ++k) strain[k] = load(points(column::strain, k) + p);
-    const Pack before = law.energy(strain);
+    const Pack before = law.energy(strain, law.bulk.dilatation(p));
     for (int k = 0; k < law.components; ++k) {
       strain[k] += dt * load(points(column::strain_rate, k) + p);  // [Hooke 1]
       plumbline::store(points(column::strain, k) + p, strain[k], count);
     }
-    stored += kept(load(volume + p) * (law.energy(strain) - before), count);
+    stored += kept(load(volume + p) * (law.energy(strain, law.bulk.dilatation(p, dt)) - before), count);
   });
+  Bulk::advance(points, range.first, range.last, dt);
   return sum(stored);
 }
 
@@ -113,9 +125,9 @@ void LinearElastic::evaluate_stress(Columns& points, PointRange range, const Mat
       strain[k] = load(points(column::strain, k) + p);
       if (context.ahead != 0) strain[k] += context.ahead * load(points(column::strain_rate, k) + p);
     }
-    const Pack trace = law.trace(strain);
+    const Pack tension = law.bulk.tension(law.trace(strain), p, context.ahead);
     for (int k = 0; k < law.components; ++k) {
-      plumbline::store(points(column::stress, k) + p, law.stress(strain, trace, k), count);
+      plumbline::store(points(column::stress, k) + p, law.stress(strain, tension, k), count);
     }
   });
 }
@@ -126,15 +138,15 @@ double LinearElastic::stored_energy(const Columns& points, PointRange range) con
   for_packs(range.first, range.last, [&](int p, int count) {
     Pack strain[most];
     for (int k = 0; k < law.components; ++k) strain[k] = load(points(column::strain, k) + p);
-    stored += kept(load(points(column::volume) + p) * law.energy(strain), count);
+    stored += kept(load(points(column::volume) + p) * law.energy(strain, law.bulk.dilatation(p)), count);
   });
   return sum(stored);
 }
 
 StepBounds LinearElastic::step_bounds(const Columns& points, PointRange range, int dim) const {
-  const Law law(*this, points);
+  const LameConstants c = constants_of(*this, points.components(column::stress));
   StepBounds bounds;
-  bounds.fastest = std::sqrt((law.lambda + 2 * law.mu) / density) + fastest_point(points, range, dim);
+  bounds.fastest = std::sqrt((c.lambda + 2 * c.mu) / density) + fastest_point(points, range, dim);
   return bounds;
 }
 

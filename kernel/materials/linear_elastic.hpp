@@ -20,6 +20,7 @@ struct LinearElastic final : Material {
   void add_columns(Columns& points, int dim) const override;
   Store store() const override { return Store::elastic; }
   double advance(Columns& points, PointRange range, const MaterialContext& context, double dt) const override;
+  void share_dilatation(Columns& points) const override;
   std::vector<const ColumnId*> internal_variables(const MaterialContext& context) const override;
   std::vector<double> rates(const Columns& points, const MaterialContext& context) const override;
   void evaluate_stress(Columns& points, PointRange range, const MaterialContext& context) const override;

@@ -62,7 +62,9 @@ class Material {
   virtual bool has_density() const { return false; }  // a density column that a density method may set
   virtual bool takes_heat() const { return false; }   // transfer losses can become internal energy
   virtual bool dissipates() const { return false; }   // part of what it stores is heat()
-  virtual Traits needs() const { return {}; }         // of an integrator
+  // Adds the column `dilatation`, of the strains as they are, if the material hardly compresses. [Dilatation 3]
+  virtual void share_dilatation(Columns&) const {}
+  virtual Traits needs() const { return {}; }  // of an integrator
 
   virtual StressMeasure measure() const { return StressMeasure::symmetric; }
   bool isotropic() const { return measure() == StressMeasure::pressure; }

@@ -6,6 +6,7 @@
 #include "kernel/largest.hpp"
 #include "kernel/logarithm.hpp"
 #include "kernel/materials/material_entry.hpp"
+#include "kernel/materials/shared_dilatation.hpp"
 #include "kernel/points/pack_tensors.hpp"
 #include "kernel/register_part.hpp"
 
@@ -31,19 +32,18 @@ struct Loops {
     for (int k = 0; k < size; ++k) then.at[k] = f.at[k] + dt * then.at[k];  // [Neo-Hookean 2]
     return then;
   }
-  static Pack energy(const LameConstants& c, const Tensor& f) {
+  static Pack energy(const LameConstants& c, const Bulk& bulk, const Tensor& f, const Pack& theta) {
     constexpr double directions = dim + (rings ? 1 : 0);
     const Pack log_j = logarithm(f.determinant());
-    return 0.5 * c.mu * (f.sum_of_squares() - directions - 2.0 * log_j) +
-           0.5 * c.lambda * log_j * log_j;  // [Neo-Hookean 1]
+    return 0.5 * c.mu * (f.sum_of_squares() - directions - 2.0 * log_j) + bulk.energy(log_j, theta);  // [Neo-Hookean 1]
   }
-  // P.
-  static Tensor stress(const LameConstants& c, const Tensor& f) {
-    const Pack j = f.determinant(), log_j = logarithm(j), share = 1.0 / j;
+  // P of point p, `ahead` seconds from where its dilatations are known.
+  static Tensor stress(const LameConstants& c, const Bulk& bulk, const Tensor& f, int at, double ahead) {
+    const Pack j = f.determinant(), pull = bulk.tension(logarithm(j), at, ahead), share = 1.0 / j;
     Tensor p, inverse = f.cofactors();
     for (int k = 0; k < size; ++k) {
       inverse.at[k] *= share;
-      p.at[k] = c.mu * (f.at[k] - inverse.at[k]) + c.lambda * log_j * inverse.at[k];  // [Neo-Hookean 1]
+      p.at[k] = c.mu * (f.at[k] - inverse.at[k]) + pull * inverse.at[k];  // [Neo-Hookean 1]
     }
     return p;
   }
@@ -63,6 +63,7 @@ struct Loops {
 
   static double advance(const NeoHookean& m, Columns& points, PointRange range, double dt) {
     const LameConstants c = m.constants();
+    const Bulk bulk(c, points);
     const Writing deformation(points, column::deformation);
     const Reading rate(points, column::strain_rate);
     const double* mass = points(column::mass);
@@ -71,13 +72,17 @@ struct Loops {
         range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
           const Tensor before = deformation[p], now = after(before, rate[p], dt);
           deformation.set(p, now, count);
-          stored += kept(load(mass + p) * (energy(c, now) - energy(c, before)), count);
+          stored += kept(load(mass + p) * (energy(c, bulk, now, bulk.dilatation(p, dt)) -
+                                           energy(c, bulk, before, bulk.dilatation(p))),
+                         count);
         });
+    Bulk::advance(points, range.first, range.last, dt);
     return sum(stored) / m.density;
   }
 
   static void evaluate(const NeoHookean& m, Columns& points, PointRange range, double ahead) {
     const LameConstants c = m.constants();
+    const Bulk bulk(c, points);
     const Reading deformation(points, column::deformation), rate(points, column::strain_rate);
     const Writing stresses(points, column::stress);
     const double *mass = points(column::mass), specific_volume = 1 / m.density;
@@ -86,7 +91,7 @@ struct Loops {
         range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
           const Tensor here = deformation[p];
           const Pack j = here.determinant(), share = 1.0 / j;
-          Tensor s = stress(c, ahead == 0 ? here : after(here, rate[p], ahead)) * here.transposed();
+          Tensor s = stress(c, bulk, ahead == 0 ? here : after(here, rate[p], ahead), p, ahead) * here.transposed();
           for (int k = 0; k < size; ++k) s.at[k] *= share;
           stresses.set(p, s, count);
           plumbline::store(volume + p, j * load(mass + p) * specific_volume, count);
@@ -106,14 +111,24 @@ struct Loops {
     return {values.begin(), values.end()};
   }
 
+  static void find_dilatation(Columns& points) {
+    const Reading deformation(points, column::deformation);
+    double* dilatation = points(column::dilatation);
+    for_packs(
+        0, points.points(), [&](int p, int count) __attribute__((always_inline)) {
+          plumbline::store(dilatation + p, logarithm(deformation[p].determinant()), count);
+        });
+  }
+
   static double stored(const NeoHookean& m, const Columns& points, PointRange range) {
     const LameConstants c = m.constants();
+    const Bulk bulk(c, points);
     const Reading deformation(points, column::deformation);
     const double* mass = points(column::mass);
     Pack total = 0.0;
     for_packs(
         range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
-          total += kept(load(mass + p) * energy(c, deformation[p]), count);
+          total += kept(load(mass + p) * energy(c, bulk, deformation[p], bulk.dilatation(p)), count);
         });
     return sum(total) / m.density;
   }
@@ -162,6 +177,12 @@ auto with_loops(const Columns& points, Visit&& visit) {
 }  // namespace
 
 void NeoHookean::add_columns(Columns& points, int dim) const { add_deformation(points, dim); }
+
+void NeoHookean::share_dilatation(Columns& points) const {
+  if (!hardly_compresses(constants())) return;
+  points.add(column::dilatation);
+  with_loops(points, [&](auto loops) { loops.find_dilatation(points); });
+}
 
 std::vector<const ColumnId*> NeoHookean::internal_variables(const MaterialContext&) const {
   return {&column::deformation};

@@ -28,6 +28,7 @@ struct NaivePoint {
   Eigen::Vector3d pull = Eigen::Vector3d::Zero();       // of the segments on the point
   double m = 0, volume = 0, density = 0, energy = 0, pressure = 0, strain = 0, loss = 0, exchanged = 0, rest = 0;
   double sound = 0, closing = 0;  // of the stress: c, and how fast the flow is compressed
+  double theta = 0;               // the dilatation that cells share
 };
 
 struct NaiveNode {
@@ -80,6 +81,7 @@ class NaiveStep {
     if (segments_) {
       for (std::size_t p = 0; p < points.size(); ++p) points[p].strain = stretch(p);
     }
+    for (NaivePoint& point : points) point.theta = own_dilatation(point.f, point.eps);
     make_nodes();
     locate();
     densities();
@@ -610,21 +612,59 @@ class NaiveStep {
     const NaivePoint& point = points[p];
     if (membrane_)
       return wrinkled(point.strain) ? 0 : point.volume * membrane_->modulus() * point.strain * point.strain / 2;
-    if (hooke_) return point.volume * hooke_stress(point.eps).cwiseProduct(point.eps).sum() / 2;
+    const double own = own_dilatation(point.f, point.eps);
+    const double bulk = (lambda_own() * own * own + lambda_shared() * point.theta * point.theta) / 2;  // [Dilatation 3]
+    if (hooke_) return point.volume * (constants().mu * point.eps.squaredNorm() + bulk);
     if (neo_) {
-      const LameConstants c = lame_constants(neo_->youngs_modulus, neo_->poissons_ratio);
-      const double log_j = std::log(point.f.determinant());
-      const double w = c.mu / 2 * (point.f.squaredNorm() - 3 - 2 * log_j) + c.lambda / 2 * log_j * log_j;
+      const double w = constants().mu / 2 * (point.f.squaredNorm() - 3 - 2 * own) + bulk;
       return point.m / neo_->density * w;
     }
     if (!starts_segment(p) || (segments_->one_way && point.strain <= 0)) return 0;
     return segments_->section * segments_->youngs_modulus * point.rest * point.strain * point.strain / 2;
   }
-  Mat hooke_stress(const Mat& eps) const {
+  LameConstants constants() const {
+    if (neo_) return lame_constants(neo_->youngs_modulus, neo_->poissons_ratio);
+    if (!hooke_) return {0, 0};
     LameConstants c = lame_constants(hooke_->youngs_modulus, hooke_->poissons_ratio);
     if (dim_ == 2 && !rings() && hooke_->plane_stress) c.lambda = 2 * c.lambda * c.mu / (c.lambda + 2 * c.mu);
     if (dim_ == 1) c = {0, hooke_->youngs_modulus / 2};
-    return c.lambda * eps.trace() * Mat::Identity() + 2 * c.mu * eps;
+    return c;
+  }
+  double own_dilatation(const Mat& f, const Mat& eps) const {
+    return neo_ ? std::log(f.determinant()) : hooke_ ? eps.trace() : 0;
+  }
+  // What of lambda cells share, beyond 2 mu. [Dilatation 3]
+  double lambda_shared() const {
+    return scene_.mean_dilatation ? std::max(0.0, constants().lambda - 2 * constants().mu) : 0;
+  }
+  double lambda_own() const { return constants().lambda - lambda_shared(); }
+  bool same_cell(std::size_t p, std::size_t q) const {
+    for (int d = 0; d < dim_; ++d) {
+      const double low = scene_.grid.origin[static_cast<std::size_t>(d)];
+      if (std::floor((at_[p][d] - low) / h_) != std::floor((at_[q][d] - low) / h_)) return false;
+    }
+    return true;
+  }
+  // Over the points of p's cell, by their masses.
+  template <class Value>
+  double mean_about(std::size_t p, Value&& value) const {
+    double mass = 0, sum = 0;
+    for (std::size_t q = 0; q < points.size(); ++q) {
+      if (!same_cell(p, q)) continue;
+      mass += points[q].m;
+      sum += points[q].m * value(q);
+    }
+    return sum / mass;
+  }
+  double mean_rate(std::size_t p, Of which) const {  // [Dilatation 1]
+    return mean_about(p, [&](std::size_t q) { return gradient_of_velocity(q, which).trace(); });
+  }
+  // What lambda adds to the normal stresses, over J of finite strains. [Dilatation 2]
+  double tension(std::size_t p, double own, double ahead, Of which) const {
+    if (lambda_shared() == 0) return lambda_own() * own;
+    const double rate = ahead == 0 ? 0 : mean_rate(p, which);
+    return lambda_own() * own +
+           lambda_shared() * (mean_about(p, [&](std::size_t q) { return points[q].theta; }) + ahead * rate);
   }
   // The pull of the segments on their points as places will be. [Segments 2]
   void set_pulls(Of which, double ahead) {
@@ -662,6 +702,7 @@ class NaiveStep {
         if (hooke_) point.eps += dt * e;                                             // [Hooke 1]
         if (neo_) point.f += dt * l * point.f;                                       // [Neo-Hookean 2]
         if (segments_) point.strain = stretch(p);                                    // [Segments 1]
+        if (lambda_shared() > 0) point.theta += dt * mean_rate(p, which);            // [Dilatation 1]
         stored = stored_energy(p) - before;
       }
       if (forces_known_) integration += power;
@@ -741,11 +782,14 @@ class NaiveStep {
   Mat stress_of(std::size_t p, const Mat& l, double ahead = 0, Of which = Of::start) {
     NaivePoint& point = points[p];
     const Mat e = (l + l.transpose()) / 2;
-    if (hooke_) return hooke_stress(point.eps + ahead * e);  // [Hooke 1]
+    if (hooke_) {
+      const Mat then = point.eps + ahead * e;  // [Hooke 1]
+      return tension(p, then.trace(), ahead, which) * Mat::Identity() + 2 * constants().mu * then;
+    }
     if (neo_) {
-      const LameConstants c = lame_constants(neo_->youngs_modulus, neo_->poissons_ratio);
       const Mat then = point.f + ahead * l * point.f, inverse = then.inverse().transpose();
-      const Mat first = c.mu * (then - inverse) + c.lambda * std::log(then.determinant()) * inverse;  // [Neo-Hookean 1]
+      const double pull = tension(p, std::log(then.determinant()), ahead, which);
+      const Mat first = constants().mu * (then - inverse) + pull * inverse;  // [Neo-Hookean 1]
       point.volume = point.f.determinant() * point.m / neo_->density;
       return first * point.f.transpose() / point.f.determinant();
     }

@@ -115,4 +115,16 @@ inline Scene rough_solid(Law law, const Scene& gas, double strain = 0.1) {
   return scene;
 }
 
+// Its body, of one of the two laws of finite bodies, takes nu = 0.45 and lets cells share dilatation: lambda = 9 mu.
+inline void let_hardly_compress(Scene& scene) {
+  scene.mean_dilatation = true;
+  const auto changed = [](auto material) {
+    material.poissons_ratio = 0.45;
+    return std::make_shared<decltype(material)>(material);
+  };
+  std::shared_ptr<const Material>& material = scene.bodies[0].material;
+  if (const auto* neo = dynamic_cast<const NeoHookean*>(material.get())) material = changed(*neo);
+  if (const auto* hooke = dynamic_cast<const LinearElastic*>(material.get())) material = changed(*hooke);
+}
+
 }  // namespace plumbline::scenes

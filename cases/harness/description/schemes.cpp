@@ -105,6 +105,10 @@ std::vector<Key> described_keys() {
              "between bodies: none (one velocity for all), York's criteria, or where points touch (default)"),
       number("offset", "shift of the grid in cells", 1),
       choice("density", names(densities()), "how points get their density"),
+      choice("dilatation", {"point", "cell"},
+             "how solids with nu > 1/3 bear pressure: each point by its own dilatation, or by one that the points of a "
+             "cell "
+             "share"),
       choice("points", {"equal-mass", "equal-volume"}, "what all points have alike"),
       number("sharpening", "how much of the maps' smoothing of forces and strain rates is undone on the nodes", 1),
       number("sharpening.second", "s_2: and of its square along each axis"),
@@ -183,6 +187,7 @@ const std::vector<Row>& schemes_table() {
       {"contact",             {},                       {},                      {"default", "york-9.7"},       {"default", "none"}},
       {"offset",              {0.0, 0.0},               {},                      {},                            {}},
       {"density",             {"grid", "quadratic"},    {},                      {},                            {"grid", "quadratic"}},
+      {"dilatation",          {},                       {},                      {"cell", "point"},             {}},
       {"points",              {"equal-mass", "equal-volume"}, {},                {},                            {"equal-mass", "equal-volume"}},
       {"sharpening",          {1.0, 0.0},               {},                      {},                            {1.0, 0.0}},
       {"sharpening.second",   {0.0, 0.0},               {},                      {},                            {0.0, 0.0}},
@@ -272,6 +277,7 @@ void apply_choices(const Settings& settings, Scene& scene) {
     scene.filter = {settings.number("filter.sound"), settings.number("filter.compression")};
     scene.heat_exchange = settings.number("heat_exchange");
   }
+  if (settings.has("dilatation")) scene.mean_dilatation = settings.text("dilatation") == "cell";
   if (gas && settings.has("split")) scene.split = settings.number("split");
   if (!coupled) return;
   scene.loss_to_gas = settings.text("membrane.loss") == "gas";

@@ -7,6 +7,7 @@
 #include "cases/harness/files/signals.hpp"
 #include "kernel/engine/stage_queue.hpp"
 #include "kernel/integrator_traits.hpp"
+#include "kernel/materials/shared_dilatation.hpp"
 
 namespace plumbline {
 namespace {
@@ -14,9 +15,10 @@ namespace {
 // What a step may hand to the next. Masses and the sizes at rest never change; boxes and body forces are found anew in
 // every step, from what stands here. Tangents are those of the last step where that evaluated its stress last.
 const std::vector<ColumnId>& carried_columns() {
-  static const std::vector<ColumnId> all{column::position,    column::velocity, column::affine,      column::strain,
-                                         column::deformation, column::density,  column::energy,      column::volume,
-                                         column::pressure,    column::stress,   column::strain_rate, column::tangent};
+  static const std::vector<ColumnId> all{
+      column::position,    column::velocity, column::affine,     column::strain,          column::deformation,
+      column::density,     column::energy,   column::volume,     column::pressure,        column::stress,
+      column::strain_rate, column::tangent,  column::dilatation, column::dilatation_rate, column::mean_dilatation};
   return all;
 }
 
@@ -100,6 +102,7 @@ void StepMap::add_memory_slots() {
       const Columns& points = scene_->bodies[b].points;
       std::vector<ColumnId> columns{column::position, column::velocity};
       for (const ColumnId* id : scene_->bodies[b].material->internal_variables(context)) columns.push_back(*id);
+      if (points.has(column::dilatation)) columns.push_back(column::dilatation);
       for (const ColumnId& column : columns) {
         for (int k = 0; k < points.components(column); ++k) {
           add_slot({b, column, k, unit_of(column) / units_.time(), static_cast<int>(m), offset});
