@@ -62,7 +62,23 @@ std::vector<double> YorkContact<dim>::colour(const Scene& scene, const std::vect
       }
     }
   }
+  mirror(chi);
   return chi;
+}
+
+// Behind a wall a body goes on as its mirror image: the cells on either side of it have one colour, that of both.
+template <int dim>
+void YorkContact<dim>::mirror(std::vector<double>& chi) const {
+  for (int d = 0; d < dim; ++d) {
+    for (int node = 0; node < grid_.node_count(); ++node) {
+      const int cell = grid_.index(node, d);
+      const bool low = cell == Grid<dim>::ghosts - 1, high = cell == grid_.nodes(d) - 1 - Grid<dim>::ghosts;
+      if (!(low || high) || grid_.wall(d, low ? 0 : 1) == Wall::free) continue;
+      double &beyond = chi[static_cast<std::size_t>(node)],
+             &before = chi[static_cast<std::size_t>(node + (low ? 1 : -1) * grid_.stride(d))];
+      beyond = before += beyond;
+    }
+  }
 }
 
 // The gradients of a node's tent at the centres of the cells around it. [York 9.11]

@@ -11,7 +11,7 @@ namespace plumbline {
 //   9.8   contact if (v1 - v_cm) . n1 > 0                                 [York 9.8]
 //   9.9   contact unless (v1 - v_cm) . n1 <= 0 and (v2 - v_cm) . n2 <= 0  [York 9.9]
 // with the velocities of the start of the step and the outward normals n_i ~ sum_c grad N_i(x_c) chi_c, chi_c = sum_p
-// S_c(x_p) over the points of a body, S quadratic about the cell centre c.  [York 9.10, 9.11]
+// S_c(x_p) over the points of a body and their images behind walls, S quadratic about the cell centre c.  [York 9.10, 9.11]
 // In common: a_i = (f1 + f2) / (M1 + M2). [York 9.1, 9.2] Under FLIP, York's transfer, point velocities are never made
 // common, only what changes them. Bodies of which each touches another at a node have one velocity there.
 enum class YorkCriterion { against_other, against_centre, both };
@@ -37,6 +37,7 @@ class YorkContact final : public Contact<dim> {
   };
   std::vector<double> colour(const Scene& scene, const std::vector<std::size_t>& field_of_body,
                              std::size_t field) const;
+  void mirror(std::vector<double>& colour) const;
   Vec outward_normal(const std::vector<double>& colour, int node) const;
   bool in_contact(const Vec& v1, const Vec& v2, const Vec& centre, const Vec& n1, const Vec& n2) const;
 

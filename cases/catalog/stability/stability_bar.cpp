@@ -1,6 +1,7 @@
 // What the laboratory says of an elastic bar, against closed forms and against runs.
 #include <cmath>
 
+#include "cases/catalog/stability/bar_dispersion.hpp"
 #include "cases/catalog/stability/bar_table.hpp"
 #include "cases/catalog/stability/trial_case.hpp"
 #include "cases/harness/judge/gates.hpp"
@@ -64,6 +65,7 @@ std::vector<Trial> trials() {
     all.push_back({name + "-runs", name + ": limits that runs show, at four places",
                    "24 periods carry 24 of all wave numbers; the limit is flat there.", [name] { return runs(name); }});
   }
+  for (Trial& trial : dispersion_trials()) all.push_back(std::move(trial));
   for (Trial& trial : table_trials()) all.push_back(std::move(trial));
   return all;
 }
@@ -79,6 +81,7 @@ std::vector<CaseGate> gates() {
     all.push_back(gate(name + "-runs/brackets", value_of("observed.brackets"), exactly(1),
                        theory("below the limit all steps are stable, above it none")));
   }
+  for (CaseGate& gate : dispersion_gates()) all.push_back(std::move(gate));
   for (CaseGate& gate : table_gates()) all.push_back(std::move(gate));
   return all;
 }

@@ -95,6 +95,25 @@ TEST(York, NormalsOfAStraightSide) {
   }
 }
 
+// Behind a wall the bodies go on: a side that meets it has the same normals there.
+TEST(York, NormalsOfAStraightSideBesideWalls) {
+  const double s = 0.05;
+  for (Wall wall : {Wall::symmetry, Wall::no_slip}) {
+    Meeting<2> meeting(scenes::plane(20, 20, 0.1, scenes::walls(Wall::free, Wall::free, wall, wall)),
+                       {elastic_body("a", 2, block({0.5, 0, 0}, {10, 40, 1}, s), s),
+                        elastic_body("b", 2, block({1.05, 0, 0}, {10, 40, 1}, s), s)});
+    for (double across : {100.0, -100.0}) {
+      for (double closing : {1e-6, -1e-6}) {
+        meeting.move(0, Vec(closing, across));
+        meeting.meet("york-9.7");
+        for (int j = 0; j <= 20; ++j) {
+          EXPECT_EQ(meeting.nodes().count(meetings::node_of(meeting.grid, 10, j)), closing > 0 ? 1u : 0u) << j;
+        }
+      }
+    }
+  }
+}
+
 // In common: the start, what the forces change, and so the end. [York 9.1, 9.2]
 TEST(York, CommonVelocitiesAndAcceleration) {
   for (unsigned long seed = 1; seed <= 3; ++seed) {
