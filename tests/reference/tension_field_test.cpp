@@ -11,33 +11,33 @@ TensionFieldProblem sheet(double stretch, double shear) { return {7, 0.3, 0.02, 
 TEST(TensionField, WrinkledIsPulledOneWay) {  // [Surface 12, 13]
   const TensionField wrinkled(sheet(1, 0.1));
   const double e1 = 0.105;
-  expect_near(wrinkled.energy(), 7 * e1 * e1 / 2, 1e-12);
-  expect_near(wrinkled.stress_along(), 7 * e1, 1e-12);
+  expect_near(wrinkled.energy(), 7 * e1 * e1 / 2, 1e-11);
+  expect_near(wrinkled.stress_along(), 7 * e1, 1e-11);
   EXPECT_EQ(wrinkled.stress_across().value, 0);
   EXPECT_EQ(wrinkled.stress_across().bound, 0);
-  expect_near(wrinkled.resultant_along(), 0.02 * 7 * e1 * 1.1 / 0.9, 1e-12);
+  expect_near(wrinkled.resultant_along(), 0.02 * 7 * e1 * 1.1 / 0.9, 1e-11);
   const double string = std::sqrt(7 * e1 / 2) * M_PI / 1.6;  // whatever it does across
-  expect_near(wrinkled.omega(1, 1), string, 1e-11);
-  expect_near(wrinkled.omega(2, 5), 2 * string, 1e-11);
+  expect_near(wrinkled.omega(1, 1), string, 1e-10);
+  expect_near(wrinkled.omega(2, 5), 2 * string, 1e-10);
 }
 
 TEST(TensionField, TautIsPlaneStress) {  // [Surface 12, 13]
   const TensionField taut(sheet(1.1, 0.02));
   const double e1 = (1.122 * 1.122 - 1) / 2, e2 = (1.078 * 1.078 - 1) / 2;
   const double s1 = 7 / 0.91 * (e1 + 0.3 * e2), s2 = 7 / 0.91 * (e2 + 0.3 * e1);
-  expect_near(taut.energy(), (s1 * e1 + s2 * e2) / 2, 1e-12);
-  expect_near(taut.stress_along(), s1, 1e-12);
-  expect_near(taut.stress_across(), s2, 1e-12);
-  expect_near(taut.resultant_across(), 0.02 * s2 * 1.078 / 1.122, 1e-12);
+  expect_near(taut.energy(), (s1 * e1 + s2 * e2) / 2, 1e-11);
+  expect_near(taut.stress_along(), s1, 1e-11);
+  expect_near(taut.stress_across(), s2, 1e-11);
+  expect_near(taut.resultant_across(), 0.02 * s2 * 1.078 / 1.122, 1e-11);
   const double k = M_PI / 1.6;
-  expect_near(taut.omega(2, 3), std::sqrt((4 * s1 + 9 * s2) / 2) * k, 1e-11);
+  expect_near(taut.omega(2, 3), std::sqrt((4 * s1 + 9 * s2) / 2) * k, 1e-10);
 }
 
 TEST(TensionField, SlackBearsNothing) {  // [Surface 12]
   const TensionField slack(sheet(0.9, 0.05));
   for (const Bounded& none : {slack.energy(), slack.stress_along(), slack.stress_across(), slack.omega(1, 1)}) {
     EXPECT_EQ(none.value, 0);
-    EXPECT_LE(none.bound, 1e-300);
+    EXPECT_LE(none.bound, 1e-150);  // the root of the least number
   }
 }
 
