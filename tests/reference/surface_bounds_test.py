@@ -61,3 +61,33 @@ def test_balloon_beyond_its_limit_point():
     pressure, resultant, omega = evaluate([request("pressurised-sphere", p)])[0]
     exact = Sphere(1, 0.3, 0.01, 1, 1, **p)
     assert covers(pressure, exact.p) and covers(resultant, exact.p) and omega == (0.0, omega[1])
+
+
+def test_random_tension_fields():
+    """The largest value of S e - W_c(S) over where it can be attained: no stress, one, or both."""
+    random = numpy.random.default_rng(1986)
+    problems = [dict(youngs_modulus=wide(random), poisson_ratio=float(random.uniform(-0.5, 0.5)), thickness=wide(random),
+                     density=wide(random), stretch=float(random.uniform(0.9, 1.3)), shear=wide(random, 1e-3, 0.3),
+                     half_side=wide(random), along=int(random.integers(1, 9)), across=int(random.integers(1, 9)))
+                for _ in range(200)]
+    places = [[float(random.uniform(0, 0.5))] for _ in problems]
+    answers = evaluate([request("tension-field", p, at) for p, at in zip(problems, places)])
+    states = set()
+    for p, at, answer in zip(problems, places, answers):
+        E, nu, t, rho, l, s, a = (R(p[key]) for key in list(p)[:7])
+        def relaxed(shear):
+            e1, e2 = (((l * (1 + shear)) ** 2 - 1) / 2, ((l * (1 - shear)) ** 2 - 1) / 2)
+            both = mpmath.lu_solve(mpmath.matrix([[1 / E, -nu / E], [-nu / E, 1 / E]]), mpmath.matrix([e1, e2]))
+            choices = [(R(0), R(0)), (E * e1, R(0)), (R(0), E * e2), (both[0], both[1])]
+            return max((s1 * e1 + s2 * e2 - (s1**2 + s2**2 - 2 * nu * s1 * s2) / (2 * E), s1, s2)
+                       for s1, s2 in choices if s1 >= 0 and s2 >= 0)
+        energy, s1, s2 = relaxed(s)
+        states.add((s1 > 0) + (s2 > 0))
+        l1, l2 = l * (1 + s), l * (1 - s)
+        k = mpmath.pi / (2 * a)
+        truth = [energy, s1, s2, t * s1 * l1 / l2, t * s2 * l2 / l1,
+                 mpmath.sqrt((s1 * (k * p["along"]) ** 2 + s2 * (k * p["across"]) ** 2) / rho), *relaxed(R(at[0]))]
+        for i, (got, true) in enumerate(zip(answer, truth, strict=True)):
+            assert covers(got, true), (p, i, got, true)
+        assert answer[1][1] <= 1e-11 * p["youngs_modulus"], (p, answer)
+    assert states == {0, 1, 2}

@@ -3,7 +3,7 @@ import numpy
 import pytest
 from evaluator import evaluate, request
 from scipy.integrate import solve_ivp
-from scipy.optimize import brentq
+from scipy.optimize import brentq, minimize
 
 SPHERES = {
     "default": dict(amplitude=0.05),
@@ -107,3 +107,44 @@ def test_sheet_by_shooting(name):
         row = answer[len(values) + (not clamped) + 5 * j:][:2]
         at = path.sol(s)
         assert row == pytest.approx([at[0], drop - at[2]], abs=1e-7)
+
+
+SHEARED = {
+    "wrinkled": dict(stretch=1.0, shear=0.05),
+    "taut": dict(stretch=1.08, shear=0.03, poisson_ratio=0.45),
+    "slack": dict(stretch=0.9, shear=0.05),
+    "nearly taut": dict(stretch=1.03, shear=0.042),
+}
+
+
+def relaxed_energy(strain, modulus, nu):
+    """The least energy of plane stress that wrinkles reach: they add any strain without negative eigenvalues, B B^T with B
+    lower triangular."""
+    def energy(e):
+        return modulus / (2 * (1 - nu**2)) * ((1 - nu) * (e * e).sum() + nu * numpy.trace(e) ** 2)
+    def wrinkled(b):
+        lower = numpy.array([[b[0], 0.0], [b[1], b[2]]])
+        return energy(strain + lower @ lower.T) / modulus
+    found = [minimize(wrinkled, start, method="BFGS", options=dict(gtol=1e-12))
+             for start in ([0.3, 0.0, 0.3], [0.1, 0.2, 0.1], [0.2, -0.2, 0.05], [0.01, 0.01, 0.01])]
+    return modulus * min(run.fun for run in found)
+
+
+@pytest.mark.parametrize("name", SHEARED)
+def test_tension_field_by_wrinkles(name):
+    """Wrinkles of least energy, in axes turned at random; the minimum is flat, so energies are good for 1e-9, stresses by
+    differences of 1e-4 for 1e-4."""
+    p = dict(youngs_modulus=3.0, poisson_ratio=0.3, along=2, across=1, half_side=0.7, density=2.0) | SHEARED[name]
+    energy, along, across, _, _, omega = [value for value, _ in evaluate([request("tension-field", p)])[0]]
+    modulus, nu, angle = p["youngs_modulus"], p["poisson_ratio"], 0.4
+    turn = numpy.array([[numpy.cos(angle), -numpy.sin(angle)], [numpy.sin(angle), numpy.cos(angle)]])
+    stretches = p["stretch"] * numpy.array([1 + p["shear"], 1 - p["shear"]])
+    strains = (stretches**2 - 1) / 2
+    def relaxed(e):
+        return relaxed_energy(turn @ numpy.diag(e) @ turn.T, modulus, nu)
+    assert energy == pytest.approx(relaxed(strains), abs=1e-9 * modulus)
+    d = 1e-4
+    slopes = [(relaxed(strains + step) - relaxed(strains - step)) / (2 * d) for step in numpy.eye(2) * d]
+    assert [along, across] == pytest.approx(slopes, abs=1e-4 * modulus)
+    k = numpy.pi / (2 * p["half_side"]) * numpy.array([p["along"], p["across"]])
+    assert omega == pytest.approx(numpy.sqrt((numpy.array([along, across]) * k**2).sum() / p["density"]), rel=1e-12)

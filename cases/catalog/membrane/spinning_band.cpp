@@ -45,7 +45,7 @@ class SpinningBandRun final : public Problem {
     std::vector<SurfacePoint> points = band_points(at_.size, at_.height, spacing, at_.around(), at_.along());
     tilt(points, at_.tilted);
     Body band = surface_body("band", at_.choice, std::move(points), h);
-    turn(band.points);
+    turn(band.points, at_.spin(), settings_.text("transfer") == "apic");
     scene.bodies.push_back(std::move(band));
     apply_choices(settings_, scene);
     return scene;
@@ -81,23 +81,6 @@ class SpinningBandRun final : public Problem {
   }
 
  private:
-  void turn(Columns& points) const {
-    const Vec3 w = at_.spin();
-    const double cross[3][3] = {{0, -w[2], w[1]}, {w[2], 0, -w[0]}, {-w[1], w[0], 0}};
-    const bool affine = settings_.text("transfer") == "apic";
-    if (affine) points.add(column::affine, 9);
-    for (int p = 0; p < points.points(); ++p) {
-      for (int d = 0; d < 3; ++d) {
-        double v = 0;
-        for (int e = 0; e < 3; ++e) {
-          v += cross[d][e] * points(column::position, e)[p];
-          if (affine) points(column::affine, 3 * d + e)[p] = cross[d][e];
-        }
-        points(column::velocity, d)[p] = v;
-      }
-    }
-  }
-
   // From the axis through the origin, over the radius of the ring that turns.
   double mean_distance(const Columns& points) const {
     const double c = std::cos(at_.tilted), s = std::sin(at_.tilted), ring = at_.size * at_.around();

@@ -69,6 +69,21 @@ GridSpec surface_grid(const SurfaceCase& at, const Settings& settings, double ac
   return grid;
 }
 
+void turn(Columns& points, const Vec3& spin, bool affine) {
+  const double cross[3][3] = {{0, -spin[2], spin[1]}, {spin[2], 0, -spin[0]}, {-spin[1], spin[0], 0}};
+  if (affine) points.add(column::affine, 9);
+  for (int p = 0; p < points.points(); ++p) {
+    for (int d = 0; d < 3; ++d) {
+      double v = 0;
+      for (int e = 0; e < 3; ++e) {
+        v += cross[d][e] * points(column::position, e)[p];
+        if (affine) points(column::affine, 3 * d + e)[p] = cross[d][e];
+      }
+      points(column::velocity, d)[p] = v;
+    }
+  }
+}
+
 double mean_radius(const Columns& points) {
   double sum = 0, mass = 0;
   for (int p = 0; p < points.points(); ++p) {

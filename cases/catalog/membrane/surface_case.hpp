@@ -29,6 +29,9 @@ int surface_points_on(double area, const Settings& settings, double h);
 // A cell size of `size` over the cells, and a box around |x|, |y| <= across, |z| <= up with room for the stencils.
 GridSpec surface_grid(const SurfaceCase& at, const Settings& settings, double across, double up);
 
+// Velocities of points that turn about the origin as a rigid body, 1/s; with the affine ones.
+void turn(Columns& points, const Vec3& spin, bool affine);
+
 // Of the points' distances from the origin, weighted with mass.
 double mean_radius(const Columns& points);
 
