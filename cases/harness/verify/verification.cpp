@@ -5,63 +5,18 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <mutex>
 #include <numeric>
 #include <set>
 
 #include "cases/harness/files/errors.hpp"
-#include "cases/harness/files/pool.hpp"
 #include "kernel/integrator_traits.hpp"
 
 namespace plumbline {
 namespace {
 
-// Rough cost for the order of starting: points times steps both grow with cells and with the inverse step.
-double cost(const PlannedRun& run) {
-  if (!run.settings.has("cells")) return 0;
-  const double cells = run.settings.number("cells"), ppc = run.settings.number("ppc");
-  const double step = run.settings.is_set("dt") ? run.settings.number("dt") : run.settings.number("cfl") / cells;
-  return cells * ppc / step;
-}
-
 bool in_tier(Tier needed, Tier tier) { return tier == Tier::full || needed == Tier::quick; }
 
 }  // namespace
-
-StudyResult run_study(const Case& entry, const StudyPlan& plan, const std::vector<PlannedRun>& planned, int threads,
-                      const Progress& progress, RunStore* store) {
-  std::vector<std::optional<RunResult>> results(planned.size());
-  std::vector<std::size_t> missing;
-  std::size_t done = 0;
-  const auto report = [&](const RunResult& run) {
-    ++done;
-    if (progress) progress(done, planned.size(), run);
-  };
-  for (std::size_t k = 0; k < planned.size(); ++k) {
-    const std::string scheme = result_scheme(entry, plan.scheme, planned[k].settings);
-    const std::string file = ResultsFolder::run_name(entry.name, scheme, planned[k].settings);
-    if (store) results[k] = store->take(entry, file, planned[k].frames);
-    if (!results[k]) missing.push_back(k);
-    if (results[k]) report(*results[k]);
-  }
-  std::stable_sort(missing.begin(), missing.end(),
-                   [&](std::size_t a, std::size_t b) { return cost(planned[a]) > cost(planned[b]); });
-  std::mutex guard;
-  for_all(missing.size(), threads, [&](std::size_t k) {
-    const std::size_t at = missing[k];
-    Making making;
-    RunResult run = make_run(entry, plan.scheme, planned[at].settings, planned[at].frames, making);
-    const std::lock_guard lock(guard);
-    if (store) store->keep(entry, run, making);
-    results[at] = std::move(run);
-    report(*results[at]);
-  });
-  std::vector<RunResult> runs;
-  for (auto& result : results) runs.push_back(std::move(*result));
-  StudyResult study = assemble_study(entry, plan, planned, std::move(runs));
-  if (!study.levels.empty()) study.scheme = study.levels.front().run.scheme;
-  return study;
-}
 
 std::string integrator_scheme(const Case& entry, const std::string& integrator) {
   const Settings settings = entry.settings("default", {});
@@ -169,18 +124,11 @@ std::vector<CaseGate> gates_on(const StudyResult& study, const std::vector<CaseG
   return gates;
 }
 
-// Cases fail alone: what throws leaves a study without levels, whose gates are all invalid. What no other case would survive
-// either is passed on: a signal, a folder that cannot be written, a wrong call.
-StudyResult run_or_fail(const Case& entry, const StudyPlan& plan, const std::vector<PlannedRun>& planned, int threads,
-                        const Progress& progress, RunStore& store) {
+// Studies fail alone: one with a run that throws is left without levels, and its gates are all invalid.
+StudyResult study_or_failure(const Case& entry, const StudyPlan& plan, const std::vector<PlannedRun>& planned,
+                             std::vector<RunOutcome> outcomes) {
   try {
-    return run_study(entry, plan, planned, threads, progress, &store);
-  } catch (const Interrupted&) {
-    throw;
-  } catch (const FileError&) {
-    throw;
-  } catch (const UsageError&) {
-    throw;
+    return study_of(entry, plan, planned, std::move(outcomes));
   } catch (const std::exception& error) {
     StudyResult study;
     study.entry = &entry;
@@ -313,8 +261,9 @@ void verify_case(const Case& entry, Tier tier, const Selection& selection, int t
   std::vector<std::vector<PlannedRun>> planned;  // all of them before the first run: a wrong call must not cost time
   for (const StudyPlan& plan : plans.all) planned.push_back(planned_runs(entry, plan, tier, selection.settings));
   StudySet studies;
+  auto outcomes = make_runs(entry, plans.all, planned, threads, progress, &store);
   for (std::size_t k = 0; k < plans.all.size(); ++k)
-    studies.push_back(run_or_fail(entry, plans.all[k], planned[k], threads, progress, store));
+    studies.push_back(study_or_failure(entry, plans.all[k], planned[k], std::move(outcomes[k])));
   const std::vector<CaseGate> declared = declared_gates(entry, tier, selection);
   std::set<RecordedValue::Key> executed;
   const std::size_t before = verification.gates.size();

@@ -1,23 +1,14 @@
-// Running studies and whole verifications.
+// Whole verifications.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cases/harness/judge/regressions.hpp"
-#include "cases/harness/verify/run_store.hpp"
+#include "cases/harness/verify/study_runs.hpp"
 
 namespace plumbline {
-
-// Called as runs finish: how many of how many, and which.
-using Progress = std::function<void(std::size_t done, std::size_t of, const RunResult& last)>;
-
-// Runs a plan's levels and assembles the study. Larger runs start first. Runs come from the store where it has them, and go
-// there as they finish.
-StudyResult run_study(const Case& entry, const StudyPlan& plan, const std::vector<PlannedRun>& planned, int threads,
-                      const Progress& progress = {}, RunStore* store = nullptr);
 
 struct Verification {
   std::vector<JudgedGate> gates;
