@@ -17,7 +17,8 @@ namespace plumbline {
 //   dtheta_p/dt = (div v)^c                                                                            [Dilatation 1]
 // and the pressure is that of the mean theta^c [Dilatation 2]. The energy lambda/2 theta_p^2 per volume at rest then grows by what
 // the pressures do over the points' own div v: lambda/rho_0 (div v)^c sum_p m_p theta_p of a cell, either way. A point that comes to
-// another cell brings its theta along.
+// another cell brings its theta along. Of finite strains what a step changes ln J by beyond dt div v is added to theta_p [Dilatation 4]:
+// the theta of a cell stays the dilatation of its points.
 template <class Geometry>
 class MeanDilatation {
  public:

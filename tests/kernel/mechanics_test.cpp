@@ -110,7 +110,7 @@ TEST_P(EveryCombination, SolidsStepAsThePrintedEquationsSay) {
   }
 }
 
-// And where the points of a cell share their dilatation. [Dilatation 1-3]
+// And where the points of a cell share their dilatation. [Dilatation 1-4]
 TEST_P(EveryCombination, SolidsThatHardlyCompressStepAsThePrintedEquationsSay) {
   for (const scenes::Combination& c : scenes::working_combinations()) {
     if (c.integrator != GetParam() || c.transfer != "apic" || (c.shape != "quadratic" && c.shape != "cpdi")) continue;

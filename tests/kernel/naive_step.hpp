@@ -697,12 +697,15 @@ class NaiveStep {
         point.energy += power / point.m;                                                       // [York 4.8]
         if (scene_.density == DensityMethod::continuity) point.density /= 1 + dt * e.trace();  // [York 4.7]
       } else {
-        const double before = stored_energy(p);
+        const double before = stored_energy(p), own_before = own_dilatation(point.f, point.eps);
         if (membrane_) point.strain += dt * tangent_of_[p].dot(e * tangent_of_[p]);  // [York 5.2, 5.3]
         if (hooke_) point.eps += dt * e;                                             // [Hooke 1]
         if (neo_) point.f += dt * l * point.f;                                       // [Neo-Hookean 2]
         if (segments_) point.strain = stretch(p);                                    // [Segments 1]
-        if (lambda_shared() > 0) point.theta += dt * mean_rate(p, which);            // [Dilatation 1]
+        if (lambda_shared() > 0) {
+          point.theta += dt * mean_rate(p, which);                                                    // [Dilatation 1]
+          if (neo_) point.theta += own_dilatation(point.f, point.eps) - own_before - dt * l.trace();  // [Dilatation 4]
+        }
         stored = stored_energy(p) - before;
       }
       if (forces_known_) integration += power;

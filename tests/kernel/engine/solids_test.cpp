@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <utility>
 
+#include "kernel/materials/shared_dilatation.hpp"
 #include "kernel/shapes/shape.hpp"
 #include "tests/kernel/solids.hpp"
 
@@ -145,6 +146,27 @@ TEST_P(Solids, AffineMotionStrainsUniformly) {
           ASSERT_NEAR(scenes::by_id(body, column::strain, static_cast<int>(k))[p], dt * expected[k], 1e-13);
         }
       }
+    }
+  }
+}
+
+// Where all points strain alike, what they share is what each has: ln J, also of a motion that mostly turns, over finite steps.
+// [Dilatation 1, 4]
+TEST_P(Solids, SharedDilatationOfAnAffineMotionIsThatOfThePoints) {
+  for (const char* shape : {"quadratic", "cpdi"}) {
+    Scene scene = scenes::rough_solid(Law::neo_hookean,
+                                      scenes::rough_gas_in_space(GetParam(), shape, "apic", scenes::no_gravity), 0);
+    scenes::let_hardly_compress(scene);
+    Matrix l = in_space(general(), scenes::dim_of(GetParam()));
+    if (GetParam() == Space::axisymmetric) l(0, 1) = 0;  // v_r / r is the same everywhere
+    set_affine_motion(scene, Vector::Zero(), l);
+    Simulation run(scene, "usl", {0.3, 0.05});
+    run.step(1);
+    const Columns& points = run.scene().bodies[0].points;
+    for (int p = 0; p < points.points(); ++p) {
+      const double log_j = std::log(points(column::volume)[p] / points(column::mass)[p]);  // rho_0 = 1
+      ASSERT_GT(std::abs(log_j), 1e-4);
+      ASSERT_NEAR(points(column::dilatation)[p], log_j, 1e-13) << shape;
     }
   }
 }
