@@ -1,10 +1,13 @@
 // A sheet in space, sheared and clamped all around, wrinkles or not, and swings.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
 #include "cases/catalog/membrane/mode_watch.hpp"
 #include "cases/catalog/membrane/surface_case.hpp"
 #include "cases/harness/description/schemes.hpp"
+#include "cases/harness/files/errors.hpp"
 #include "cases/harness/files/whole.hpp"
 #include "cases/harness/judge/gates.hpp"
 #include "reference/tension_field.hpp"
@@ -22,6 +25,11 @@ struct ShearedSheet : SurfaceCase {
     stretch = within("stretch", 1, "1", 0.5, 2, "of the sheet before it is sheared");
     shear = within("shear", 0.05, "1", 0, 0.5,
                    "stretches along x and y are those before times 1 + shear and 1 - shear");
+    if (!(stretch * (1 + shear) > 1)) {  // slack along both axes: no tension, no tone
+      const std::string allowed = fmt::format("> {:.6g} with shear={:g}", 1 / (1 + shear), shear);
+      throw UsageError("stretch", fmt::format("{:g}", stretch), allowed, {},
+                       fmt::format("stretch={:g} leaves the sheet slack; allowed: {}", stretch, allowed));
+    }
     turned = any_number("turned", std::numbers::pi / 4, "rad",
                         "angle of the tangents at rest with x: at 45 degrees the "
                         "shear is all of the strain but its trace");
