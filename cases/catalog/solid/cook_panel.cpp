@@ -166,15 +166,16 @@ class CookPanel final : public Problem {
 const std::vector<double> coarse{6}, all_levels{6, 12, 24};
 
 std::vector<StudyPlan> studies() {
-  return {study("default", "dilatation by cells", "One volume a cell to keep is less than its nodes can do.", coarse)
-              .in_full(all_levels),
-          study("points", "dilatation by points",
-                "Four volumes a cell to keep are more than its nodes can do: it locks.", coarse)
-              .with({{"dilatation", "point"}})
-              .in_full(all_levels),
-          study("compressible", "Poisson's ratio 0.3, by cells", "Nothing is lost where nothing would lock.", {6, 12})
-              .with({{"poissons_ratio", 0.3}})
-              .in_full(all_levels)};
+  return {
+      study("default", "dilatation by cells", "One volume a cell to keep is less than its nodes can do.", coarse)
+          .in_full(all_levels),
+      study("points", "dilatation by points", "Four volumes a cell to keep are more than its nodes can do: it locks.",
+            coarse)
+          .with({{"dilatation", "point"}})
+          .in_full(all_levels),
+      study("compressible", "Poisson's ratio 0.3, which shares nothing", "What is left where nothing locks.", {6, 12})
+          .with({{"poissons_ratio", 0.3}})
+          .in_full(all_levels)};
 }
 
 Number relative_error(double level) {

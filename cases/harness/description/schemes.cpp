@@ -106,9 +106,7 @@ std::vector<Key> described_keys() {
       number("offset", "shift of the grid in cells", 1),
       choice("density", names(densities()), "how points get their density"),
       choice("dilatation", {"point", "cell"},
-             "how solids with nu > 1/3 bear pressure: each point by its own dilatation, or by one that the points of a "
-             "cell "
-             "share"),
+             "how solids with nu > 1/3 bear pressure: each point by its own dilatation, or by one shared in its cell"),
       choice("points", {"equal-mass", "equal-volume"}, "what all points have alike"),
       number("sharpening", "how much of the maps' smoothing of forces and strain rates is undone on the nodes", 1),
       number("sharpening.second", "s_2: and of its square along each axis"),
