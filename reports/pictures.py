@@ -1,6 +1,7 @@
 """Pictures of the points of a run: over time, as a film, and the fields at one instant.
 
-Scenes in the plane and axisymmetric ones, which are shown on both sides of the axis. Nothing is computed but colours.
+Scenes in the plane, axisymmetric ones, which are shown on both sides of the axis, and membranes in space. Nothing is
+computed but colours.
 """
 
 from dataclasses import dataclass, field
@@ -17,6 +18,7 @@ from matplotlib.ticker import MaxNLocator
 import figures
 import raster
 import reproduce
+import surfaces
 import svg
 import text
 from figures import Figure, Key
@@ -25,7 +27,7 @@ STRIP = 6  # pictures of the points over time
 MOST_STUDIES = 1  # of a case, whose frames are drawn
 FILM_CHARACTERS = 200_000  # of a film's address at most
 ALL_FILM_CHARACTERS = 180_000  # of all films of a page
-_STRIP_WIDTH, _FILM_WIDTH, _FIELD_WIDTH = 210, 440, 320  # pixels
+_STRIP_WIDTH, _FILM_WIDTH, _FIELD_WIDTH, _SURFACE_WIDTH = 210, 440, 320, 300  # pixels
 _LEAST_FILM_WIDTH = 220  # below it frames are left out instead
 _HOLD = 1.5  # s that a film stays on its last frame
 _SECOND_PER_FRAME = 0.16
@@ -48,6 +50,7 @@ class Strip:
     shape: float  # width over height
     files: list
     keys: list = field(default_factory=list)
+    svg: str = ""  # the scale of colours, where there is one
     commands: list = field(default_factory=list)
 
 
@@ -86,20 +89,30 @@ def _with_frames(case, results):
     for entry in case.series:
         for level in entry.levels:
             result = results.get(level.get("file"))
-            if result and result.frames and len(result.frames) > 1 and result.frames.grid["dim"] == 2:
+            if result and result.frames and len(result.frames) > 1 and _drawable(result.frames):
                 if result.name not in [name for _, _, name in found]:
                     found.append((entry, level, result.name))
     return found[:MOST_STUDIES]
 
 
+def _drawable(frames):
+    return frames.grid["dim"] == 2 or surfaces.is_surface(frames)
+
+
 def _group(entry, level, result, prefix, most_characters):
-    view = View(result.frames)
     cells = (level.get("settings") or {}).get("cells")
     run = f"{entry.label}, {text.count(cells)} cells" if isinstance(cells, (int, float)) else entry.label
-    # Of the first run only: those of another differ too little to be worth their weight.
-    kinds = _FIELDS if prefix.endswith("-0") else ()
-    fields = [field_at_one_time(view, kind, run, result.name, f"{prefix}-{kind}") for kind in kinds]
-    drawn = {"strip": strip(view, run, result.name), "film": film(view, run, result.name, f"{prefix}-film", most_characters)}
+    if surfaces.is_surface(result.frames):
+        fields, drawn = [], {"strip": surface_strip(result.frames, run, result.name, f"{prefix}-surface"), "film": None}
+    else:
+        view = View(result.frames)
+        # Of the first run only: those of another differ too little to be worth their weight.
+        kinds = _FIELDS if prefix.endswith("-0") else ()
+        fields = [field_at_one_time(view, kind, run, result.name, f"{prefix}-{kind}") for kind in kinds]
+        drawn = {
+            "strip": strip(view, run, result.name),
+            "film": film(view, run, result.name, f"{prefix}-film", most_characters),
+        }
     command = reproduce.pictures(level, len(result.frames))
     for picture in (*drawn.values(), *fields):
         if picture and command:
@@ -294,6 +307,36 @@ def _back_to_front(view):
     return sorted(
         range(len(view.bodies)), key=lambda number: order.index(view.bodies[number]["kind"])
     )
+
+
+def surface_strip(frames, run, file, prefix):
+    """Membranes in space at some instants, coloured by their larger principal stress, one scale for all."""
+    name, title, wanted = "stress", "Larger principal stress", raster.STRESS
+    values = frames.points[name]
+    values = values[numpy.isfinite(values)].astype(float)
+    levels = colour_levels(values)
+    ramp = raster.ramp(wanted, len(levels) - 1)
+    (numbers,), palette = raster.colour_numbers(surfaces.colours(ramp))
+    low, high = surfaces.window(frames)
+    cells = []
+    for frame in chosen_frames(len(frames)):
+        canvas = raster.Canvas(low, high, _SURFACE_WIDTH)
+        parts = [frames.body(frame, number) for number in range(len(frames.bodies))]
+        places = numpy.concatenate([part["position"] for part in parts])
+        steps = _steps(numpy.concatenate([part[name] for part in parts]), levels, range(len(ramp)))
+        surfaces.paint(canvas, places, steps, numbers)
+        cells.append({"time": _time(frames.times[frame]), "picture": raster.picture(canvas.pixels, palette)})
+    unit = text.unit(frames.units.get(name))
+    span = f"from {_number(values.min())} to {_number(values.max())} {unit}"
+    caption = (
+        f"The surface through the material points, seen from 25 degrees above the plane of x and y, coloured by the larger "
+        f"principal stress, {span}: the resultant over the thickness at rest. z points upwards."
+    )
+    names = text.listing(body["name"] for body in frames.bodies)
+    label = f"Surface of {names} at {text.listing(cell['time'] for cell in cells)}"
+    scale = scale_of_colours(levels, ramp, f"{title} in {unit}", prefix)
+    shape = float((high[0] - low[0]) / (high[1] - low[1]))
+    return Strip(f"{title} over time", caption, label, cells, shape, [file], svg=scale)
 
 
 # --- film -----------------------------------------------------------------------------------------

@@ -47,6 +47,15 @@ State SurfaceLaw::state(const Metric& c) const {  // [Surface 2]
   return {0.5 * s * p.high, s * p.cosine * p.cosine, s * p.cosine * p.sine, s * p.sine * p.sine};
 }
 
+// Of the resultant t S_ab f_a f_b / |f_1 x f_2| the trace is t S : c / root det c, and the determinant t^2 det S.
+SurfaceLaw::Stresses SurfaceLaw::principal_stresses(const Metric& c) const {
+  const State s = state(c);
+  const double trace = s.first * c.first + 2 * s.mixed * c.mixed + s.second * c.second;
+  const double mean = 0.5 * trace / std::sqrt(c.determinant());
+  const double radius = std::sqrt(std::max(mean * mean - (s.first * s.second - s.mixed * s.mixed), 0.0));
+  return {mean + radius, mean - radius};
+}
+
 // Of longitudinal waves along the longer stretch: those see the stress beside the stiffness.
 double SurfaceLaw::wave_speed(const Metric& c) const {
   if (neo_hookean) {

@@ -31,6 +31,12 @@ struct SurfaceLaw {
     double first, mixed, second;  // S_11, S_12, S_22, Pa
   };
   State state(const Metric& metric) const;
+  // Principal resultants over the thickness at rest, Pa; of incompressible membranes Cauchy's stresses are these times
+  // the root of det c. [Surface 2]
+  struct Stresses {
+    double largest, least;
+  };
+  Stresses principal_stresses(const Metric& metric) const;
   // Of the fastest wave in the membrane, m/s through space.
   double wave_speed(const Metric& metric) const;
   // Of points first ... last - 1 the fastest, m/s.

@@ -12,6 +12,7 @@ import normals
 import pictures
 from plumbline import reader
 import raster
+import surfaces
 import synthetic_results
 from html_page import Page, pixels_of, without_scripts
 
@@ -294,3 +295,100 @@ def test_needles_stand_on_their_points():
     x, y = normals._needles(places, directions, 0.5)
     assert numpy.array_equal(x, [1, 1, numpy.nan, 2, 2.5, numpy.nan], equal_nan=True)
     assert numpy.array_equal(y, [0, 0.5, numpy.nan, 0, 0, numpy.nan], equal_nan=True)
+
+
+# --- membranes in space ---------------------------------------------------------------------------
+
+
+def sphere(count=1500, radius=1.0):
+    """Evenly spread points on a sphere."""
+    place = numpy.arange(count) + 0.5
+    z, angle = 1 - 2 * place / count, 2.39996 * place
+    across = numpy.sqrt(1 - z**2)
+    return radius * numpy.stack([across * numpy.cos(angle), across * numpy.sin(angle), z], axis=1)
+
+
+def painted(places, steps, ramp=("#ff0000", "#00ff00", "#0000ff"), half=1.5):
+    """Numbers of the colours of the ramp that the pixels show, 0 for none, and their shades."""
+    canvas = raster.Canvas((-half, -half), (half, half), 301)
+    (numbers,), _ = raster.colour_numbers(surfaces.colours(ramp))
+    surfaces.paint(canvas, places, steps, numbers)
+    number = canvas.pixels.astype(int) - numbers[0]
+    shades = len(numbers) // len(ramp)
+    return numpy.where(number < 0, 0, 1 + number // shades), numpy.where(number < 0, -1, number % shades)
+
+
+def test_a_sphere_is_seen_as_a_disc_that_is_lit_from_the_upper_left():
+    colour, shade = painted(sphere(), numpy.ones(1500))
+    assert set(numpy.unique(colour)) == {0, 2}
+    # pixels are 0.01 wide; discs reach 1.1 spacings, 0.1, beyond the last point, less what they bend away from the viewer
+    assert abs((colour > 0).sum() * 1e-4 / numpy.pi - 1) < 0.1
+    rows, columns = numpy.nonzero(colour)
+    assert abs(rows.mean() - 150) < 1 and abs(columns.mean() - 150) < 1
+    left_above, right_below = shade[90:130, 90:130].mean(), shade[190:210, 190:210].mean()
+    assert left_above > right_below + 3
+
+
+def test_what_is_nearer_to_the_viewer_hides_what_is_behind():
+    towards = numpy.linalg.inv(surfaces.projected(numpy.eye(3)))[2]  # of the viewer, in space
+    sheet = sphere()
+    both = numpy.concatenate([sheet, 0.5 * sheet + 2 * towards])
+    steps = numpy.repeat([0, 2], 1500)
+    for order in (slice(None), slice(None, None, -1)):
+        colour, _ = painted(both[order], steps[order])
+        assert (colour[110:190, 140:160] == 3).all() and colour[150, 80] == 1
+    behind, _ = painted(numpy.concatenate([sheet, 0.5 * sheet - 2 * towards]), steps)
+    assert set(numpy.unique(behind)) == {0, 1}
+
+
+def test_values_stand_where_their_points_are():
+    places = sphere()
+    colour, _ = painted(places, numpy.where(places[:, 2] > 0, 2, 0))
+    assert colour[70, 150] == 3 and colour[230, 150] == 1
+
+
+def test_places_that_are_no_numbers_are_left_out():
+    places = sphere()
+    places[::7] = numpy.nan
+    colour, _ = painted(places, numpy.ones(1500))
+    assert abs((colour > 0).sum() * 1e-4 / numpy.pi - 1) < 0.1
+    assert not painted(places[:1], [0])[0].any()
+
+
+@pytest.fixture
+def in_space(run):
+    """Frames of a sphere that grows, its stress by its height."""
+    places = [sphere(400, radius) for radius in (1.0, 1.1, 1.2)]
+    count = 400 * len(places)
+    points = {
+        "position": numpy.concatenate(places),
+        "velocity": numpy.zeros((count, 3)),
+        "pressure": numpy.full(count, numpy.nan),
+        "stress": numpy.concatenate(places)[:, 2] + 5,
+        "id": numpy.tile(numpy.arange(400), len(places)),
+        "body": numpy.zeros(count, int),
+    }
+    body = {"name": "sphere", "kind": "membrane", "material": "surface_membrane", "chain": False, "closed": False}
+    return dataclasses.replace(
+        run.frames,
+        times=numpy.array([0.0, 1.0, 2.0]),
+        bodies=[body],
+        grid={**run.frames.grid, "dim": 3},
+        points=points,
+        starts=400 * numpy.arange(len(places) + 1),
+    )
+
+
+def test_surfaces_are_drawn_with_one_scale_of_stress(in_space):
+    assert surfaces.is_surface(in_space)
+    drawn = pictures.surface_strip(in_space, "run", "file", "p")
+    assert [cell["time"] for cell in drawn.cells] == ["t = 0 s", "t = 1 s", "t = 2 s"]
+    sizes = [(pixels_of(cell["picture"])[..., 3] == 255).sum() for cell in drawn.cells]
+    assert sizes == sorted(sizes) and abs(sizes[2] / sizes[0] - 1.44) < 0.05
+    assert "from 3.8 to 6.2 Pa" in drawn.caption and "principal stress" in drawn.svg
+
+
+def test_no_surface_is_what_holds_something_else(in_space, run):
+    assert not surfaces.is_surface(run.frames)
+    solid = {**in_space.bodies[0], "kind": "solid"}
+    assert not surfaces.is_surface(dataclasses.replace(in_space, bodies=[*in_space.bodies, solid]))

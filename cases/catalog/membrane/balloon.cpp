@@ -129,7 +129,8 @@ std::vector<StudyPlan> studies() {
   std::vector<StudyPlan> all{
       study("default", "default", "At rest; no order: what is left is of irregular points.", {8}).in_full({4, 8, 16}),
       study("large", "stretched to twice its size", "At rest, beyond the highest pressure.", {8})
-          .with({{"stretch", 2.0}}),
+          .with({{"stretch", 2.0}})
+          .pictured(2),
       study("shifted", "the grid moved by a part of a cell", "At rest.", {8}).with(shifted_grid()).in(Tier::full),
       study("long", "to four times the first reading", "At rest.", {8}).with({{"end", 32.0}}).in(Tier::full),
       study("jittered", "points moved at random by .3 of their spacing", "At rest.", {8})

@@ -124,7 +124,7 @@ class BreathingSphereRun final : public Problem {
 
 std::vector<StudyPlan> studies() {
   std::vector<StudyPlan> all{
-      study("default", "default", "Order 2.", {4, 6, 8}).in_full({4, 6, 8, 11, 16}),
+      study("default", "default", "Order 2.", {4, 6, 8}).in_full({4, 6, 8, 11, 16}).pictured(6, 8),
       study("shifted", "the grid moved by a part of a cell", "Order 2.", {8}).with(shifted_grid()).in(Tier::full)};
   for (StudyPlan& wrong : wrong_tangents({8}))
     all.push_back(std::move(wrong).with({{"tangents", wrong.id}, {"periods", 5.0}}));

@@ -148,7 +148,9 @@ Case circular_membrane() {
       .york_step = courant_number(0.3),
       .problem = run_of<CircularSheetRun>,
       .studies =
-          {study("default", "default", "At rest; no order: what is left is of the rim.", {8}).in_full({8, 16}),
+          {study("default", "default", "At rest; no order: what is left is of the rim.", {8})
+               .in_full({8, 16})
+               .pictured(2, 8),
            study("shifted", "the grid moved by a part of a cell", "At rest.", {8}).with(shifted_grid()).in(Tier::full)},
       .gates = gates(),
       .levels = {8, 16}};

@@ -201,7 +201,8 @@ Case mylar_balloon() {
       .problem = run_of<MylarBalloonRun>,
       .studies =
           {study("default", "default", "At rest; what is left is of the points' irregularity.", {8})
-               .in_full({4, 8, 16}),
+               .in_full({4, 8, 16})
+               .pictured(2, 8),
            study("shifted", "the grid moved by a part of a cell", "At rest.", {8}).with(shifted_grid()).in(Tier::full)},
       .gates = gates(),
       .levels = {4, 8, 16}};

@@ -227,7 +227,8 @@ Case sheared_sheet() {
           .york_step = courant_number(0.3),
           .problem = run_of<ShearedSheetRun>,
           .studies = {study("default", "default", "Each line along the tension swings as a string: order 2.", {6})
-                          .in_full(meshes),
+                          .in_full(meshes)
+                          .pictured(13, 6),
                       study("taut", "so stretched that it is taut, though shorter along y than at rest",
                             "As a drum: order 2.", {6})
                           .with({{"stretch", 1.04}, {"shear", 0.045}})

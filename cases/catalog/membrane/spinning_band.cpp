@@ -115,7 +115,7 @@ Case spinning_band() {
           .sets = {{"cells", 8.0}},
           .york_step = courant_number(0.3),
           .problem = run_of<SpinningBandRun>,
-          .studies = {study("default", "default", "One turn.", {8}).in_full({8, 16})},
+          .studies = {study("default", "default", "One turn.", {8}).in_full({8, 16}).pictured(6, 8)},
           .gates = gates(),
           .levels = {8, 16}};
 }

@@ -122,10 +122,8 @@ double parabola_vertex(const std::vector<std::array<double, 2>>& pairs) {
 std::vector<double> resultants(const Columns& points, const SurfaceLaw& law) {
   std::vector<double> all;
   for (int p = 0; p < points.points(); ++p) {
-    const SurfaceLaw::Metric c = metric_of(points, p);
-    const SurfaceLaw::State s = law.state(c);
-    const double trace = s.first * c.first + 2 * s.mixed * c.mixed + s.second * c.second;
-    all.push_back(0.5 * law.thickness * trace / std::sqrt(c.determinant()));
+    const SurfaceLaw::Stresses s = law.principal_stresses(metric_of(points, p));
+    all.push_back(0.5 * law.thickness * (s.largest + s.least));
   }
   return all;
 }

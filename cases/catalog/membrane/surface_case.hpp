@@ -44,7 +44,7 @@ SphereTangents tangents_of_sphere(const Columns& points, double radius_at_rest);
 // v of the parabola v + c o^2 closest to pairs (o, v): where the offset is none.
 double parabola_vertex(const std::vector<std::array<double, 2>>& pairs);
 
-// Resultants of the points, N/m: half the trace of t S_ab f_a f_b / |f_1 x f_2|.
+// Resultants of the points, N/m: the mean of the principal ones.
 std::vector<double> resultants(const Columns& points, const SurfaceLaw& law);
 
 // surface_load() of a body made by surface_body(), with what the case's tangents want beside.

@@ -187,7 +187,9 @@ Case turning_cap() {
           .sets = {{"cells", 6.0}},
           .york_step = courant_number(0.3),
           .problem = run_of<TurningCapRun>,
-          .studies = {study("default", "default", "Nothing but the step strains it: order 1.", {6}).in_full(meshes),
+          .studies = {study("default", "default", "Nothing but the step strains it: order 1.", {6})
+                          .in_full(meshes)
+                          .pictured(13, 6),
                       study("leapfrog", "leapfrog", "Nothing but the step strains it: order 2.", {6})
                           .with({{"integrator", "leapfrog"}})
                           .in_full(meshes),

@@ -9,6 +9,7 @@
 
 #include "cases/harness/description/archive.hpp"
 #include "kernel/materials/segment_membrane.hpp"
+#include "kernel/materials/surface_law.hpp"
 #include "kernel/materials/uniaxial_membrane.hpp"
 
 namespace plumbline {
@@ -24,9 +25,8 @@ bool is_closed(const Material& material) {
 
 FrameSet::BodyInfo describe(const Body& body) {
   const Material& material = *body.material;
-  const char* kind = body.points.has(column::pressure)                      ? "gas"
-                     : material.chain() || body.points.has(column::tangent) ? "membrane"
-                                                                            : "solid";
+  const bool sheet = material.chain() || body.points.has(column::tangent) || body.points.has(column::tangents);
+  const char* kind = body.points.has(column::pressure) ? "gas" : sheet ? "membrane" : "solid";
   return {body.name, material.name(), kind, material.chain(), is_closed(material)};
 }
 
@@ -77,6 +77,8 @@ double membrane_stress(const Body& body, int p) {
     if (segments->revolved) return segments->band(strain, points(column::hoop_strain)[start]).along;
     return segments->tension(strain) / segments->section;
   }
+  if (const auto* law = dynamic_cast<const SurfaceLaw*>(body.material.get()))
+    return law->principal_stresses(metric_of(points, p)).largest;
   if (!points.has(column::tangent)) return points(column::stress)[p];
   const double tx = points(column::tangent)[p], ty = points(column::tangent, 1)[p];
   const int shear = points.components(column::stress) - 1;

@@ -27,8 +27,9 @@ struct Frame {
   std::vector<float> position, velocity;  // m, m/s; three components a point, unused ones 0
   // Pa. Gas: the thermodynamic pressure. Solids: minus the mean of the normal stresses that the scene resolves.
   std::vector<float> pressure;  // NaN for membranes
-  // Pa. Membranes: along the tangent, of the segment that starts at the point. Solids: largest less smallest principal
-  // stress among those that the scene resolves; on a line the size of the stress.
+  // Pa. Membranes: along the tangent, of the segment that starts at the point; in space the larger principal resultant
+  // over the thickness at rest. Solids: largest less smallest principal stress among those that the scene resolves; on a
+  // line the size of the stress.
   std::vector<float> stress;  // NaN for gas
 };
 

@@ -78,6 +78,29 @@ TEST(SurfaceLaw, StressesAreSlopesOfTheEnergy) {
   }
 }
 
+// Eigenvalues of S_ab f_a f_b^T / |f_1 x f_2| in space, of which one is zero, across the surface.
+TEST(SurfaceLaw, PrincipalStressesAreThoseOfTheResultantInSpace) {
+  scenes::Random random(11);
+  for (const SurfaceLaw& law : {law_of(false, false), law_of(true, false), law_of(false, true)}) {
+    for (int k = 0; k < 100; ++k) {
+      const Eigen::Matrix<double, 3, 2> f = Eigen::Matrix<double, 3, 2>::NullaryExpr([&] { return random(-1, 1); }) +
+                                            Eigen::Matrix<double, 3, 2>::Identity() * 1.5;
+      const Eigen::Matrix2d c = f.transpose() * f;
+      const Metric metric{c(0, 0), c(0, 1), c(1, 1)};
+      const SurfaceLaw::State s = law.state(metric);
+      const Eigen::Matrix3d stress = f * matrix({s.first, s.mixed, s.second}) * f.transpose() /
+                                     Eigen::Vector3d(f.col(0)).cross(Eigen::Vector3d(f.col(1))).norm();
+      const Eigen::Vector3d all = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(stress).eigenvalues();
+      std::vector<double> within(all.begin(), all.end());  // the least in size is the one across
+      within.erase(std::min_element(within.begin(), within.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
+      const SurfaceLaw::Stresses found = law.principal_stresses(metric);
+      const double tolerance = 1e-6 * law.youngs_modulus;  // the root of a difference that rounds at 1e-13 of stresses near 10 E
+      EXPECT_NEAR(found.largest, within[1], tolerance);
+      EXPECT_NEAR(found.least, within[0], tolerance);
+    }
+  }
+}
+
 // A wrinkled membrane gives way across the wrinkles: its energy is the least that more of that strain could give. [Surface 2]
 TEST(SurfaceLaw, WrinklesAreTheLeastEnergy) {
   const SurfaceLaw wrinkles = law_of(true, false), taut = law_of(false, false);

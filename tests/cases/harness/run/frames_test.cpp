@@ -171,6 +171,18 @@ TEST(Frames, StressOfAMembraneIsThatAlongIt) {
   for (const float stress : frame.stress) EXPECT_NEAR(stress, 0.1, 1e-7);
 }
 
+// A sphere stretched by l as a whole: S = E / (1 - nu) (l^2 - 1) / 2 along all directions of it, S l^2 / l^2 per thickness.
+TEST(Frames, StressOfAMembraneInSpaceIsTheLargerPrincipalOne) {
+  const FrameSet set = run(find_case("breathing-sphere"), {2, 0},
+                           {{"cells", 4.0}, {"stretch", 1.1}, {"amplitude", 0.05}, {"poissons_ratio", 0.25}})
+                           .frames;
+  EXPECT_EQ(set.bodies[0].kind, "membrane");
+  const Frame& first = set.frames[0];
+  EXPECT_GT(first.stress.size(), 100U);
+  for (const float stress : first.stress) EXPECT_NEAR(stress, (1.15 * 1.15 - 1) / 1.5, 1e-5);
+  for (const float pressure : first.pressure) EXPECT_TRUE(std::isnan(pressure));
+}
+
 // --- thinning -------------------------------------------------------------------------------------------------------
 
 TEST(Frames, LargerRunsAreThinnedEvenlyByNumber) {
