@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "cases/harness/description/drag.hpp"
 #include "cases/harness/description/schemes.hpp"
 #include "cases/harness/files/whole.hpp"
 #include "kernel/materials/segment_membrane.hpp"
@@ -34,14 +35,6 @@ Tether tether_of(const Curve& points) {
   tether.length = std::hypot(tether_radius, tether_height);
   tether.stiffness = tether_stiffness;
   return tether;
-}
-
-void add_drag(Columns& points) {
-  for (int d = 0; d < 2; ++d) {
-    const double* v = points(column::velocity, d);
-    double* force = points(column::body_force, d);
-    for (int p = 0; p < points.points(); ++p) force[p] -= drag * v[p];
-  }
 }
 
 void clear_forces(Columns& points) {
@@ -149,14 +142,14 @@ Bag inflate(const Bag& bag, const GridSpec& grid, const BagPressures& pressures)
   apply_choices(choices, scene);
   scene.bodies[0].load = [](double, Columns& points, std::span<const int>) {
     clear_forces(points);
-    add_drag(points);
+    add_drag(points, drag);
   };
   scene.bodies[1].load = [tether = bag.tether, outside = pressures.outside](double, Columns& points,
                                                                             std::span<const int>) {
     clear_forces(points);
     add_outside_pressure(points, outside);
     add_tether(points, tether);
-    add_drag(points);
+    add_drag(points, drag);
   };
   StepControl control;
   control.cfl = choices.number("cfl");

@@ -9,6 +9,7 @@
 #include "cases/catalog/coupled/membrane.hpp"
 #include "cases/catalog/membrane/string.hpp"
 #include "cases/harness/description/archive.hpp"
+#include "cases/harness/description/drag.hpp"
 #include "cases/harness/description/parameters.hpp"
 #include "cases/harness/description/schemes.hpp"
 #include "cases/harness/files/whole.hpp"
@@ -56,16 +57,13 @@ struct Bands : Parameters {
 };
 
 // The pressure inside a chain from the axis to the plane y = 0 or back, counter-clockwise, pushes with p dV/dx on its points, V the
-// volume per radian of the cones between them; with a drag of -alpha v per mass. A Body::load.
-std::function<void(double, Columns&, std::span<const int>)> pressure_on_bands(double pressure, double drag) {
+// volume per radian of the cones between them.
+Load pressure_on_bands(double pressure) {
   return [=](double, Columns& points, std::span<const int>) {
     const double *r = points(column::position), *y = points(column::position, 1), *mass = points(column::mass);
     double *radial = points(column::body_force), *axial = points(column::body_force, 1);
     const int n = points.points();
-    for (int p = 0; p < n; ++p) {
-      radial[p] = -drag * points(column::velocity)[p];
-      axial[p] = -drag * points(column::velocity, 1)[p];
-    }
+    for (double* component : {radial, axial}) std::fill_n(component, n, 0.0);
     for (int a = 0; a + 1 < n; ++a) {  // V = (r_a^2 + r_a r_b + r_b^2)/6 (y_b - y_a)
       const int b = a + 1;
       const double rise = y[b] - y[a], area = (r[a] * r[a] + r[a] * r[b] + r[b] * r[b]) / 6;
@@ -97,7 +95,7 @@ class PressurisedBands final : public Problem {
       double* x = sphere.points(column::position, d);
       for (int p = 0; p < sphere.points.points(); ++p) x[p] *= 1 + at_.start * at_.strain;
     }
-    sphere.load = pressure_on_bands(at_.pressure(), at_.drag * at_.speed() / at_.radius);
+    sphere.load = with_drag(pressure_on_bands(at_.pressure()), at_.drag * at_.speed() / at_.radius);
     scene.bodies.push_back(std::move(sphere));
     apply_choices(settings_, scene);
     return scene;

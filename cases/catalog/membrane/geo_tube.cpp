@@ -7,6 +7,7 @@
 #include "cases/catalog/membrane/hydrostatic_load.hpp"
 #include "cases/catalog/membrane/string.hpp"
 #include "cases/harness/description/archive.hpp"
+#include "cases/harness/description/drag.hpp"
 #include "cases/harness/description/parameters.hpp"
 #include "cases/harness/files/whole.hpp"
 #include "cases/harness/judge/gates.hpp"
@@ -83,7 +84,7 @@ class GeoTubeRun final : public Problem {
     scene.grid.walls[0] = {Wall::symmetry, Wall::free};
     scene.grid.walls[1] = {Wall::symmetry, Wall::free};
     Body tube = string_body("tube", at_.strain, {at_.stiffness, 1, at_.line_density, true}, start(), 2);
-    tube.load = hydrostatic_load(exact_.bottom_pressure().value, at_.tube.specific_weight, at_.damping);
+    tube.load = with_drag(hydrostatic_load(exact_.bottom_pressure().value, at_.tube.specific_weight), at_.damping);
     scene.bodies.push_back(std::move(tube));
     apply_choices(settings_, scene);
     return scene;

@@ -1,18 +1,17 @@
 #include "cases/catalog/membrane/hydrostatic_load.hpp"
 
+#include <algorithm>
+
 #include "kernel/points/column_names.hpp"
 
 namespace plumbline {
 
-std::function<void(double, Columns&, std::span<const int>)> hydrostatic_load(double base, double weight, double drag) {
+Load hydrostatic_load(double base, double weight) {
   return [=](double, Columns& points, std::span<const int>) {
     const double *x = points(column::position), *y = points(column::position, 1), *mass = points(column::mass);
     double* force[2] = {points(column::body_force), points(column::body_force, 1)};
     const int n = points.points();
-    for (int d = 0; d < 2; ++d) {
-      const double* v = points(column::velocity, d);
-      for (int p = 0; p < n; ++p) force[d][p] = -drag * v[p];
-    }
+    for (double* component : force) std::fill_n(component, n, 0.0);
     for (int a = 0; a + 1 < n; ++a) {
       const int b = a + 1;
       const double normal[2] = {y[b] - y[a], x[a] - x[b]};  // right of the way, times l

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/harness/description/drag.hpp"
 #include "cases/harness/files/whole.hpp"
 
 namespace plumbline {
@@ -129,7 +130,7 @@ std::vector<double> resultants(const Columns& points, const SurfaceLaw& law) {
 }
 
 void press(Body& body, const SurfaceCase& at, std::function<double(double, const Columns&)> pressure, double drag) {
-  body.load = surface_load(at.thickness(), std::move(pressure), drag);
+  body.load = with_drag(surface_load(at.thickness(), std::move(pressure)), drag);
   if (at.choice.tangents == Tangents::refitted) {
     body.load = refitting(std::move(body.load), body.points, at.choice.reach * body.spacing);
   }

@@ -47,7 +47,7 @@ double parabola_vertex(const std::vector<std::array<double, 2>>& pairs);
 // Resultants of the points, N/m: the mean of the principal ones.
 std::vector<double> resultants(const Columns& points, const SurfaceLaw& law);
 
-// surface_load() of a body made by surface_body(), with what the case's tangents want beside.
+// surface_load() of a body made by surface_body(), with a drag, 1/s, and what the case's tangents want beside.
 void press(Body& body, const SurfaceCase& at, std::function<double(double, const Columns&)> pressure, double drag = 0);
 
 // Studies `carried` and `refitted`, of what is not to be done.

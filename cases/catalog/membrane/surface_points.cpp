@@ -196,8 +196,7 @@ Body surface_body(const std::string& name, const SurfaceChoice& choice, std::vec
   return body;
 }
 
-std::function<void(double, Columns&, std::span<const int>)> refitting(
-    std::function<void(double, Columns&, std::span<const int>)> load, const Columns& start, double reach) {
+Load refitting(Load load, const Columns& start, double reach) {
   return [load = std::move(load), near = surface_neighbours(start, reach).of](double time, Columns& points,
                                                                               std::span<const int> id) {
     const auto place = [&](int p) { return vector_of(points, column::position, 0, p); };
@@ -244,15 +243,14 @@ double enclosed_volume(const Columns& points, double thickness) {
   return sum / 3;
 }
 
-std::function<void(double, Columns&, std::span<const int>)> surface_load(
-    double thickness, std::function<double(double time, const Columns& points)> pressure, double drag) {
+Load surface_load(double thickness, std::function<double(double time, const Columns& points)> pressure) {
   return [=, pressure = std::move(pressure)](double time, Columns& points, std::span<const int>) {
     const double p = pressure(time, points) / thickness;
     for (int k = 0; k < points.points(); ++k) {
       const Vec3 n = area_vector(points, k);
       const double share = p * points(column::volume)[k] / points(column::mass)[k];
       for (int d = 0; d < 3; ++d) {
-        points(column::body_force, d)[k] = share * n[at(d)] - drag * points(column::velocity, d)[k];
+        points(column::body_force, d)[k] = share * n[at(d)];
       }
     }
   };

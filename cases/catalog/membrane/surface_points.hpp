@@ -4,10 +4,10 @@
 #include <array>
 #include <functional>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
+#include "cases/harness/description/drag.hpp"
 #include "kernel/materials/surface_law.hpp"
 #include "kernel/points/body.hpp"
 #include "kernel/surface_neighbours.hpp"
@@ -63,14 +63,12 @@ Body surface_body(const std::string& name, const SurfaceChoice& choice, std::vec
 // Of a closed surface about the origin: a third of the sum of A n . x, m^3.
 double enclosed_volume(const Columns& points, double thickness);
 
-// The load of a pressure from inside, Pa, and a drag against the velocity, 1/s: p A f_1 x f_2 - m k v.
-std::function<void(double, Columns&, std::span<const int>)> surface_load(
-    double thickness, std::function<double(double time, const Columns& points)> pressure, double drag = 0);
+// The load of a pressure from inside, Pa: p A f_1 x f_2.
+Load surface_load(double thickness, std::function<double(double time, const Columns& points)> pressure);
 
 // A load that first turns the tangents of each point so that their normal is that of the plane closest to the points within `reach`
 // of it at rest (principal components), the same ones always. Lengths stay.
-std::function<void(double, Columns&, std::span<const int>)> refitting(
-    std::function<void(double, Columns&, std::span<const int>)> load, const Columns& start, double reach);
+Load refitting(Load load, const Columns& start, double reach);
 
 // f_1 x f_2 of point p.
 Vec3 area_vector(const Columns& points, int p);

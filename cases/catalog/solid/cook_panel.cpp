@@ -9,6 +9,7 @@
 
 #include "cases/catalog/solid/manufactured_case.hpp"
 #include "cases/harness/description/archive.hpp"
+#include "cases/harness/description/drag.hpp"
 #include "cases/harness/description/parameters.hpp"
 #include "cases/harness/description/schemes.hpp"
 #include "cases/harness/files/whole.hpp"
@@ -64,17 +65,16 @@ class CookPanel final : public Problem {
     scene.grid.cells = {settings_.integer("cells") + margin, whole(std::ceil(top / h)) + 2 * margin, 1};
     scene.grid.walls[0] = {Wall::no_slip, Wall::free};
     Body body = points();
-    body.load = [at = at_, share = load_shares()](double time, Columns& points, std::span<const int> id) {
+    const Load pull_up = [at = at_, share = load_shares()](double time, Columns& points, std::span<const int> id) {
       const double done = std::min(1.0, time / at.ramp), grown = done * done * (3 - 2 * done);
       for (int p = 0; p < points.points(); ++p) {
         const double pull = grown * at.share * at.problem.load *
                             share[static_cast<std::size_t>(id[static_cast<std::size_t>(p)])];
-        for (int d = 0; d < 2; ++d) {
-          points(column::body_force, d)[p] = (d == 1 ? pull / points(column::mass)[p] : 0.0) -
-                                             at.drag * points(column::velocity, d)[p];
-        }
+        points(column::body_force)[p] = 0;
+        points(column::body_force, 1)[p] = pull / points(column::mass)[p];
       }
     };
+    body.load = with_drag(pull_up, at_.drag);
     scene.bodies.push_back(std::move(body));
     apply_choices(settings_, scene);
     return scene;

@@ -92,9 +92,11 @@ TEST(SurfaceLaw, PrincipalStressesAreThoseOfTheResultantInSpace) {
                                      Eigen::Vector3d(f.col(0)).cross(Eigen::Vector3d(f.col(1))).norm();
       const Eigen::Vector3d all = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(stress).eigenvalues();
       std::vector<double> within(all.begin(), all.end());  // the least in size is the one across
-      within.erase(std::min_element(within.begin(), within.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
+      within.erase(
+          std::min_element(within.begin(), within.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
       const SurfaceLaw::Stresses found = law.principal_stresses(metric);
-      const double tolerance = 1e-6 * law.youngs_modulus;  // the root of a difference that rounds at 1e-13 of stresses near 10 E
+      const double tolerance =
+          1e-6 * law.youngs_modulus;  // the root of a difference that rounds at 1e-13 of stresses near 10 E
       EXPECT_NEAR(found.largest, within[1], tolerance);
       EXPECT_NEAR(found.least, within[0], tolerance);
     }

@@ -58,13 +58,5 @@ TEST(HydrostaticLoad, ClosedAroundItIsTheWeight) {
   EXPECT_NEAR(sum[1], -3 * area, 1e-13);
 }
 
-TEST(HydrostaticLoad, Drags) {
-  Body body = chain({{0, 0}, {1, 0}});
-  body.points(column::velocity, 1)[1] = 4;
-  hydrostatic_load(0, 0, 2.5)(0, body.points, body.id);
-  EXPECT_EQ(body.points(column::body_force, 1)[1], -10);
-  EXPECT_EQ(body.points(column::body_force, 1)[0], 0);
-}
-
 }  // namespace
 }  // namespace plumbline::hydrostatic_load_test
