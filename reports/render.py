@@ -349,8 +349,7 @@ def picture_groups(case, results, name, film_characters):
     """What can be looked at of the runs that kept frames: points over time, a film, fields."""
     groups = pictures.groups(case, results, f"{name}-pictures", film_characters)
     for group in groups:
-        if group["film"]:
-            group["film"].svg = frame.markup(group["film"].svg)
+        frame.ready([group["strip"], group["film"]])
         group["fields"] = frame.ready(group["fields"])
     return groups
 

@@ -8,10 +8,12 @@ import numpy
 import pytest
 
 import figures
+import frame
 import normals
 import pictures
 from plumbline import reader
 import raster
+import render
 import surfaces
 import synthetic_results
 from html_page import Page, pixels_of, without_scripts
@@ -386,6 +388,14 @@ def test_surfaces_are_drawn_with_one_scale_of_stress(in_space):
     sizes = [(pixels_of(cell["picture"])[..., 3] == 255).sum() for cell in drawn.cells]
     assert sizes == sorted(sizes) and abs(sizes[2] / sizes[0] - 1.44) < 0.05
     assert "from 3.8 to 6.2 Pa" in drawn.caption and "principal stress" in drawn.svg
+
+
+def test_the_scale_of_a_strip_is_drawn_on_the_page_not_written(in_space, monkeypatch):
+    drawn = pictures.surface_strip(in_space, "run", "file", "p")
+    monkeypatch.setattr(pictures, "groups", lambda *_: [{"strip": drawn, "film": None, "fields": []}])
+    (group,) = render.picture_groups(None, {}, "name", 0)
+    page = frame.environment().from_string('{% from "macros.html" import strip %}{{ strip(drawn) }}').render(drawn=group["strip"])
+    assert "<svg" in page and "&lt;svg" not in page
 
 
 def test_no_surface_is_what_holds_something_else(in_space, run):
