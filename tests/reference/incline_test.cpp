@@ -13,7 +13,7 @@ TEST(InclinePublished, ByHand) {  // a 3-4-5 incline: sin 0.6, cos 0.8 [Goldstei
   expect_near(incline.block_acceleration(), 4, 1e-10);
   expect_near(incline.disk_acceleration(), 4, 1e-10);  // at tan = 3 mu both are one
   expect_near(incline.disk_spin_up(), 4, 1e-10);
-  expect_near(incline.block_friction_work(2), 2 * 4 * 4 / 2.0 * 2, 1e-10);  // mu g cos times the way a t^2/2
+  expect_near(incline.block_friction_work(2), 2 * 8, 1e-10);  // mu g cos(theta) times the way a t^2/2
 }
 
 TEST(InclineIdentity, NewtonAndTheLimits) {
