@@ -16,7 +16,7 @@ namespace plumbline {
 // Flows, positive into the system.
 //   walls         impulse of walls
 //   body_force    dt sum_i M_i b . vm_i; for momentum dt sum_i M_i b
-//   contact       between velocity fields
+//   contact       between velocity fields; of energy the work of friction, which leaves, and what a law adds of its own
 //   transfer      what the maps between points and grid lose
 //   constitutive  energy stored beyond the stress power: V (W(eps + deps) - W(eps) - sigma : deps)
 //   integration   dt sum_p V_p sigma_p : (strain rate used - grad vm(x_p)); for angular momentum what moving points add

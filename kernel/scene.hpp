@@ -50,6 +50,7 @@ struct Scene {
   int transfer_order = 2;           // m of transfers that have one, >= 1
   DensityMethod density = DensityMethod::grid;
   std::string contact = "none";          // between velocity fields: one of contacts()
+  double friction = 0;                   // mu >= 0 of contact, where the law has friction [Touching 4]
   std::string normals = "connectivity";  // how membranes that carry their strain know their tangents: normals_methods()
   double sharpening = 0;  // 0: none, 1: the leading term of the maps' smoothing undone, see sharpening.hpp; [0, 1]
   double sharpening_second = 0, sharpening_third = 0;  // >= 0: of the powers beyond it, where `sharpening` is not 0

@@ -1,6 +1,8 @@
 #include "kernel/contact/contact.hpp"
 
+#include <cmath>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "kernel/register_part.hpp"
@@ -24,6 +26,14 @@ const RegisterPart entry(ContactEntry{{"none", "velocity fields pass through eac
 }  // namespace
 
 const std::vector<ContactEntry>& contacts() { return registered(); }
+
+void check_friction(const Scene& scene) {
+  const std::string given = "friction = " + std::to_string(scene.friction);
+  if (!(scene.friction >= 0 && std::isfinite(scene.friction)))
+    throw std::invalid_argument(given + ": a finite coefficient >= 0 is wanted");
+  if (scene.friction > 0 && !named(contacts(), scene.contact, ContactEntry::kind).has_friction)
+    throw std::invalid_argument(given + ": the contact law " + scene.contact + " has no friction, it must be 0");
+}
 
 void add_part(ContactEntry entry) {
   if (!std::apply([](auto... make) { return (make && ...); }, entry.make))

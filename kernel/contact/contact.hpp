@@ -53,6 +53,7 @@ using MakeContact = std::unique_ptr<Contact<dim>> (*)(const Grid<dim>&, int supp
 struct ContactEntry : Choice {
   static constexpr const char* kind = "contact";
   std::tuple<MakeContact<1>, MakeContact<2>, MakeContact<3>> make;
+  bool has_friction = false;  // whether it heeds Scene::friction
 };
 
 // In the order of their names; "none" makes nothing.
@@ -64,6 +65,9 @@ template <int dim>
 std::unique_ptr<Contact<dim>> make_contact(const std::string& name, const Grid<dim>& grid, int support) {
   return std::get<MakeContact<dim>>(named(contacts(), name, ContactEntry::kind).make)(grid, support);
 }
+
+// Throws std::invalid_argument unless Scene::friction is a finite number >= 0, and 0 where the law has none.
+void check_friction(const Scene& scene);
 
 // Takes one in: RegisterPart.
 void add_part(ContactEntry entry);

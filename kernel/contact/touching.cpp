@@ -19,8 +19,10 @@ std::unique_ptr<Contact<dim>> make(const Grid<dim>& grid, int support) {
 }
 
 const RegisterPart entry(ContactEntry{
-    {"touching", "normal impulses where points touch and approach", "reports/docs/theory/contact-and-coupling.md"},
-    {make<1>, make<2>, make<3>}});
+    {"touching", "normal impulses and Coulomb friction where points touch and approach",
+     "reports/docs/theory/contact-and-coupling.md"},
+    {make<1>, make<2>, make<3>},
+    true});
 
 // Ridge of the discriminant in units of h^2: points in one line have no spread across it.
 constexpr double ridge = 1e-3;
@@ -147,7 +149,7 @@ void TouchingContact<dim>::find_candidates(std::size_t a, std::size_t b, const s
     Eigen::Matrix<double, dim, dim> spread = cloud[0].covariance() + cloud[1].covariance();
     spread.diagonal().array() += ridge * grid_.h() * grid_.h();
     const Vec across = along_walls<dim>(grid_, node, spread.ldlt().solve(cloud[1].mean() - cloud[0].mean()));
-    if (across.norm() > 0) candidates_.push_back({node, a, b, across.normalized(), false});  // [Touching 2]
+    if (across.norm() > 0) candidates_.push_back({node, a, b, across.normalized(), false, 0});  // [Touching 2]
   }
 }
 
@@ -155,6 +157,7 @@ template <int dim>
 void TouchingContact<dim>::find(const Scene& scene, const std::vector<std::size_t>& field_of_body,
                                 const Fields& fields) {
   candidates_.clear();
+  friction_ = scene.friction;
   for (std::size_t a = 0; a < fields.size(); ++a) {
     for (std::size_t b = a + 1; b < fields.size(); ++b) {
       std::vector<char> shared;
@@ -181,8 +184,7 @@ void TouchingContact<dim>::find(const Scene& scene, const std::vector<std::size_
 // How strongly to push each pair apart so that no pair closes along its normal: of one pair s M_a M_b / (M_a + M_b), of
 // several that meet at a node the solution of G M^-1 G^T lambda = G v, an M-orthogonal projection too. [Touching 3]
 template <int dim>
-Eigen::VectorXd TouchingContact<dim>::pushes(const Fields& fields, const std::vector<Candidate*>& pairs,
-                                             const Velocities& of) const {
+Eigen::VectorXd TouchingContact<dim>::pushes(const Fields& fields, const Pairs& pairs, const Velocities& of) const {
   const auto count = static_cast<Eigen::Index>(pairs.size());
   Eigen::MatrixXd compliance(count, count);
   Eigen::VectorXd closing(count);
@@ -201,24 +203,28 @@ Eigen::VectorXd TouchingContact<dim>::pushes(const Fields& fields, const std::ve
   return compliance.completeOrthogonalDecomposition().solve(closing);
 }
 
+// From the first body of a pair to the second.
 template <int dim>
-void TouchingContact<dim>::push_apart(Fields& fields, const std::vector<Candidate*>& pairs,
-                                      const Velocities& of) const {
+void TouchingContact<dim>::exchange(Fields& fields, const Candidate& pair, const Velocities& of, const Vec& impulse) {
+  const auto i = static_cast<std::size_t>(pair.node);
+  (fields[pair.a].*of)[i] -= impulse / fields[pair.a].mass[i];
+  (fields[pair.b].*of)[i] += impulse / fields[pair.b].mass[i];
+}
+
+template <int dim>
+Eigen::VectorXd TouchingContact<dim>::push_apart(Fields& fields, const Pairs& pairs, const Velocities& of) const {
   const Eigen::VectorXd push = pushes(fields, pairs, of);
   for (std::size_t r = 0; r < pairs.size(); ++r) {
-    const Candidate& c = *pairs[r];
-    const auto i = static_cast<std::size_t>(c.node);
-    const Vec impulse = push[static_cast<Eigen::Index>(r)] * c.normal;
-    (fields[c.a].*of)[i] -= impulse / fields[c.a].mass[i];
-    (fields[c.b].*of)[i] += impulse / fields[c.b].mass[i];
+    exchange(fields, *pairs[r], of, push[static_cast<Eigen::Index>(r)] * pairs[r]->normal);
   }
+  return push;
 }
 
 // Calls work(pairs) for the pairs of each node that `keep` keeps, node by node.
 template <int dim>
 template <class Keep, class Work>
 void TouchingContact<dim>::for_nodes(Keep&& keep, Work&& work) {
-  std::vector<Candidate*> pairs;
+  Pairs pairs;
   for (std::size_t k = 0; k < candidates_.size(); ++k) {
     if (keep(candidates_[k])) pairs.push_back(&candidates_[k]);
     if (k + 1 < candidates_.size() && candidates_[k + 1].node == candidates_[k].node) continue;
@@ -234,12 +240,14 @@ void TouchingContact<dim>::apply(Fields& fields, double, bool decide, const type
     if (decide) c.active = (fields[c.a].midpoint[i] - fields[c.b].midpoint[i]).dot(c.normal) > 0;
     return c.active;
   };
-  for_nodes(closes, [&](const std::vector<Candidate*>& pairs) {
+  for_nodes(closes, [&](const Pairs& pairs) {
     std::vector<std::size_t> involved;
     for (const Candidate* c : pairs) involved.insert(involved.end(), {c->a, c->b});
     std::sort(involved.begin(), involved.end());
     involved.erase(std::unique(involved.begin(), involved.end()), involved.end());
-    push_apart(fields, pairs, &VelocityField<dim>::midpoint);  // [Touching 3]
+    const Eigen::VectorXd push = push_apart(fields, pairs, &VelocityField<dim>::midpoint);  // [Touching 3]
+    if (decide) limit_friction(pairs, push);
+    if (friction_ > 0) rub(fields, pairs, &VelocityField<dim>::midpoint);
     const auto i = static_cast<std::size_t>(pairs.front()->node);
     for (const std::size_t f : involved) {
       VelocityField<dim>& field = fields[f];
@@ -250,15 +258,17 @@ void TouchingContact<dim>::apply(Fields& fields, double, bool decide, const type
   });
 }
 
-// Velocities mapped anew become common along the normal where they approach.
+// Velocities mapped anew become common along the normal where they approach, and rub as far as that pushes.
 template <int dim>
 void TouchingContact<dim>::apply_to_remapped(Fields& fields) {
   const auto closes = [&](Candidate& c) {
     const auto i = static_cast<std::size_t>(c.node);
     return c.active && (fields[c.a].remapped[i] - fields[c.b].remapped[i]).dot(c.normal) > 0;
   };
-  for_nodes(closes,
-            [&](const std::vector<Candidate*>& pairs) { push_apart(fields, pairs, &VelocityField<dim>::remapped); });
+  for_nodes(closes, [&](const Pairs& pairs) {
+    limit_friction(pairs, push_apart(fields, pairs, &VelocityField<dim>::remapped));
+    if (friction_ > 0) rub(fields, pairs, &VelocityField<dim>::remapped);
+  });
 }
 
 template class TouchingContact<1>;

@@ -12,7 +12,12 @@ namespace plumbline {
 // It is in contact if the midpoint velocities of the first force pass approach: s = (vm_1 - vm_2) . n > 0. Then, in both
 // passes, vm_1 -= M_2/(M_1 + M_2) s n, vm_2 += M_1/(M_1 + M_2) s n, and v~ = 2 vm - v; where three bodies meet, all pairs
 // at once.                                                                                                   [Touching 3]
-// The impulses do no work, since vm . n is common; so with the step `midpoint` contact raises no energy. Frictionless.
+// The impulses J n do no work, since vm . n is common; so with the step `midpoint` contact raises no energy.
+// Friction, mu = Scene::friction: along u = vm_1 - vm_2, which has no part along n any more, the first body gives the second
+// R = min(|u| M_1 M_2/(M_1 + M_2), mu J) u/|u|, in both passes with the push J >= 0 of the first: the slip ends, or it is
+// slowed down by mu J. A step with such limits takes energy and never gives any, as without friction: each pass is an
+// M-firmly non-expansive map of what came before it, whatever slips or sticks. The limit of each pass its own would not
+// be, and does give energy. What is taken, twice R . u of what is left of u, is booked as work of contact.   [Touching 4]
 template <int dim>
 class TouchingContact final : public Contact<dim> {
  public:
@@ -32,6 +37,7 @@ class TouchingContact final : public Contact<dim> {
     std::size_t a, b;  // fields
     Vec normal;        // from a to b
     bool active;
+    double most_held;  // mu J, kg m/s
   };
   // A point near nodes that two fields share.
   struct Near {
@@ -45,8 +51,12 @@ class TouchingContact final : public Contact<dim> {
   void find_touching(std::vector<Near>& first, std::vector<Near>& second) const;
   void find_candidates(std::size_t a, std::size_t b, const std::vector<Near>& first, const std::vector<Near>& second);
   using Velocities = std::vector<Vec> VelocityField<dim>::*;
-  Eigen::VectorXd pushes(const Fields& fields, const std::vector<Candidate*>& pairs, const Velocities& of) const;
-  void push_apart(Fields& fields, const std::vector<Candidate*>& pairs, const Velocities& of) const;
+  using Pairs = std::vector<Candidate*>;
+  Eigen::VectorXd pushes(const Fields& fields, const Pairs& pairs, const Velocities& of) const;
+  static void exchange(Fields& fields, const Candidate& pair, const Velocities& of, const Vec& impulse);
+  Eigen::VectorXd push_apart(Fields& fields, const Pairs& pairs, const Velocities& of) const;
+  void limit_friction(const Pairs& pairs, const Eigen::VectorXd& push) const;
+  void rub(Fields& fields, const Pairs& pairs, const Velocities& of) const;
   template <class Keep, class Work>
   void for_nodes(Keep&& keep, Work&& work);
   int lowest_node(const Vec& x) const;
@@ -55,6 +65,7 @@ class TouchingContact final : public Contact<dim> {
 
   Grid<dim> grid_;
   int support_;
+  double friction_ = 0;                // of the scene
   std::vector<Candidate> candidates_;  // by node
 };
 

@@ -28,6 +28,7 @@ class NodalMomentum {
         field_of_body_(std::move(field_of_body)),
         pistons_(scene),
         contact_(make_contact<dim>(scene.contact, space.grid, space.shape.support)) {
+    check_friction(scene);
     for (int d = 0; d < dim; ++d) gravity_[d] = scene.gravity[static_cast<std::size_t>(d)];
     loaded_ = !gravity_.isZero(0);
     for (const Body& body : scene.bodies) loaded_ = loaded_ || body.load;
