@@ -1,8 +1,13 @@
 """plumbline bench: the document, complete and consistent. Speeds are printed as met or missed; no test fails on time."""
 import itertools
+import shlex
+import sys
 
 import pytest
-from contract import Plumbline
+from contract import ROOT, Plumbline
+
+sys.path.insert(0, str(ROOT / "reports"))
+import reproduce  # noqa: E402  (needs the path above)
 
 DRIFT = 1e-12  # the project's bound for the energy of a gas case
 
@@ -88,10 +93,24 @@ def test_targets_say_whether_they_are_met(document):
         assert target["met"] == met and (target["low"], target["high"]) != (None, None)
 
 
-def test_quick_tier_leaves_out_the_table_of_choices(plumbline, document):
-    result = plumbline("bench", "--points", 1000, "--threads", 1, "--tier", "quick", json=True, timeout=600)
+@pytest.fixture(scope="module")
+def quick(document, tmp_path_factory):
+    """The command that the full document says it was written by, with the quick tier."""
+    program, *words = shlex.split(reproduce.stated(document))
+    assert program == "plumbline"
+    result = Plumbline(tmp_path_factory.mktemp("quick"))(*words, "--tier", "quick", json="--json" not in words, timeout=600)
     assert result.code == 0, result.err
-    quick = result.json()
+    return result.json("bench")
+
+
+def test_stated_command_gives_memory_and_counts_again(document, quick):
+    """Times are those of the machine; what a step moves, computes and holds is the same again."""
+    columns = ("name", "part", "points", "threads", "bytes_per_point", "flops_per_point", "stored_bytes_per_point", "energy_drift")
+    first, second = ([[row[name] for name in columns] for row in part(made, "scale")] for made in (document, quick))
+    assert first and first == second
+
+
+def test_quick_tier_leaves_out_the_table_of_choices(document, quick):
     assert part(quick, "matrix") == []
     assert [target["name"] for target in quick["targets"]] == [target["name"] for target in document["targets"]]
     assert {kernel["repeats"] for kernel in part(quick, "run")} == {3}

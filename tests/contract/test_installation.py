@@ -119,7 +119,7 @@ def test_plugin_converges(installed, plugin):
 
 
 def test_plugin_is_verified_by_its_name(installed, plugin):
-    verdicts = installed("verify", "sod", "--tier", "quick", "--plugin", plugin, json=True, timeout=900).json()
+    verdicts = installed("verify", "spring-mass", "--tier", "quick", "--plugin", plugin, json=True, timeout=900).json()
     gates = [gate for gate in verdicts["gates"] if re.search(r"\bmine\b", gate["scheme"] + " " + gate["id"])]
     assert gates and {gate["verdict"] for gate in gates} == {"PASS"}
     assert verdicts["executed"] == verdicts["declared"]

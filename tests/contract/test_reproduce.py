@@ -1,4 +1,5 @@
-"""Commands that the page prints beside figures and gates give the numbers that it shows: one of each kind, made again in a folder of its own."""
+"""Commands that the page prints beside figures and gates give the numbers that it shows: one of each kind, made again in a folder of its own.
+Those of the speed page: test_bench.py, which has such documents."""
 import shlex
 import sys
 
@@ -94,15 +95,6 @@ def test_maps_of_a_problem_among_several(plumbline, tmp_path_factory):
     document = plumbline("stability", "plane", "wave", "--maps", "--no-runs", "--tier", "quick", json=True).json("stabilities")
     wanted = next(problem for problem in document["problems"] if problem["problem"] == "plane")
     assert wanted["maps"] and again(reproduce.maps("plane", document), tmp_path_factory)["maps"] == wanted["maps"]
-
-
-def test_memory_and_counts_of_the_speed_page(plumbline, tmp_path_factory):
-    """Times are those of the machine; what a step moves, computes and holds is the same again."""
-    columns = ("name", "part", "points", "threads", "bytes_per_point", "flops_per_point", "stored_bytes_per_point", "energy_drift")
-    documents = [plumbline("bench", "--points", "1e3", "--tier", "quick", json=True).json()]
-    documents.append(again(reproduce.stated(documents[0]), tmp_path_factory))
-    first, second = ([[row[name] for name in columns] for row in document["kernels"] if row["part"] == "scale"] for document in documents)
-    assert first and first == second
 
 
 def test_scorecard_of_an_integrator(plumbline, tmp_path_factory):

@@ -206,8 +206,8 @@ class NaiveStep {
     }
     return sum;
   }
-  bool boxes() const { return scene_.shape == "gimp" || scene_.shape == "contiguous-gimp"; }
-  bool domains() const { return scene_.shape == "cpdi"; }
+  bool boxes() const { return boxes_; }
+  bool domains() const { return domains_; }
   // half: of the boxes, in cells.
   double spline(double u, double half) const {
     const double a = std::abs(u);
@@ -221,9 +221,9 @@ class NaiveStep {
     if (domains()) {  // of the volumes of nodes: a domain of this half edge along the axis
       return 0.5 * (std::max(0.0, 1 - std::abs(u - half)) + std::max(0.0, 1 - std::abs(u + half)));
     }
-    if (scene_.shape == "linear") return std::max(0.0, 1 - a);
-    if (scene_.shape == "quadratic") return a < 0.5 ? 0.75 - a * a : a < 1.5 ? 0.5 * (1.5 - a) * (1.5 - a) : 0;
-    return a < 1 ? 2.0 / 3 - a * a + a * a * a / 2 : a < 2 ? std::pow(2 - a, 3) / 6 : 0;
+    if (linear_) return std::max(0.0, 1 - a);
+    if (quadratic_) return a < 0.5 ? 0.75 - a * a : a < 1.5 ? 0.5 * (1.5 - a) * (1.5 - a) : 0;
+    return a < 1 ? 2.0 / 3 - a * a + a * a * a / 2 : a < 2 ? (2 - a) * (2 - a) * (2 - a) / 6 : 0;
   }
   double slope(double u, double half) const {
     const double a = std::abs(u), sign = u < 0 ? -1 : 1;
@@ -231,11 +231,16 @@ class NaiveStep {
       const auto tent = [](double s) { return std::max(0.0, 1 - std::abs(s)); };
       return (tent(u + half) - tent(u - half)) / (2 * half);
     }
-    if (scene_.shape == "linear") return a < 1 ? -sign : 0;
-    if (scene_.shape == "quadratic") return a < 0.5 ? -2 * u : a < 1.5 ? -sign * (1.5 - a) : 0;
+    if (linear_) return a < 1 ? -sign : 0;
+    if (quadratic_) return a < 0.5 ? -2 * u : a < 1.5 ? -sign * (1.5 - a) : 0;
     return a < 1 ? -2 * u + 1.5 * a * u : a < 2 ? -sign * 0.5 * (2 - a) * (2 - a) : 0;
   }
-  bool apart(const Vec& x, const NaiveNode& node) const { return (x - node.x).cwiseAbs().maxCoeff() >= 2.001 * h_; }
+  bool apart(const Vec& x, const NaiveNode& node) const {
+    for (int d = 0; d < 3; ++d) {
+      if (std::abs(x[d] - node.x[d]) >= 2.001 * h_) return true;
+    }
+    return false;
+  }
   // visit(share of N_i, factor of grad N_i) for each corner of a domain: tents there, and (s_c . r^k)_k. [CPDI 2, 3]
   template <class Visit>
   void for_corners(const NaivePoint& p, const NaiveNode& node, Visit&& visit) const {
@@ -865,6 +870,9 @@ class NaiveStep {
   }
 
   const Scene scene_;
+  // Of the shape's name, which all pairs of points and nodes would compare: most of what the tests took.
+  const bool linear_ = scene_.shape == "linear", quadratic_ = scene_.shape == "quadratic";
+  const bool boxes_ = scene_.shape == "gimp" || scene_.shape == "contiguous-gimp", domains_ = scene_.shape == "cpdi";
   int dim_;
   double h_;
   const IdealGas* gas_;

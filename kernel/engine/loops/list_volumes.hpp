@@ -109,9 +109,9 @@ std::vector<double> inverse_listed_volumes(const GridSpec& spec, MakeListed<dim>
     nodes.clear();
     shape->list(points, at, all_points(points), nodes);
     for (int p = 0; p < points.points(); ++p) {
+      const double of_probe = probes.volume(p);
       for (const auto& [node, n, gradient] : nodes.of(p)) {
-        if (const int own = around.own_node(all, node); own >= 0)
-          volume[static_cast<std::size_t>(own)] += n * probes.volume(p);
+        if (const int own = around.own_node(all, node); own >= 0) volume[static_cast<std::size_t>(own)] += n * of_probe;
       }
     }
   }
