@@ -20,7 +20,8 @@ namespace plumbline {
 namespace {
 
 constexpr double length = 1, height = 0.5, floor_height = 0.125, density = 1, poisson = 0.3;
-constexpr double behind = 0.25, before = 0.5;  // of the block, of the floor
+constexpr double usual_modulus = 200, slope_that_holds = 0.2;  // Pa; tan(theta) of the study `sticks`
+constexpr double behind = 0.25, before = 0.5;                  // of the block, of the floor
 constexpr double flat = 0.1, rounding = 0.15;  // half the flat part of the runner, and how it rises beyond that: 1/m
 // Rows of points stand this share of a spacing closer than where they face each other, so that they touch wherever they stand
 // along: more than 1 - sqrt(3)/2.
@@ -35,7 +36,7 @@ struct Slope : Parameters {
     incline.friction = not_negative("friction", 0.3, "1", "mu, of contact");
     incline.gravity = positive("gravity", 1, "m/s^2", "when it has grown");
     incline.rise = positive("rise", 0.25, "s", "in which gravity grows from zero");
-    youngs_modulus = positive("youngs_modulus", 200, "Pa", "of block and floor");
+    youngs_modulus = positive("youngs_modulus", usual_modulus, "Pa", "of block and floor");
     end = positive("t_end", 1, "s", "end time");
   }
 };
@@ -153,7 +154,8 @@ std::vector<StudyPlan> studies() {
   const std::string one = "One mesh: what normals at the ends of the face are tilted by changes from step to step.";
   return {study("default", "slides: tan(theta) = 2 mu", one, {cells}).pictured(cells),
           study("smooth", "slides without friction", one, {cells}).with({{"friction", 0.0}}),
-          study("sticks", "sticks: tan(theta) = 2/3 mu", one, {coarse}).with({{"slope", 0.2}, {"t_end", 4.0}})};
+          study("sticks", "sticks: tan(theta) = 2/3 mu", one, {coarse})
+              .with({{"slope", slope_that_holds}, {"t_end", 4.0}})};
 }
 
 std::vector<CaseGate> gates() {
@@ -163,9 +165,10 @@ std::vector<CaseGate> gates() {
   const Because no_rise = theory(
       "neither contact nor friction nor the midpoint step raises the energy of a linear elastic body beyond what "
       "gravity does; sums over points round at 1e-15");
-  const double shear = 0.2 / std::sqrt(1.04) * density * height;  // N/m^2 at the foot of the block
-  const double moduli = 200 / (2 * (1 + poisson)), pressed = 200 / (1 - poisson * poisson);
-  const double strained = shear / moduli * (0.4 * height + floor_height);  // shear of block and floor
+  const double shear = slope_that_holds / std::hypot(1, slope_that_holds) * density *
+                       height;  // N/m^2 at the foot of the block
+  const double modulus = usual_modulus / (2 * (1 + poisson)), pressed = usual_modulus / (1 - poisson * poisson);
+  const double strained = shear / modulus * (0.4 * height + floor_height);  // shear of block and floor
   const double rocked = 4 * shear * length * height / 2 / (std::numbers::pi * flat * flat * pressed / 2) * height / 2;
   std::vector<CaseGate> all{
       gate("default/friction", value_at("friction_off", cells), between(-0.01, 0.01), one_percent),
