@@ -56,11 +56,15 @@ Bounded UniformCompression::viscous_heat(double time) const {
 
 Bounded UniformCompression::energy(double time) const { return isentropic_energy(time) + viscous_heat(time); }
 
-Sample UniformCompression::sample(double position, double time) const {
-  check_finite("position", position);
+UniformCompression::Instant UniformCompression::instant(double time) const {
   const Bounded s = stretch(time), e = energy(time);
   const Bounded density = Bounded(problem_.density) / power(s, problem_.dimension);
-  return {density, -(Bounded(problem_.rate) * position / s), (gamma_ - 1.0) * density * e, e};
+  return {s, density, (gamma_ - 1.0) * density * e, e, problem_.rate};
+}
+
+Sample UniformCompression::Instant::at(double position) const {
+  check_finite("position", position);
+  return {density, -(rate * position / stretch), pressure, energy};
 }
 
 }  // namespace plumbline::reference

@@ -32,7 +32,14 @@ class UniformCompression {
   Bounded energy(double time) const;             // e, per mass
   Bounded isentropic_energy(double time) const;  // of the same gas without viscosity
   Bounded viscous_heat(double time) const;       // what viscosity has added to it; no digits are lost where it is small
-  Sample sample(double position, double time) const;  // the velocity along `position`
+
+  /// The gas at one time: all but the velocity is the same everywhere.
+  struct Instant {
+    Bounded stretch, density, pressure, energy, rate;
+    Sample at(double position) const;  // the velocity along `position`
+  };
+  Instant instant(double time) const;
+  Sample sample(double position, double time) const { return instant(time).at(position); }
 
  private:
   Bounded to_power(double time, Bounded exponent) const;  // s^exponent

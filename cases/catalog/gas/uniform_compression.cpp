@@ -74,8 +74,13 @@ GasFlow compression_flow(const Settings& settings) {
   flow.end_time = given.end_time;
   flow.judged = Interval{0, judged};
   flow.filled = false;
-  flow.initial = [exact](double r) { return state_of(exact->sample(r, 0)); };
-  flow.exact = [exact](double r, double t) { return exact->sample(r, t); };
+  flow.initial = [start = exact->instant(0)](double r) { return state_of(start.at(r)); };
+  // One point after another is asked for at the same time, whose powers are found once.
+  flow.exact = [exact, now = exact->instant(0), last = 0.0](double r, double t) mutable {
+    if (t != last) now = exact->instant(t);
+    last = t;
+    return now.at(r);
+  };
   flow.further = [exact](const std::vector<GasSample>& points, double time) {
     double mass = 0, energy = 0;
     for (const GasSample& p : points) {
