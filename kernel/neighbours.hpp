@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 
 #include "kernel/velocity_field.hpp"
 
@@ -12,26 +13,43 @@ struct Neighbour {
   bool mirrored = false;  // it stands for its image behind a wall
 };
 
-// Of node i along d; side: 0 below, 1 above.
+// Of the node at `column` of a row along d, `index` its index there; side: 0 below, 1 above. Divisions take longer than all
+// else here: the caller has row and index.
 template <int dim>
-Neighbour neighbour(const Grid<dim>& grid, const VelocityField<dim>& field, int i, int d, int side) {
-  const int k = grid.index(i, d), step = side == 0 ? -1 : 1;
+Neighbour neighbour(const Grid<dim>& grid, const VelocityField<dim>& field, int row, int column, int index, int d,
+                    int side) {
+  const int outwards = side == 0 ? -1 : 1;
   const int wall = side == 0 ? Grid<dim>::ghosts : grid.nodes(d) - 1 - Grid<dim>::ghosts;
-  const bool mirrored = k == wall && grid.wall(d, side) != Wall::free;
-  const int there = k + (mirrored ? -step : step);
-  if (there < 0 || there >= grid.nodes(d)) return {};
-  const int node = i + (there - k) * grid.stride(d), row = node / grid.row_length();
-  const int column = node - row * grid.row_length();
+  const bool mirrored = index == wall && grid.wall(d, side) != Wall::free;
+  const int step = mirrored ? -outwards : outwards;
+  if (index + step < 0 || index + step >= grid.nodes(d)) return {};
+  if (dim == 1 || d == 0) {
+    column += step;
+  } else if constexpr (dim > 1) {
+    row += d == 1 ? step : step * grid.nodes(1);
+  }
   const auto [first, last] = field.touched[static_cast<std::size_t>(row)];
+  const int node = row * grid.row_length() + column;
   if (column < first || column >= last || !(field.mass[static_cast<std::size_t>(node)] > least_mass)) return {};
   return {node, mirrored};
+}
+
+// Of node i.
+template <int dim>
+Neighbour neighbour(const Grid<dim>& grid, const VelocityField<dim>& field, int i, int d, int side) {
+  const int row = i / grid.row_length();
+  return neighbour(grid, field, row, i - row * grid.row_length(), grid.index(i, d), d, side);
 }
 
 // The same of the nodes of one row, most of which are plain: all their neighbours are touched and, like they, off the walls.
 template <int dim>
 class RowNeighbours {
  public:
-  RowNeighbours(const Grid<dim>& grid, const VelocityField<dim>& field, int row) : grid_(grid), field_(field) {
+  RowNeighbours(const Grid<dim>& grid, const VelocityField<dim>& field, int row)
+      : grid_(grid),
+        field_(field),
+        row_(row) {
+    for (int d = 1; d < dim; ++d) index_[static_cast<std::size_t>(d)] = grid.row_index(row, d);
     const auto walled = [&](int d, int side) { return grid.wall(d, side) != Wall::free; };
     const auto least = [&](int d) { return walled(d, 0) ? Grid<dim>::ghosts + 2 : 1; };
     const auto most = [&](int d) { return grid.nodes(d) - (walled(d, 1) ? Grid<dim>::ghosts + 3 : 2); };
@@ -40,7 +58,8 @@ class RowNeighbours {
     to = std::min(to - 1, most(0) + 1);
     if constexpr (dim > 1) {
       for (int d = 1; d < dim; ++d) {
-        const int k = grid.row_index(row, d), step = grid.stride(d) / grid.row_length();
+        const int step = d == 1 ? 1 : grid.nodes(1);
+        const int k = index_[static_cast<std::size_t>(d)];
         if (k < least(d) || k > most(d)) return;
         for (const int beside : {row - step, row + step}) {
           from = std::max(from, field.touched[static_cast<std::size_t>(beside)].first);
@@ -56,9 +75,14 @@ class RowNeighbours {
   // The first and one past the last of them; none: the first is not less.
   std::pair<int, int> plain_nodes() const { return {first_, last_}; }
 
+  // Index along d of node i of the row.
+  int index(int i, int d) const {
+    return dim == 1 || d == 0 ? i - row_ * grid_.row_length() : index_[static_cast<std::size_t>(d)];
+  }
+
   // Of node i of the row, as neighbour().
   Neighbour operator()(int i, int d, int side) const {
-    if (!plain(i)) return neighbour(grid_, field_, i, d, side);
+    if (!plain(i)) return neighbour(grid_, field_, row_, index(i, 0), index(i, d), d, side);
     const int node = side == 0 ? i - grid_.stride(d) : i + grid_.stride(d);
     return field_.mass[static_cast<std::size_t>(node)] > least_mass ? Neighbour{node, false} : Neighbour{};
   }
@@ -66,7 +90,9 @@ class RowNeighbours {
  private:
   const Grid<dim>& grid_;
   const VelocityField<dim>& field_;
-  int first_ = 0, last_ = 0;  // the plain nodes; none: equal
+  int row_;
+  std::array<int, 3> index_{};  // from the second direction on
+  int first_ = 0, last_ = 0;    // the plain nodes; none: equal
 };
 
 // visit(i, beside) for each touched node, with the neighbours of its row; visits of different rows may run side by side.

@@ -87,10 +87,9 @@ class Sharpening {
   bool walled(int d, int side) const { return grid_.wall(d, side) != Wall::free; }
   int first(int) const { return Grid<dim>::ghosts; }
   int last(int d) const { return grid_.nodes(d) - 1 - Grid<dim>::ghosts; }
-  bool on_wall(int node, int d) const {
-    const int k = grid_.index(node, d);
-    return (k == first(d) && walled(d, 0)) || (k == last(d) && walled(d, 1));
-  }
+  // Of an index along d.
+  bool is_wall(int k, int d) const { return (k == first(d) && walled(d, 0)) || (k == last(d) && walled(d, 1)); }
+  bool on_wall(int node, int d) const { return is_wall(grid_.index(node, d), d); }
   bool ghost_row(int row) const {
     if constexpr (dim > 1) {
       for (int d = 1; d < dim; ++d) {
@@ -148,7 +147,7 @@ class Sharpening {
             Vec sum = Vec::Zero();
             for_neighbours(field, beside, i, d, [&](int j, bool mirrored, double share) {
               Vec other = (*power)[static_cast<std::size_t>(j)];
-              if (mirrored) other = image(other, i, d);
+              if (mirrored) other = image(other, beside.index(i, d), d);
               const Vec change = theta_ * share * ((*power)[at] - other);
               sum += change;
               if (!mirrored) visit(row, i, j, d, amount * change);
@@ -166,28 +165,29 @@ class Sharpening {
     }
   }
 
-  // The value beyond a wall of direction d that mirrors `value`, seen from the node i on it.
-  Vec image(Vec value, int i, int d) const {
-    const int side = grid_.index(i, d) == first(d) && walled(d, 0) ? 0 : 1;
+  // The value beyond a wall of direction d that mirrors `value`, seen from a node on it, of the index k along d.
+  Vec image(Vec value, int k, int d) const {
+    const int side = k == first(d) && walled(d, 0) ? 0 : 1;
     if (grid_.wall(d, side) == Wall::no_slip) return -value;
     value[d] = -value[d];
     return value;
   }
-  Vec held_by(const Vec& value, int node, int d) const { return 0.5 * (value - image(value, node, d)); }
+  Vec held_by(const Vec& value, int node, int d) const { return 0.5 * (value - image(value, grid_.index(node, d), d)); }
 
   // visit(neighbour, whether it stands for a mirror image, K_ij / M_i) along d. A node on a wall of d has an image of its own.
   template <class Visit>
   void for_neighbours(const VelocityField<dim>& field, const RowNeighbours<dim>& beside, int i, int d,
                       Visit&& visit) const {
-    const auto mass_of = [&](int node) {
-      return (on_wall(node, d) ? 2 : 1) * field.mass[static_cast<std::size_t>(node)];
+    const int index = beside.index(i, d);
+    const auto mass_of = [&](int node, int k) {
+      return (is_wall(k, d) ? 2 : 1) * field.mass[static_cast<std::size_t>(node)];
     };
-    const double mass = mass_of(i);
+    const double mass = mass_of(i, index);
     if (!(mass > least_mass)) return;
     for (int side = 0; side < 2; ++side) {
       const Neighbour there = beside(i, d, side);
       if (there.node < 0) continue;
-      const double other = mass_of(there.node);
+      const double other = mass_of(there.node, index + (there.node > i ? 1 : -1));
       visit(there.node, there.mirrored, 2 * other / (mass + other));
     }
   }
