@@ -3,6 +3,7 @@
 #include "reference/argument.hpp"
 
 namespace plumbline::reference {
+
 Incline::Incline(const InclineProblem& problem) : problem_(problem) {
   check_not_negative("slope", problem.slope);
   check_not_negative("friction", problem.friction);

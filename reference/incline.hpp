@@ -24,7 +24,7 @@ class Incline {
 
   const InclineProblem& problem() const { return problem_; }
   Bounded along() const;   // g sin(theta)
-  Bounded across() const;  // g cos(theta), N/m
+  Bounded across() const;  // g cos(theta), what the incline bears per mass
 
   /// Of the block: g (sin(theta) - mu cos(theta)), 0 where tan(theta) <= mu.
   Bounded block_acceleration() const;

@@ -329,7 +329,7 @@ def surface_strip(frames, run, file, prefix):
     unit = text.unit(frames.units.get(name))
     span = f"from {_number(values.min())} to {_number(values.max())} {unit}"
     caption = (
-        f"The surface through the material points, seen from 25 degrees above the plane of x and y, coloured by the larger "
+        f"The surface through the material points, seen from {surfaces.ELEVATION} degrees above the plane of x and y, coloured by the larger "
         f"principal stress, {span}: the resultant over the thickness at rest. z points upwards."
     )
     names = text.listing(body["name"] for body in frames.bodies)

@@ -7,7 +7,8 @@ import scipy.spatial
 
 import raster
 
-_AZIMUTH, _ELEVATION = numpy.radians(-60), numpy.radians(25)  # where the viewer stands
+ELEVATION = 25  # of the viewer above the plane of x and y, degrees
+_AZIMUTH, _ELEVATION = numpy.radians(-60), numpy.radians(ELEVATION)
 _RIGHT = numpy.array([-numpy.sin(_AZIMUTH), numpy.cos(_AZIMUTH), 0])
 _TOWARDS = numpy.array(
     [numpy.cos(_ELEVATION) * numpy.cos(_AZIMUTH), numpy.cos(_ELEVATION) * numpy.sin(_AZIMUTH), numpy.sin(_ELEVATION)]
@@ -21,10 +22,10 @@ _NEIGHBOURS = 9  # of a point and those around it, through which its tangent pla
 
 
 def is_surface(frames):
-    """Whether all that a run holds are membranes in space."""
-    return frames.grid["dim"] == 3 and all(
-        body["kind"] == "membrane" and not body["chain"] for body in frames.bodies
-    )
+    """Whether all that a run holds are membranes in space, some of it with places and stresses that are numbers."""
+    if frames.grid["dim"] != 3 or not all(body["kind"] == "membrane" and not body["chain"] for body in frames.bodies):
+        return False
+    return bool((numpy.isfinite(frames.points["stress"]) & numpy.isfinite(frames.points["position"]).all(axis=1)).any())
 
 
 def projected(places):

@@ -402,3 +402,6 @@ def test_no_surface_is_what_holds_something_else(in_space, run):
     assert not surfaces.is_surface(run.frames)
     solid = {**in_space.bodies[0], "kind": "solid"}
     assert not surfaces.is_surface(dataclasses.replace(in_space, bodies=[*in_space.bodies, solid]))
+    for name in ("stress", "position"):
+        lost = {**in_space.points, name: numpy.full_like(in_space.points[name], numpy.nan)}
+        assert not surfaces.is_surface(dataclasses.replace(in_space, points=lost))

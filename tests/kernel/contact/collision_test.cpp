@@ -94,23 +94,13 @@ TEST(Collision, BodiesThatNeverMeetAreLeftBitForBit) {
 }
 
 TEST(Collision, NoResultDependsOnThreads) {
-  const auto run = [](int threads) {
-    const double s = 0.02;
-    Scene scene = blocks(2, "quadratic", "apic", "touching");
-    scene.grid.h = 0.04;
-    scene.grid.cells = {40, 40, 1};
-    scene.bodies = {elastic_body("a", 2, block({0.2, 0.2, 0}, {30, 50, 1}, s), s, {1, 0, 0}),
-                    elastic_body("b", 2, block({0.81, 0.25, 0}, {30, 50, 1}, s), s)};
-    Simulation simulation(scene, "midpoint", {.dt = 1e-3, .threads = threads});
-    for (int step = 0; step < 40; ++step) simulation.step(1e-3);
-    return simulation.save();
-  };
-  const Checkpoint one = run(1), four = run(4);
-  scenes::expect_same_ledger(one.ledger, four.ledger);
-  for (std::size_t b = 0; b < 2; ++b) {
-    const auto left = one.points[b].values(column::velocity), right = four.points[b].values(column::velocity);
-    EXPECT_TRUE(std::equal(left.begin(), left.end(), right.begin(), right.end()));
-  }
+  const double s = 0.02;
+  Scene scene = blocks(2, "quadratic", "apic", "touching");
+  scene.grid.h = 0.04;
+  scene.grid.cells = {40, 40, 1};
+  scene.bodies = {elastic_body("a", 2, block({0.2, 0.2, 0}, {30, 50, 1}, s), s, {1, 0, 0}),
+                  elastic_body("b", 2, block({0.81, 0.25, 0}, {30, 50, 1}, s), s)};
+  meetings::expect_threads_do_not_matter(scene);
 }
 
 // No step of linear elasticity raises the energy, contact included; the bodies part. The step is below the bound of the

@@ -230,14 +230,7 @@ TEST(Touching, TangentialVelocitiesAreLeftAlone) {
 
 // Three bodies round a corner: momentum is kept and no work done, pair by pair that would not be so. [Touching 3]
 TEST(Touching, ThreeBodiesAtANode) {
-  const double s = 0.05;
-  Meeting<2> meeting(scenes::plane(20, 20, 0.1), {elastic_body("a", 2, block({0.5, 0.5, 0}, {10, 10, 1}, s), s),
-                                                  elastic_body("b", 2, block({0.98, 0.6, 0}, {10, 8, 1}, s), s),
-                                                  elastic_body("c", 2, block({0.7, 0.98, 0}, {10, 10, 1}, s), s)});
-  meeting.randomise(5);
-  meeting.move(0, Eigen::Vector2d(1, 1));
-  meeting.move(1, Eigen::Vector2d(-1, 0.2));
-  meeting.move(2, Eigen::Vector2d(-0.2, -1));
+  Meeting<2> meeting = meetings::three_round_a_corner(0.98);
   const auto momentum = meeting.momentum();
   meeting.meet("touching");
   EXPECT_NEAR((meeting.momentum() - momentum).norm(), 0, 1e-12);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <set>
@@ -130,6 +131,34 @@ struct Meeting {
 
 inline int node_of(const Grid<2>& grid, int i, int j) {
   return (i + Grid<2>::ghosts) + (j + Grid<2>::ghosts) * grid.stride(1);
+}
+
+// Three blocks round a corner that close in on each other, two of them `near` the first, with random masses.
+inline Meeting<2> three_round_a_corner(double near) {
+  const double s = 0.05;
+  Meeting<2> meeting(scenes::plane(20, 20, 0.1), {elastic_body("a", 2, block({0.5, 0.5, 0}, {10, 10, 1}, s), s),
+                                                  elastic_body("b", 2, block({near, 0.6, 0}, {10, 8, 1}, s), s),
+                                                  elastic_body("c", 2, block({0.7, near, 0}, {10, 10, 1}, s), s)});
+  meeting.randomise(5);
+  meeting.move(0, {1, 1});
+  meeting.move(1, {-1, 0.2});
+  meeting.move(2, {-0.2, -1});
+  return meeting;
+}
+
+// The velocities and the ledger after 40 steps of `midpoint` are the same on one thread and on four.
+inline void expect_threads_do_not_matter(const Scene& scene) {
+  const auto run = [&](int threads) {
+    Simulation simulation(scene, "midpoint", {.dt = 1e-3, .threads = threads});
+    for (int step = 0; step < 40; ++step) simulation.step(1e-3);
+    return simulation.save();
+  };
+  const Checkpoint one = run(1), four = run(4);
+  scenes::expect_same_ledger(one.ledger, four.ledger);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const auto left = one.points[b].values(column::velocity), right = four.points[b].values(column::velocity);
+    EXPECT_TRUE(std::equal(left.begin(), left.end(), right.begin(), right.end()));
+  }
 }
 
 }  // namespace plumbline::meetings

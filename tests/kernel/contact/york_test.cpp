@@ -159,14 +159,7 @@ TEST(York, ASecondPassTakesTheSameNodes) {
 
 // Where a third body meets two in contact, all move in common and momentum is kept.
 TEST(York, ThreeBodiesAtANode) {
-  const double s = 0.05;
-  Meeting<2> meeting(scenes::plane(20, 20, 0.1), {elastic_body("a", 2, block({0.5, 0.5, 0}, {10, 10, 1}, s), s),
-                                                  elastic_body("b", 2, block({1.0, 0.6, 0}, {10, 8, 1}, s), s),
-                                                  elastic_body("c", 2, block({0.7, 1.0, 0}, {10, 10, 1}, s), s)});
-  meeting.randomise(5);
-  meeting.move(0, Vec(1, 1));
-  meeting.move(1, Vec(-1, 0.2));
-  meeting.move(2, Vec(-0.2, -1));
+  Meeting<2> meeting = meetings::three_round_a_corner(1.0);
   const Vec momentum = meeting.momentum();
   meeting.meet("york-9.7");
   EXPECT_NEAR((meeting.momentum() - momentum).norm(), 0, 1e-12);
