@@ -54,34 +54,32 @@ int own_cell(const CellGrid<dim>& cells, const double (&x)[dim]) {
   return cell;
 }
 
+// Along d and all directions above it: to `cell` and the neighbours that quadratic weights reach.
+template <int dim, int d>
+void add_along(CellGrid<dim>& cells, const int (&centre)[dim], const double (&weights)[dim][3], double m, int cell) {
+  for (int k = 0; k < 3; ++k) {
+    // For a point on a side the third cell lies beyond the layer; its weight is zero.
+    const int at = centre[d] + k - 1;
+    if (at < 0 || at >= cells.count[d]) continue;
+    const double share = m * weights[d][k];
+    const int here = cell + at * cells.stride[d];
+    if constexpr (d + 1 == dim) {
+      cells.mass[static_cast<std::size_t>(here)] += share;
+    } else {
+      add_along<dim, d + 1>(cells, centre, weights, share, here);
+    }
+  }
+}
+
 template <int dim>
 void add_quadratic(CellGrid<dim>& cells, const double (&x)[dim], double m) {
-  double w[3][3] = {{0, 1, 0}, {0, 1, 0}, {0, 1, 0}}, local = 0;
+  double weights[dim][3], local = 0;
   int centre[dim];
   for (int d = 0; d < dim; ++d) {
     centre[d] = Quadratic::anchor(x[d] - 0.5, cells.grid.cells(d), local) + 1;
-    double weights[3];
-    Quadratic::weights(local, weights);
-    std::copy_n(weights, 3, w[d]);
+    Quadratic::weights(local, weights[d]);
   }
-  for (int n = 0; n < 27; ++n) {
-    const int step[3] = {n % 3, n / 3 % 3, n / 9};
-    double share = m;
-    int cell = 0;
-    bool there = true;
-    for (int d = 0; d < 3; ++d) {
-      share *= w[d][step[d]];
-      if (d >= dim) {
-        there = there && step[d] == 1;
-        continue;
-      }
-      // For a point on a side the third cell lies beyond the layer; its weight is zero.
-      const int at = centre[d] + step[d] - 1;
-      there = there && at >= 0 && at < cells.count[d];
-      cell += at * cells.stride[d];
-    }
-    if (there) cells.mass[static_cast<std::size_t>(cell)] += share;
-  }
+  add_along<dim, 0>(cells, centre, weights, m, 0);
 }
 
 }  // namespace
@@ -91,9 +89,11 @@ void cell_density(const Grid<dim>& grid, Columns& points, bool quadratic) {
   CellGrid<dim> cells(grid);
   const double* mass = points(column::mass);
   double* density = points(column::density);
+  const double* position[dim];
+  for (int d = 0; d < dim; ++d) position[d] = points(column::position, d);
   double x[dim];
   const auto logical = [&](int p) {
-    for (int d = 0; d < dim; ++d) x[d] = grid.logical(points(column::position, d)[p], d);
+    for (int d = 0; d < dim; ++d) x[d] = grid.logical(position[d][p], d);
   };
   for (int p = 0; p < points.points(); ++p) {
     logical(p);
