@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "cases/harness/files/whole.hpp"
+#include "kernel/curve_order.hpp"
 #include "kernel/materials/segment_membrane.hpp"
 #include "kernel/materials/uniaxial_membrane.hpp"
 
@@ -98,6 +100,29 @@ Curve evenly(const Curve& curve, int segments) {
   }
   even.push_back(curve.back());
   return even;
+}
+
+Curve out_of_order(const Curve& curve) {
+  const std::size_t n = curve.size();
+  std::size_t stride = n * 5 / 8;
+  while (std::gcd(stride, n) > 1) ++stride;
+  Curve all;
+  for (std::size_t k = 0; k < n; ++k) all.push_back(curve[(k + 1) * stride % n]);
+  return all;
+}
+
+Curve in_order(const Curve& vertices, const Curve& corners) {
+  std::vector<double> x, y;
+  for (const Place& at : vertices) {
+    x.push_back(at[0]);
+    y.push_back(at[1]);
+  }
+  Curve all;
+  for (const int k : order_along_curve(x, y).points) all.push_back(vertices[static_cast<std::size_t>(k)]);
+  Curve bounded = all;
+  bounded.insert(bounded.end(), corners.begin(), corners.end());
+  if (enclosed(bounded) < 0) std::reverse(all.begin(), all.end());
+  return all;
 }
 
 Body membrane_body(const Settings& settings, const std::string& name, const MembraneMaterial& material,

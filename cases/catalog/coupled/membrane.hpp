@@ -28,6 +28,12 @@ double length(const Curve& curve);  // m
 // The curve's n + 1 vertices at even distances along it; first and last stay.
 Curve evenly(const Curve& curve, int segments);
 
+// The vertices in an order that says nothing of who follows whom, always the same one.
+Curve out_of_order(const Curve& curve);
+// Vertices in no order, put in order along the curve that they stand on, counter-clockwise round what it bounds with the corners
+// behind its last. Throws std::invalid_argument as order_along_curve().
+Curve in_order(const Curve& vertices, const Curve& corners);
+
 // The body, held out of the plane, as the key `membrane.strain` says.
 //   segments     points at the vertices (the two ends carry half a segment), rest lengths L_s = chord / (1 + strain)
 //   accumulated  points at the middles of the chords, York's layout: none on a wall; they start with `strain`

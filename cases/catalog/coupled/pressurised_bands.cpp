@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/catalog/coupled/coupled_gates.hpp"
 #include "cases/catalog/coupled/membrane.hpp"
 #include "cases/catalog/membrane/string.hpp"
 #include "cases/harness/description/archive.hpp"
@@ -40,6 +41,12 @@ struct Bands : Parameters {
       {.name = "start", .value = 0.5, .low = 0, .high = 2, .description = "strain at the start over that at rest"});
   double drag = not_negative("drag", 2, "1", "against the velocity, over the speed of waves and the radius");
   double end = positive("end", 16, "1", "time of the end, in radii over the speed of waves");
+
+  bool given =
+      one_of(
+          "connectivity", "given", {"given", "found"},
+          "who follows whom along the meridian: said, or found from where its points stand, which come in no order") ==
+      "given";
 
   double speed() const { return std::sqrt(skin.plane_modulus() / skin.density); }
   // Both stresses, force per section at rest: sigma_m = sigma_h = E' (1 + nu) eps.
@@ -160,7 +167,7 @@ class PressurisedBands final : public Problem {
     for (int k = 0; k <= n; ++k)
       curve.push_back(
           {k == n ? 0.0 : at_.radius * std::cos(arc * k / n), k == 0 ? 0.0 : at_.radius * std::sin(arc * k / n)});
-    return curve;
+    return at_.given ? curve : in_order(out_of_order(curve), {{0, 0}});
   }
 
   std::vector<Band> bands(const Body& sphere) const {
@@ -201,7 +208,9 @@ std::vector<StudyPlan> studies() {
       study("default", "at rest under its pressure", "Chords of an arc and maps: order 2.", levels).in_full(all_levels),
       study("breathing", "breathing by a hundredth of its strain", "The same, and the step's second order.", levels)
           .with({{"drag", 0.0}, {"start", 1.01}, {"end", 12.0}})
-          .in_full(all_levels)};
+          .in_full(all_levels),
+      study("found", "the same at rest, who follows whom found", "One mesh: the points come in no order.", {6})
+          .with({{"connectivity", "found"}})};
 }
 
 std::vector<CaseGate> gates() {
@@ -218,6 +227,13 @@ std::vector<CaseGate> gates() {
   all.push_back(gate("breathing/period-order", fitted_order_of("period"), at_least(1.8), second));
   all.push_back(gate("breathing/period-16", error_at("period", 16), at_most(1e-3),
                      requirement("a thousandth at 16 cells; a hundredth of a mass or a modulus is five times that")));
+  const Because same = requirement("a fifth of a per cent of what it is with the order given");
+  for (const std::string measure : {"strain", "stress_along", "stress_around"}) {
+    all.push_back(gate("found/" + measure + "-6",
+                       over_that_of("default", measure, 6, measure + " over that with the order given"),
+                       between(0.998, 1.002), same)
+                      .beside({"default"}));
+  }
   return all;
 }
 

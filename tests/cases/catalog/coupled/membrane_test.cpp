@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -32,6 +33,24 @@ double sum(const Columns& points, const ColumnId& id) {
 
 Settings choices(const std::string& strain) {
   return find_case("membrane-expansion").settings("default", {{"membrane.strain", strain}});
+}
+
+// Of an arc and of the dog-bone at all of York's meshes but the coarsest, whose corners lie between two points.
+TEST(Membrane, OrderIsFoundAgain) {
+  for (const Curve& curve :
+       {arc(2, 7), arc(2, 100), dog_bone_outline(16), dog_bone_outline(32), dog_bone_outline(500)}) {
+    const Curve mixed = out_of_order(curve);
+    EXPECT_TRUE(std::is_permutation(curve.begin(), curve.end(), mixed.begin(), mixed.end()));
+    int still = 0;
+    for (std::size_t k = 1; k < mixed.size(); ++k) {
+      const auto at = std::find(curve.begin(), curve.end(), mixed[k]) - curve.begin();
+      still += std::abs(at - (std::find(curve.begin(), curve.end(), mixed[k - 1]) - curve.begin())) == 1;
+    }
+    EXPECT_EQ(still, 0) << curve.size();
+    EXPECT_EQ(in_order(mixed, {{0, 0}}), curve) << curve.size();
+  }
+  const Curve quarter = arc(1, 9);
+  EXPECT_EQ(in_order({quarter.rbegin(), quarter.rend()}, {{0, 0}}), quarter);
 }
 
 TEST(Membrane, VerticesAtEvenDistances) {
