@@ -2,10 +2,10 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <map>
 #include <stdexcept>
 #include <string>
-#include <tuple>
+
+#include "kernel/points/cubes.hpp"
 
 namespace plumbline {
 namespace {
@@ -33,37 +33,6 @@ struct Candidate {
   bool image;
 };
 
-// Candidates in cubes of a given size.
-class Cubes {
- public:
-  Cubes(const std::vector<Candidate>& all, double size) : all_(all), size_(size) {
-    for (std::size_t k = 0; k < all.size(); ++k) held_[cube(all[k].place)].push_back(k);
-  }
-  template <class Visit>
-  void for_near(const Vec& x, Visit&& visit) const {
-    const auto [i, j, k] = cube(x);
-    for (long a = i - 1; a <= i + 1; ++a) {
-      for (long b = j - 1; b <= j + 1; ++b) {
-        for (long c = k - 1; c <= k + 1; ++c) {
-          const auto found = held_.find({a, b, c});
-          if (found == held_.end()) continue;
-          for (const std::size_t n : found->second) visit(all_[n]);
-        }
-      }
-    }
-  }
-
- private:
-  using Cube = std::tuple<long, long, long>;
-  Cube cube(const Vec& x) const {
-    return {std::lround(std::floor(x[0] / size_)), std::lround(std::floor(x[1] / size_)),
-            std::lround(std::floor(x[2] / size_))};
-  }
-  const std::vector<Candidate>& all_;
-  double size_;
-  std::map<Cube, std::vector<std::size_t>> held_;
-};
-
 std::vector<Candidate> candidates(const Columns& points, const std::vector<OddImage>& images) {
   std::vector<Candidate> all;
   for (int p = 0; p < points.points(); ++p) all.push_back({place_of(points, p), p, false});
@@ -71,6 +40,12 @@ std::vector<Candidate> candidates(const Columns& points, const std::vector<OddIm
     all.push_back({Vec(image.place[0], image.place[1], image.place[2]), image.partner, true});
   }
   return all;
+}
+
+std::vector<Vec> places_of(const std::vector<Candidate>& all) {
+  std::vector<Vec> places;
+  for (const Candidate& one : all) places.push_back(one.place);
+  return places;
 }
 
 double longest_tangent(const Columns& points) {
@@ -92,8 +67,9 @@ struct Neighbour {
   double weight;
 };
 
-std::vector<Neighbour> neighbours_of(const Candidate& point, const Frame& f, double reach, const Cubes& near,
-                                     const std::vector<int>& sheet) {
+std::vector<Neighbour> neighbours_of(const std::vector<Candidate>& candidates, const Cubes& near, int p, const Frame& f,
+                                     double reach, const std::vector<int>& sheet) {
+  const Candidate& point = candidates[static_cast<std::size_t>(p)];
   const Eigen::Matrix<double, 2, 3> dual = (f.transpose() * f).inverse() * f.transpose();
   const auto together = [&](int a, int b) {
     if (sheet.empty()) return true;
@@ -101,7 +77,8 @@ std::vector<Neighbour> neighbours_of(const Candidate& point, const Frame& f, dou
     return one == other || one < 0 || other < 0;
   };
   std::vector<Neighbour> all;
-  near.for_near(point.place, [&](const Candidate& other) {
+  near.for_near(point.place, [&](std::size_t k) {
+    const Candidate& other = candidates[k];
     if ((!other.image && other.point == point.point) || !together(point.point, other.point)) return;
     const Vec apart = other.place - point.place;
     const Eigen::Vector2d xi = dual * apart / reach;
@@ -141,7 +118,7 @@ void transpose(const SurfaceNeighbours::Links& of, SurfaceNeighbours::Links& on)
 SurfaceNeighbours surface_neighbours(const Columns& points, double reach, const std::vector<OddImage>& images,
                                      const std::vector<int>& sheet) {
   const std::vector<Candidate> all = candidates(points, images);
-  const Cubes near(all, reach * longest_tangent(points));
+  const Cubes near(places_of(all), reach * longest_tangent(points));
   SurfaceNeighbours found;
   SurfaceNeighbours::Links& of = found.of;
   of.first.push_back(0);
@@ -152,8 +129,7 @@ SurfaceNeighbours surface_neighbours(const Columns& points, double reach, const 
     of.across.push_back(c[1]);
   };
   for (int p = 0; p < points.points(); ++p) {
-    const std::vector<Neighbour> own = neighbours_of(all[static_cast<std::size_t>(p)], frame_of(points, p), reach, near,
-                                                     sheet);
+    const std::vector<Neighbour> own = neighbours_of(all, near, p, frame_of(points, p), reach, sheet);
     Eigen::Matrix<double, terms, terms> normal = Eigen::Matrix<double, terms, terms>::Zero();
     for (const Neighbour& n : own) normal += n.weight * n.phi * n.phi.transpose();
     const Eigen::FullPivLU<Eigen::Matrix<double, terms, terms>> solver(normal);
