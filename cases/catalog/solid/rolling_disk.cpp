@@ -276,7 +276,7 @@ std::vector<CaseGate> gates() {
           .fails("normals that are found from points scatter around the true one, as much in cells on any mesh; what "
                  "slides is "
                  "pushed where they lean against it and let go where they do not",
-                 {0, 0.2}, "DATE")};
+                 {0, 0.2}, "2026-11-27 d874719")};
   for (const double level : {8.0, 16.0}) {
     for (const std::string study : {"default", "slides"}) {
       all.push_back(
