@@ -1,5 +1,4 @@
-// A disk on an incline with Coulomb friction: rolls, or slides while it spins up. The axes are those of the incline; gravity is
-// tilted.
+// A disk on an incline with Coulomb friction: rolls, or slides while it spins up. Axes are those of the incline.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,9 +21,9 @@
 namespace plumbline {
 namespace {
 
+// Of the floor, m: its height, and its length behind the disk's centre and before it.
 constexpr double radius = 1, density = 1, poisson = 0.3, usual_stiffness = 12.5, floor_height = 0.5;
-constexpr double behind = 1.1, before = 2.5;  // of the disk's centre, of the floor
-constexpr double usual_slope = 0.6, slope_that_slides = 1.5, usual_friction = 0.3;
+constexpr double behind = 1.1, before = 2.5, usual_slope = 0.6, slope_that_slides = 1.5, usual_friction = 0.3;
 // The disk starts this share of a spacing deeper than where rows of points face each other, so that they touch wherever they
 // stand along: more than 1 - sqrt(3)/2.
 constexpr double sunk = 0.15;
@@ -51,9 +50,7 @@ struct Slope : Parameters {
 class RollingDisk final : public Problem {
  public:
   explicit RollingDisk(const Settings& settings) : settings_(settings), at_(settings_), exact_(at_.incline) {}
-
   double end_time() const override { return at_.end; }
-
   Scene scene() const override {
     Scene scene;
     scene.grid = grid();
@@ -102,7 +99,6 @@ class RollingDisk final : public Problem {
     const double taken = last[work] - (*first)[work], down = exact_.along().value * mass * (last[way] - (*first)[way]);
     const double rubbed = at_.incline.friction * across * mass * (last[slip] - (*first)[slip]);
     return {scalar_measure("acceleration", along, a.value, a.bound, "m/s^2"),
-            scalar_measure("spin_up", radius * spin, turns.value, turns.bound, "m/s^2"),
             share_measure("acceleration_share", along / a.value, 1),
             share_measure("spin_share", radius * spin / turns.value, 1),
             share_measure("rolling_radius", along / spin / radius, 1),
@@ -137,18 +133,16 @@ class RollingDisk final : public Problem {
     const double middle = mean(time), value = mean(column);
     double both = 0, square = 0;
     for (const Row& row : history_) {
-      if (!later(row)) continue;
-      both += (row[time] - middle) * (row[column] - value);
-      square += (row[time] - middle) * (row[time] - middle);
+      both += later(row) * (row[time] - middle) * (row[column] - value);
+      square += later(row) * (row[time] - middle) * (row[time] - middle);
     }
     return both / square;
   }
   double mean(Column column) const {
     double sum = 0, count = 0;
     for (const Row& row : history_) {
-      if (!later(row)) continue;
-      sum += row[column];
-      ++count;
+      sum += later(row) * row[column];
+      count += later(row);
     }
     return sum / count;
   }
@@ -178,7 +172,6 @@ class RollingDisk final : public Problem {
     grid.walls[1] = {Wall::no_slip, Wall::free};
     return grid;
   }
-
   std::shared_ptr<Material> material() const {
     auto elastic = std::make_shared<NeoHookean>();
     elastic->youngs_modulus = at_.stiffness * settings_.number("cells");
@@ -206,16 +199,15 @@ std::vector<StudyPlan> studies() {
 // What the disk's pressure leads by, over its radius: half a cell, since a node stands for the points around it.
 double lead(double level) { return 0.5 / level; }
 
-reference::LineContact contact(double level, double slope) {
+double sinks(double level, double slope) {
   Slope at;
   at.incline.slope = slope;
-  return at.contact(level);
+  return at.contact(level).approach(floor_height) / radius;
 }
-double sinks(double level, double slope) { return contact(level, slope).approach(floor_height) / radius; }
 // Of the friction that rolls, with that lead, over what presses.
 double pull(double level) { return (usual_slope + 2 * lead(level)) / 3; }
 double creep(double level) {
-  const reference::LineContact disk = contact(level, usual_slope);
+  const reference::LineContact disk = Slope().contact(level);
   return disk.creep(usual_friction, pull(level) * disk.force);
 }
 
