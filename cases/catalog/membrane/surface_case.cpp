@@ -129,6 +129,18 @@ std::vector<double> resultants(const Columns& points, const SurfaceLaw& law) {
   return all;
 }
 
+PlaneResultant plane_resultant(const Columns& points, int p, const SurfaceLaw& law) {
+  const SurfaceLaw::Metric c = metric_of(points, p);
+  const SurfaceLaw::State s = law.state(c);
+  const double per = law.thickness / std::sqrt(c.determinant());
+  const auto pull = [&](int i, int j) {
+    const auto f = [&](int a, int d) { return points(column::tangents, 3 * a + d)[p]; };
+    return per * (s.first * f(0, i) * f(0, j) + s.mixed * (f(0, i) * f(1, j) + f(1, i) * f(0, j)) +
+                  s.second * f(1, i) * f(1, j));
+  };
+  return {pull(0, 0), pull(1, 1), pull(0, 1)};
+}
+
 void press(Body& body, const SurfaceCase& at, std::function<double(double, const Columns&)> pressure, double drag) {
   body.load = with_drag(surface_load(at.thickness(), std::move(pressure)), drag);
   if (at.choice.tangents == Tangents::refitted) {

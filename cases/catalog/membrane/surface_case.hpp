@@ -47,6 +47,12 @@ double parabola_vertex(const std::vector<std::array<double, 2>>& pairs);
 // Resultants of the points, N/m: the mean of the principal ones.
 std::vector<double> resultants(const Columns& points, const SurfaceLaw& law);
 
+// Of a point of a sheet in the plane of x and y: forces per length as it is, N/m.
+struct PlaneResultant {
+  double along, across, mixed;  // xx, yy, xy
+};
+PlaneResultant plane_resultant(const Columns& points, int p, const SurfaceLaw& law);
+
 // surface_load() of a body made by surface_body(), with a drag, 1/s, and what the case's tangents want beside.
 void press(Body& body, const SurfaceCase& at, std::function<double(double, const Columns&)> pressure, double drag = 0);
 
