@@ -154,8 +154,8 @@ SurfaceNeighbours of_links(const std::vector<SurfaceLink>& links, const std::vec
     if (!link.image) continue;
     for (std::size_t a = 0; a < 2; ++a) {
       for (int d = 0; d < 3; ++d) {
-        found.fixed[6 * static_cast<std::size_t>(link.of) + 3 * a + static_cast<std::size_t>(d)] +=
-            link.weight[a] * (*image)[d];
+        found.fixed[6 * static_cast<std::size_t>(link.of) + 3 * a + static_cast<std::size_t>(d)] += link.weight[a] *
+                                                                                                    (*image)[d];
       }
     }
     ++image;
@@ -167,8 +167,7 @@ SurfaceNeighbours of_links(const std::vector<SurfaceLink>& links, const std::vec
 }  // namespace
 
 SurfaceNeighbours surface_neighbours(const Columns& points, double reach, const std::vector<OddImage>& images,
-                                     const std::vector<int>& sheet,
-                                     const std::vector<std::array<double, 3>>& outward) {
+                                     const std::vector<int>& sheet, const std::vector<std::array<double, 3>>& outward) {
   const std::vector<Candidate> all = candidates(points, images);
   const Cubes near(all, reach * longest_tangent(points));
   std::vector<SurfaceLink> links;

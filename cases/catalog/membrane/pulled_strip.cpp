@@ -19,7 +19,11 @@ struct PulledStrip : SurfaceCase {
   explicit PulledStrip(Parameters given = {}) : SurfaceCase(std::move(given)) {
     width = within("width", 0.5, "1", 0.2, 2, "of the strip at rest, over its length");
     strain = within("strain", 0.05, "1", 0.001, 0.5, "e_1 along the strip, by which it is pulled");
-    jitter = within("jitter", 0, "1", 0, 0.3, "how far points are moved at random, each way, over their spacing");
+    jitter = number({.name = "jitter",
+                     .value = 0.0,
+                     .low = 0,
+                     .high = 0.3,
+                     .description = "how far points are moved at random, each way, over their spacing"});
     drag = not_negative("drag", 1, "1", "against the velocity, over the speed of waves and half the length");
     end = positive("end", 8, "1", "time of the end");
     rows = number({.name = "clamped_rows",
@@ -27,9 +31,7 @@ struct PulledStrip : SurfaceCase {
                    .low = 0,
                    .high = 10,
                    .description = "points this many spacings from an end have images behind it"});
-    choice.balanced = one_of("weights", "fitted", {"fitted", "balanced"},
-                             "of neighbours: by moving least squares; or changed so that a uniform tension is at rest") ==
-                      "balanced";
+    choose_weights();
   }
 
   double along() const { return std::sqrt(1 + 2 * strain); }
@@ -49,8 +51,8 @@ class PulledStripRun final : public Problem {
     scene.grid = grid();
     Body strip = surface_body("strip", at_.choice, points(), scene.grid.h,
                               [this](const Columns& columns) { return images(columns); });
-    press(
-        strip, at_, [](double, const Columns&) { return 0.0; }, at_.drag * at_.speed() / at_.size);
+    const auto none = [](double, const Columns&) { return 0.0; };
+    press(strip, at_, none, at_.drag * at_.speed() / at_.size);
     scene.bodies.push_back(std::move(strip));
     apply_choices(settings_, scene);
     return scene;
@@ -147,18 +149,60 @@ class PulledStripRun final : public Problem {
   std::vector<std::array<double, 5>> rows_;
 };
 
-std::vector<CaseGate> gates() { return {}; }
+std::vector<CaseGate> gates() {
+  std::vector<CaseGate> all;
+  const Because even = theory("rows are even, so that forces of a uniform tension cancel by symmetry: rounding");
+  const Because balanced = theory(
+      "weights let a uniform tension be at rest to rounding of what they had missed, 1e-13; the softest motion of the "
+      "points, as "
+      "long as the strip, yields a thousand times as much as the stiffest, and ten times that for sums of thousands");
+  const Because hundredth = requirement("a hundredth of the stress along the strip, next to a free edge as elsewhere");
+  const std::string cause =
+      "beside irregular points, weights by least squares leave forces of a uniform tension, and the points yield to "
+      "them";
+  for (const std::string measure : {"edge_along", "edge_across", "inner_along", "inner_across"}) {
+    all.push_back(gate("default/" + measure, value_at(measure, 8), at_most(1e-12), even));
+    all.push_back(gate("balanced/" + measure, value_at(measure, 8), at_most(1e-9), balanced));
+    all.push_back(gate("balanced/" + measure + "-12", value_at(measure, 12), at_most(1e-9), balanced).in(Tier::full));
+    all.push_back(gate("shifted/" + measure, value_at(measure, 16), at_most(1e-9), balanced).in(Tier::full));
+  }
+  const auto fails = [&](const std::string& study, const std::string& measure, Range band) {
+    all.push_back(gate(study + "/" + measure, value_at(measure, 8), at_most(0.01), hundredth)
+                      .fails(cause, band, "2026-11-27 baa260e"));
+  };
+  fails("fitted", "edge_along", {0.165, 0.225});
+  fails("fitted", "edge_across", {0.038, 0.051});
+  fails("fitted", "inner_along", {0.11, 0.15});
+  fails("fitted", "inner_across", {0.025, 0.034});
+  fails("near", "edge_along", {0.14, 0.19});
+  fails("far", "edge_along", {0.127, 0.172});
+  return all;
+}
 
 Case pulled_strip() {
-  return {.name = "pulled-strip",
-          .kind = Kind::membrane,
-          .keys = PulledStrip().keys(),
-          .sets = {{"cells", 8.0}},
-          .york_step = courant_number(0.3),
-          .problem = run_of<PulledStripRun>,
-          .studies = {study("default", "default", "Exact: rows are even.", {8}).in_full({8, 16})},
-          .gates = gates(),
-          .levels = {8, 16}};
+  const auto irregular = [](const char* id, const char* title, std::vector<Override> keys) {
+    keys.emplace_back("jitter", 0.3);
+    return study(id, title, "Points moved at random by .3 of their spacing.", {8}).with(std::move(keys));
+  };
+  return {
+      .name = "pulled-strip",
+      .kind = Kind::membrane,
+      .keys = PulledStrip().keys(),
+      .sets = {{"cells", 8.0}, {"cfl", 0.2}},
+      .york_step = courant_number(0.3),
+      .problem = run_of<PulledStripRun>,
+      .studies = {study("default", "default", "Exact: rows are even.", {8}).in_full({8, 16}).pictured(2, 8),
+                  irregular("fitted", "irregular points", {}).in_full({8, 16}),
+                  irregular("near", "irregular points, fewer neighbours", {{"reach", 2.2}}),
+                  irregular("far", "irregular points, more neighbours", {{"reach", 3.4}}),
+                  irregular("balanced", "irregular points, weights of neighbours balanced", {{"weights", "balanced"}})
+                      .in_full({8, 12, 16}),
+                  irregular("shifted", "the same, the grid moved by a part of a cell",
+                            {{"weights", "balanced"}, {"shift.x", 0.37}, {"shift.y", 0.21}, {"shift.z", 0.13}})
+                      .in_full({8, 16})
+                      .in(Tier::full)},
+      .gates = gates(),
+      .levels = {8, 12, 16}};
 }
 PLUMBLINE_CASE(pulled_strip);
 

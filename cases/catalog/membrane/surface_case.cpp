@@ -45,6 +45,12 @@ SurfaceCase::SurfaceCase(Parameters given, bool neo_hookean) : Parameters(std::m
   }
 }
 
+void SurfaceCase::choose_weights() {
+  choice.balanced = one_of("weights", "fitted", {"fitted", "balanced"},
+                           "of neighbours: by moving least squares; or changed so that a uniform tension is at rest") ==
+                    "balanced";
+}
+
 double SurfaceCase::speed() const {
   const SurfaceLaw& law = choice.law;
   return std::sqrt(law.youngs_modulus / ((1 - law.poissons_ratio * law.poissons_ratio) * law.density));

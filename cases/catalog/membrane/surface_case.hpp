@@ -18,6 +18,9 @@ struct SurfaceCase : Parameters {
   Vec3 shift{0, 0, 0};  // of the grid, in cells
   explicit SurfaceCase(Parameters given, bool neo_hookean = false);
 
+  // Reads the key `weights`, of cases whose points know their free edges.
+  void choose_weights();
+
   double thickness() const { return choice.law.thickness; }
   double speed() const;                // of waves in the sheet at rest, m/s
   double pressure(double load) const;  // of q = p a / (E t), Pa

@@ -149,7 +149,7 @@ std::vector<SurfacePoint> band_points(double radius_at_rest, double height, doub
 void tilt(std::vector<SurfacePoint>& points, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   for (SurfacePoint& point : points) {
-    for (Vec3* v : {&point.place, &point.first, &point.second})
+    for (Vec3* v : {&point.place, &point.first, &point.second, &point.outward})
       *v = {(*v)[0], c * (*v)[1] - s * (*v)[2], s * (*v)[1] + c * (*v)[2]};
   }
 }
