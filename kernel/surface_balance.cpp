@@ -79,11 +79,27 @@ Shares shares_of(const SurfaceLink* links, int count, const Columns& points, dou
   return all;
 }
 
+// y of matrix y = missed. Throws where there is none.
+Eigen::VectorXd factors_of(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& missed, int points) {
+  constexpr int sweeps = 8;
+  // Conditions depend on each other where all of a sheet is at rest: a little on the diagonal, and what it takes given back.
+  Eigen::SparseMatrix<double> regular = matrix;
+  for (int row = 0; row < static_cast<int>(missed.size()); ++row) regular.coeffRef(row, row) += 1e-12;
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(regular);
+  Eigen::VectorXd y = Eigen::VectorXd::Zero(static_cast<int>(missed.size()));
+  for (int sweep = 0; sweep < sweeps; ++sweep) y += solver.solve(missed - matrix * y);
+  const double left = (matrix * y - missed).norm() / std::sqrt(static_cast<double>(points));
+  if (!(left <= 1e-9)) {
+    throw std::invalid_argument("no weights of a surface's neighbours let a uniform tension be at rest: " +
+                                std::to_string(left) + " of the pull of a point is left");
+  }
+  return y;
+}
+
 }  // namespace
 
 void balance_weights(std::vector<SurfaceLink>& links, const Columns& points, double reach,
                      const std::vector<std::array<double, 3>>& outward) {
-  constexpr int sweeps = 8;
   if (static_cast<int>(outward.size()) != points.points()) {
     throw std::invalid_argument("a surface of " + std::to_string(points.points()) + " points has " +
                                 std::to_string(outward.size()) + " directions out of its free edges");
@@ -117,22 +133,14 @@ void balance_weights(std::vector<SurfaceLink>& links, const Columns& points, dou
   });
   Eigen::SparseMatrix<double> matrix(pulls.rows(), pulls.rows());
   matrix.setFromTriplets(square.begin(), square.end());
-  // Conditions depend on each other where all of a sheet is at rest: a little on the diagonal, and what it takes given back.
-  Eigen::SparseMatrix<double> regular = matrix;
-  for (int row = 0; row < pulls.rows(); ++row) regular.coeffRef(row, row) += 1e-12;
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(regular);
-  Eigen::VectorXd y = Eigen::VectorXd::Zero(pulls.rows());
-  for (int sweep = 0; sweep < sweeps; ++sweep) y += solver.solve(missed - matrix * y);
-  const double left = (matrix * y - missed).norm() / std::sqrt(static_cast<double>(count));
-  if (!(left <= 1e-9)) {
-    throw std::invalid_argument("no weights of a surface's neighbours let a uniform tension be at rest: " +
-                                std::to_string(left) + " of the pull of a point is left");
-  }
+  const Eigen::VectorXd y = factors_of(matrix, missed, count);
   for_points([&](SurfaceLink* own, int a, const Eigen::MatrixXd& free, const Shares& shares) {
     Eigen::VectorXd wanted = Eigen::VectorXd::Zero(free.rows());
     for (std::size_t i = 0; i < shares.row.size(); ++i) wanted[shares.link[i]] += shares.factor[i] * y[shares.row[i]];
-    const Eigen::VectorXd change = free * wanted / reach;
-    for (int n = 0; n < change.size(); ++n) own[n].weight[static_cast<std::size_t>(a)] += change[n];
+    const Eigen::VectorXd change = free * (free * wanted) / reach;  // twice: rounding of large factors would stay
+    double sum = 0;
+    for (int n = 0; n < change.size(); ++n) sum += own[n].weight[static_cast<std::size_t>(a)] += change[n];
+    own[change.size() - 1].weight[static_cast<std::size_t>(a)] -= sum;  // the point's own, so that momentum is exact
   });
 }
 
