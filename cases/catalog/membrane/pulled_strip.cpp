@@ -182,13 +182,14 @@ std::vector<CaseGate> gates() {
 Case pulled_strip() {
   const auto irregular = [](const char* id, const char* title, std::vector<Override> keys) {
     keys.emplace_back("jitter", 0.3);
+    keys.emplace_back("cfl", 0.2);
     return study(id, title, "Points moved at random by .3 of their spacing.", {8}).with(std::move(keys));
   };
   return {
       .name = "pulled-strip",
       .kind = Kind::membrane,
       .keys = PulledStrip().keys(),
-      .sets = {{"cells", 8.0}, {"cfl", 0.2}},
+      .sets = {{"cells", 8.0}},
       .york_step = courant_number(0.3),
       .problem = run_of<PulledStripRun>,
       .studies = {study("default", "default", "Exact: rows are even.", {8}).in_full({8, 16}).pictured(2, 8),
