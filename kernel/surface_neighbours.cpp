@@ -6,6 +6,7 @@
 #include <string>
 
 #include "kernel/points/cubes.hpp"
+#include "kernel/surface_balance.hpp"
 
 namespace plumbline {
 namespace {
@@ -113,21 +114,40 @@ void transpose(const SurfaceNeighbours::Links& of, SurfaceNeighbours::Links& on)
   }
 }
 
+// Links in the order of the points that they are of.
+SurfaceNeighbours of_links(const std::vector<SurfaceLink>& links, const std::vector<Vec>& both, int points) {
+  SurfaceNeighbours found;
+  SurfaceNeighbours::Links& of = found.of;
+  if (!both.empty()) found.fixed.assign(static_cast<std::size_t>(6 * points), 0.0);
+  of.first.assign(static_cast<std::size_t>(points) + 1, 0);
+  auto image = both.begin();
+  for (const SurfaceLink& link : links) {
+    const double sign = link.image ? -1 : 1;
+    of.other.push_back(link.on);
+    of.along.push_back(sign * link.weight[0]);
+    of.across.push_back(sign * link.weight[1]);
+    of.first[static_cast<std::size_t>(link.of) + 1] = static_cast<int>(of.other.size());
+    if (!link.image) continue;
+    for (std::size_t a = 0; a < 2; ++a) {
+      for (int d = 0; d < 3; ++d) {
+        found.fixed[6 * static_cast<std::size_t>(link.of) + 3 * a + static_cast<std::size_t>(d)] += link.weight[a] *
+                                                                                                    (*image)[d];
+      }
+    }
+    ++image;
+  }
+  transpose(of, found.on);
+  return found;
+}
+
 }  // namespace
 
 SurfaceNeighbours surface_neighbours(const Columns& points, double reach, const std::vector<OddImage>& images,
-                                     const std::vector<int>& sheet) {
+                                     const std::vector<int>& sheet, const std::vector<std::array<double, 3>>& outward) {
   const std::vector<Candidate> all = candidates(points, images);
   const Cubes near(places_of(all), reach * longest_tangent(points));
-  SurfaceNeighbours found;
-  SurfaceNeighbours::Links& of = found.of;
-  of.first.push_back(0);
-  if (!images.empty()) found.fixed.assign(static_cast<std::size_t>(6 * points.points()), 0.0);
-  const auto add = [&](int other, const Eigen::Vector2d& c) {
-    of.other.push_back(other);
-    of.along.push_back(c[0]);
-    of.across.push_back(c[1]);
-  };
+  std::vector<SurfaceLink> links;
+  std::vector<Vec> both;  // of the links with images: what the places of image and partner add up to
   for (int p = 0; p < points.points(); ++p) {
     const std::vector<Neighbour> own = neighbours_of(all, near, p, frame_of(points, p), reach, sheet);
     Eigen::Matrix<double, terms, terms> normal = Eigen::Matrix<double, terms, terms>::Zero();
@@ -142,18 +162,14 @@ SurfaceNeighbours surface_neighbours(const Columns& points, double reach, const 
     for (const Neighbour& n : own) {
       const Eigen::Vector2d c = inverse.topRows<2>() * n.phi * (n.weight / reach);  // [Surface 1]
       sum += c;
-      add(n.at.point, n.at.image ? Eigen::Vector2d(-c) : c);
-      if (!n.at.image) continue;
-      const Vec both = n.at.place + place_of(points, n.at.point);  // what the places of image and partner add up to
-      for (int a = 0; a < 2; ++a) {
-        for (int d = 0; d < 3; ++d) found.fixed[static_cast<std::size_t>(6 * p + 3 * a + d)] += c[a] * both[d];
-      }
+      links.push_back({p, n.at.point, n.at.image, {}, {c[0], c[1]}});
+      for (std::size_t k = 0; k < terms; ++k) links.back().terms[k] = n.phi[static_cast<int>(k)];
+      if (n.at.image) both.emplace_back(n.at.place + place_of(points, n.at.point));
     }
-    add(p, -sum);
-    of.first.push_back(static_cast<int>(of.other.size()));
+    links.push_back({p, p, false, {}, {-sum[0], -sum[1]}});
   }
-  transpose(of, found.on);
-  return found;
+  if (!outward.empty()) balance_weights(links, points, reach, outward);
+  return of_links(links, both, points.points());
 }
 
 }  // namespace plumbline

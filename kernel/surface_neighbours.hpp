@@ -36,8 +36,10 @@ struct SurfaceNeighbours {
 // Of points that stand as they do at the start, with the tangents that they have there: these say which lengths are at rest.
 //   reach   m at rest, > 0: farther points are no neighbours
 //   sheet   empty, or a number for each point: points of different sheets are no neighbours; -1: of all sheets
+//   outward empty, or for each point the direction out of a free edge near it: then the weights are balanced, see balance_weights()
 // Throws std::invalid_argument for a point with too few neighbours for a quadratic surface through it, or without tangents.
 SurfaceNeighbours surface_neighbours(const Columns& points, double reach, const std::vector<OddImage>& images = {},
-                                     const std::vector<int>& sheet = {});
+                                     const std::vector<int>& sheet = {},
+                                     const std::vector<std::array<double, 3>>& outward = {});
 
 }  // namespace plumbline

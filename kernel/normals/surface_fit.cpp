@@ -39,7 +39,7 @@ Patch near_point(const Cubes& all, const Vec& x, double reach) {
   return patch;
 }
 
-// Axes of the plane, its normal the first. [Surface 5]
+// Axes of the plane, its normal the first. [Surface 15]
 Eigen::Matrix3d plane(const Patch& patch) {
   const Vec mean = patch.mean();
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
@@ -50,7 +50,7 @@ Eigen::Matrix3d plane(const Patch& patch) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
 }
 
-// [Surface 6]
+// [Surface 16]
 Vec tilted(const Patch& patch, const Eigen::Matrix3d& axes) {
   constexpr int terms = 6;
   Eigen::Matrix<double, terms, terms> normal = Eigen::Matrix<double, terms, terms>::Zero();

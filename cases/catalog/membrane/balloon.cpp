@@ -19,6 +19,7 @@ struct Balloon : SurfaceCase {
   std::string areas;
 
   explicit Balloon(Parameters given = {}) : SurfaceCase(std::move(given), true) {
+    choose_weights();
     stretch = number(
         {.name = "stretch", .value = 1.2, .low = 1, .high = 4, .low_open = true, .description = "at the start"});
     excess = not_negative("excess", 3e-3, "1", "by which the stretch at the start is larger than at rest");
@@ -138,6 +139,9 @@ std::vector<StudyPlan> studies() {
           .in(Tier::full),
       study("equal-areas", "the same with equal areas", "Areas that are not those of the points.", {8})
           .with({{"jitter", 0.3}, {"areas", "equal"}, {"end", 8.0}})
+          .in(Tier::full),
+      study("balanced", "the same with balanced weights", "A uniform tension is at rest on such points, too.", {8})
+          .with({{"jitter", 0.3}, {"areas", "equal"}, {"weights", "balanced"}, {"end", 8.0}})
           .in(Tier::full)};
   for (StudyPlan& wrong : wrong_tangents({8}))
     all.push_back(std::move(wrong).with({{"tangents", wrong.id}, {"end", 8.0}}));
@@ -196,6 +200,14 @@ std::vector<CaseGate> gates() {
   all.push_back(gate("equal-areas/tangents-8", tangents, at_most(5e-3), of_jitter)
                     .in(Tier::full)
                     .fails("the areas are not those that the points stand for", {0.0124, 0.0165}, stamp));
+  all.push_back(
+      gate(
+          "balanced/tangents-8", tangents, at_most(1e-3),
+          requirement("points moved by .3 of their spacing give the stretch to a thousandth, whatever areas they have"))
+          .in(Tier::full));
+  all.push_back(gate("balanced/scatter-8", value_at("scatter", 8), at_most(0.01),
+                     requirement("resultants of such points scatter by a hundredth, root mean square"))
+                    .in(Tier::full));
   all.push_back(restart_gate("default", "runs of a membrane in space"));
   return all;
 }

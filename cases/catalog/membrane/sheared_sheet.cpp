@@ -112,18 +112,11 @@ class ShearedSheetRun final : public Problem {
   Pulls pulls_of(const Columns& points) const {
     Pulls mean;
     for (int p = 0; p < points.points(); ++p) {
-      const SurfaceLaw::Metric c = metric_of(points, p);
-      const SurfaceLaw::State s = at_.choice.law.state(c);
-      const double share = at_.thickness() / std::sqrt(c.determinant()) / points.points();
-      const auto pull = [&](int i, int j) {
-        const auto f = [&](int a, int d) { return points(column::tangents, 3 * a + d)[p]; };
-        return share * (s.first * f(0, i) * f(0, j) + s.mixed * (f(0, i) * f(1, j) + f(1, i) * f(0, j)) +
-                        s.second * f(1, i) * f(1, j));
-      };
-      mean.along += pull(0, 0);
-      mean.across += pull(1, 1);
-      mean.mixed += pull(0, 1);
-      mean.energy += s.energy / points.points();
+      const PlaneResultant pull = plane_resultant(points, p, at_.choice.law);
+      mean.along += pull.along / points.points();
+      mean.across += pull.across / points.points();
+      mean.mixed += pull.mixed / points.points();
+      mean.energy += at_.choice.law.state(metric_of(points, p)).energy / points.points();
     }
     return mean;
   }

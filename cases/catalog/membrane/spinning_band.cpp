@@ -19,6 +19,7 @@ struct SpinningBand : SurfaceCase {
     height = positive("height", 1, "m", "of the band at rest");
     strain = within("strain", 0.01, "1", 0, 0.2, "e_1 around the axis, by which it turns");
     turns = positive("turns", 1, "1", "to the end");
+    choose_weights();
     tilted = any_number("tilt", 0.6, "1", "angle of its axis with that of the grid, rad");
   }
 
@@ -43,6 +44,10 @@ class SpinningBandRun final : public Problem {
     scene.grid = surface_grid(at_, settings_, far, far);
     const double h = scene.grid.h, spacing = h / std::sqrt(settings_.number("ppc"));
     std::vector<SurfacePoint> points = band_points(at_.size, at_.height, spacing, at_.around(), at_.along());
+    const double near = 0.5 * at_.height * at_.along() - at_.choice.reach * spacing * at_.along();
+    for (SurfacePoint& point : points) {
+      if (std::abs(point.place[2]) > near) point.outward = {0, 0, std::copysign(1.0, point.place[2])};
+    }
     tilt(points, at_.tilted);
     Body band = surface_body("band", at_.choice, std::move(points), h);
     turn(band.points, at_.spin(), settings_.text("transfer") == "apic");
@@ -100,12 +105,18 @@ class SpinningBandRun final : public Problem {
 };
 
 std::vector<CaseGate> gates() {
-  return {gate("default/energy-8", value_at("energy_lost", 8), between(-1e-12, 3e-4),
-               requirement("a turn costs less than three ten-thousandths of the energy and never gives any")),
-          gate("default/rise-8", value_at("energy_rise", 8), at_most(1e-6),
-               requirement("no step raises the energy by more than a millionth")),
-          gate("default/radius-8", error_at("radius", 8), at_most(1e-3),
-               requirement("a thousandth of the radius, a tenth of the strain that holds it"))};
+  return {
+      gate("default/energy-8", value_at("energy_lost", 8), between(-1e-12, 3e-4),
+           requirement("a turn costs less than three ten-thousandths of the energy and never gives any")),
+      gate("default/rise-8", value_at("energy_rise", 8), at_most(1e-6),
+           requirement("no step raises the energy by more than a millionth")),
+      gate("default/radius-8", error_at("radius", 8), at_most(1e-3),
+           requirement("a thousandth of the radius, a tenth of the strain that holds it")),
+      gate("default/stress-8", value_at("stress", 8), at_most(0.01), requirement("a hundredth of the hoop stress"))
+          .fails(
+              "beside a free edge neighbours stand on one side: the force of a curved row does not fall on points "
+              "as their masses do. Neighbours within 2.2 spacings leave .091, within 3.4 .147, balanced weights .105",
+              {0.09, 0.12}, "2026-11-27 baa260e")};
 }
 
 Case spinning_band() {

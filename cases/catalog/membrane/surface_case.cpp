@@ -45,6 +45,12 @@ SurfaceCase::SurfaceCase(Parameters given, bool neo_hookean) : Parameters(std::m
   }
 }
 
+void SurfaceCase::choose_weights() {
+  choice.balanced = one_of("weights", "fitted", {"fitted", "balanced"},
+                           "of neighbours: by moving least squares; or changed so that a uniform tension is at rest") ==
+                    "balanced";
+}
+
 double SurfaceCase::speed() const {
   const SurfaceLaw& law = choice.law;
   return std::sqrt(law.youngs_modulus / ((1 - law.poissons_ratio * law.poissons_ratio) * law.density));
@@ -127,6 +133,18 @@ std::vector<double> resultants(const Columns& points, const SurfaceLaw& law) {
     all.push_back(0.5 * law.thickness * (s.largest + s.least));
   }
   return all;
+}
+
+PlaneResultant plane_resultant(const Columns& points, int p, const SurfaceLaw& law) {
+  const SurfaceLaw::Metric c = metric_of(points, p);
+  const SurfaceLaw::State s = law.state(c);
+  const double per = law.thickness / std::sqrt(c.determinant());
+  const auto pull = [&](int i, int j) {
+    const auto f = [&](int a, int d) { return points(column::tangents, 3 * a + d)[p]; };
+    return per * (s.first * f(0, i) * f(0, j) + s.mixed * (f(0, i) * f(1, j) + f(1, i) * f(0, j)) +
+                  s.second * f(1, i) * f(1, j));
+  };
+  return {pull(0, 0), pull(1, 1), pull(0, 1)};
 }
 
 void press(Body& body, const SurfaceCase& at, std::function<double(double, const Columns&)> pressure, double drag) {

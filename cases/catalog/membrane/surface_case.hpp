@@ -18,6 +18,9 @@ struct SurfaceCase : Parameters {
   Vec3 shift{0, 0, 0};  // of the grid, in cells
   explicit SurfaceCase(Parameters given, bool neo_hookean = false);
 
+  // Reads the key `weights`, of cases whose points know their free edges.
+  void choose_weights();
+
   double thickness() const { return choice.law.thickness; }
   double speed() const;                // of waves in the sheet at rest, m/s
   double pressure(double load) const;  // of q = p a / (E t), Pa
@@ -46,6 +49,12 @@ double parabola_vertex(const std::vector<std::array<double, 2>>& pairs);
 
 // Resultants of the points, N/m: the mean of the principal ones.
 std::vector<double> resultants(const Columns& points, const SurfaceLaw& law);
+
+// Of a point of a sheet in the plane of x and y: forces per length as it is, N/m.
+struct PlaneResultant {
+  double along, across, mixed;  // xx, yy, xy
+};
+PlaneResultant plane_resultant(const Columns& points, int p, const SurfaceLaw& law);
 
 // surface_load() of a body made by surface_body(), with a drag, 1/s, and what the case's tangents want beside.
 void press(Body& body, const SurfaceCase& at, std::function<double(double, const Columns&)> pressure, double drag = 0);

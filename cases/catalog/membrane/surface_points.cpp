@@ -149,7 +149,7 @@ std::vector<SurfacePoint> band_points(double radius_at_rest, double height, doub
 void tilt(std::vector<SurfacePoint>& points, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   for (SurfacePoint& point : points) {
-    for (Vec3* v : {&point.place, &point.first, &point.second})
+    for (Vec3* v : {&point.place, &point.first, &point.second, &point.outward})
       *v = {(*v)[0], c * (*v)[1] - s * (*v)[2], s * (*v)[1] + c * (*v)[2]};
   }
 }
@@ -173,6 +173,7 @@ Body surface_body(const std::string& name, const SurfaceChoice& choice, std::vec
   Body body = make_body(name, material, static_cast<int>(points.size()), 3);
   Columns& columns = body.points;
   std::vector<int> sheet;
+  std::vector<Vec3> outward;
   double area = 0;
   for (int p = 0; p < columns.points(); ++p) {
     const SurfacePoint& own = points[at(p)];
@@ -185,11 +186,12 @@ Body surface_body(const std::string& name, const SurfaceChoice& choice, std::vec
     columns(column::mass)[p] = choice.law.density * choice.law.thickness * own.area;
     area += own.area;
     sheet.push_back(own.sheet);
+    if (choice.balanced) outward.push_back(own.outward);
   }
   body.spacing = std::sqrt(area / columns.points());
   if (const auto* membrane = dynamic_cast<const SurfaceMembrane*>(material.get())) {
     const std::vector<OddImage> images = images_of ? images_of(columns) : std::vector<OddImage>();
-    body.material = membrane->of_rest(columns, images, sheet);
+    body.material = membrane->of_rest(columns, images, sheet, outward);
     if (!images.empty()) columns.add(column::clamped);
     for (const OddImage& image : images) columns(column::clamped)[image.partner] = 1;
   }

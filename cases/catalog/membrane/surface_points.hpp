@@ -20,7 +20,8 @@ using Vec3 = std::array<double, 3>;
 struct SurfacePoint {
   Vec3 place, first, second;
   double area;
-  int sheet = 0;  // see surface_neighbours()
+  int sheet = 0;   // see surface_neighbours()
+  Vec3 outward{};  // of a free edge within reach; see balance_weights()
 };
 
 // `count` points of equal areas along a spiral (Fibonacci) on a sphere about the origin, `stretch` times as large as at rest.
@@ -54,6 +55,7 @@ struct SurfaceChoice {
   SurfaceLaw law;
   Tangents tangents = Tangents::neighbours;
   double reach = 2.6;
+  bool balanced = false;  // weights of neighbours, see balance_weights()
 };
 // The points in the order of the cells of size h that they stand in, so that those of a cell are worked on together.
 // images_of: of these points in their new order; may be empty.

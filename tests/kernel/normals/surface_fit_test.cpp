@@ -1,5 +1,5 @@
 // Normals by fits to points in space: exact where the surface is one of those fitted, off by no more than what is left over.
-// [Surface 5, 6]
+// [Surface 15, 16]
 #include "kernel/normals/surface_fit.hpp"
 
 #include <gtest/gtest.h>

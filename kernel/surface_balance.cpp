@@ -1,0 +1,147 @@
+#include "kernel/surface_balance.hpp"
+
+#include <Eigen/Dense>
+#include <Eigen/Sparse>
+#include <Eigen/SparseCholesky>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "kernel/materials/surface_law.hpp"
+
+namespace plumbline {
+namespace {
+
+using Vec = Eigen::Vector3d;
+
+Vec tangent(const Columns& points, int p, int a) {
+  return {points(column::tangents, 3 * a)[p], points(column::tangents, 3 * a + 1)[p],
+          points(column::tangents, 3 * a + 2)[p]};
+}
+
+// Directions of the surface at a point along which nothing may pull: all but out of a free edge.
+std::vector<Vec> directions(const Columns& points, int p, const Vec& out) {
+  const Vec normal = tangent(points, p, 0).cross(tangent(points, p, 1)).normalized();
+  if (out.squaredNorm() > 0) return {normal.cross(out).normalized()};
+  const Vec first = tangent(points, p, 0).normalized();
+  return {first, normal.cross(first)};
+}
+
+// Links of each point are one after another: the first, and one past the last.
+std::vector<int> first_links(const std::vector<SurfaceLink>& links, int points) {
+  std::vector<int> first(static_cast<std::size_t>(points) + 1, 0);
+  for (std::size_t n = 0; n < links.size(); ++n)
+    first[static_cast<std::size_t>(links[n].of) + 1] = static_cast<int>(n) + 1;
+  return first;
+}
+
+// A condition for each direction in which a point must not be pulled at.
+struct Pulls {
+  std::vector<std::vector<Vec>> along;  // of each point
+  std::vector<int> first;               // row of its first direction
+  Pulls(const Columns& points, const std::vector<std::array<double, 3>>& outward) : first{0} {
+    for (int p = 0; p < points.points(); ++p) {
+      const auto& out = outward[static_cast<std::size_t>(p)];
+      along.push_back(directions(points, p, {out[0], out[1], out[2]}));
+      first.push_back(first.back() + static_cast<int>(along.back().size()));
+    }
+  }
+  int rows() const { return first.back(); }
+};
+
+// What the weights of point p may be changed by, as a projection: the six sums of its links stay.
+Eigen::MatrixXd free_changes(const SurfaceLink* links, int count) {
+  Eigen::MatrixXd sums(count, 6);
+  for (int n = 0; n < count; ++n) {
+    sums(n, 0) = 1;
+    for (int k = 0; k < 5; ++k) sums(n, 1 + k) = links[n].terms[static_cast<std::size_t>(k)];
+  }
+  const Eigen::MatrixXd basis = sums.householderQr().householderQ() * Eigen::MatrixXd::Identity(count, 6);
+  return Eigen::MatrixXd::Identity(count, count) - basis * basis.transpose();
+}
+
+// Of the links of point p, what their weights along tangent a add to each condition, over the mean volume: rows and factors.
+struct Shares {
+  std::vector<int> row, link;
+  std::vector<double> factor;
+};
+Shares shares_of(const SurfaceLink* links, int count, const Columns& points, double mean, const Pulls& pulls, int a) {
+  Shares all;
+  for (int n = 0; n < count; ++n) {
+    const auto on = static_cast<std::size_t>(links[n].on);
+    const double share = (links[n].image ? -1 : 1) * points(column::volume)[links[n].of] / mean;
+    for (std::size_t d = 0; d < pulls.along[on].size(); ++d) {
+      all.row.push_back(pulls.first[on] + static_cast<int>(d));
+      all.link.push_back(n);
+      all.factor.push_back(share * pulls.along[on][d].dot(tangent(points, links[n].of, a)));
+    }
+  }
+  return all;
+}
+
+// y of matrix y = missed. Throws where there is none.
+Eigen::VectorXd factors_of(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& missed, int points) {
+  constexpr int sweeps = 8;
+  // Conditions depend on each other where all of a sheet is at rest: a little on the diagonal, and what it takes given back.
+  Eigen::SparseMatrix<double> regular = matrix;
+  for (int row = 0; row < static_cast<int>(missed.size()); ++row) regular.coeffRef(row, row) += 1e-12;
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(regular);
+  Eigen::VectorXd y = Eigen::VectorXd::Zero(static_cast<int>(missed.size()));
+  for (int sweep = 0; sweep < sweeps; ++sweep) y += solver.solve(missed - matrix * y);
+  const double left = (matrix * y - missed).norm() / std::sqrt(static_cast<double>(points));
+  if (!(left <= 1e-9)) {
+    throw std::invalid_argument("no weights of a surface's neighbours let a uniform tension be at rest: " +
+                                std::to_string(left) + " of the pull of a point is left");
+  }
+  return y;
+}
+
+}  // namespace
+
+void balance_weights(std::vector<SurfaceLink>& links, const Columns& points, double reach,
+                     const std::vector<std::array<double, 3>>& outward) {
+  if (static_cast<int>(outward.size()) != points.points()) {
+    throw std::invalid_argument("a surface of " + std::to_string(points.points()) + " points has " +
+                                std::to_string(outward.size()) + " directions out of its free edges");
+  }
+  // The least change is Q^T y, Q the conditions on free changes alone; then Q Q^T y is what was missed.
+  const int count = points.points();
+  const std::vector<int> first = first_links(links, count);
+  const Pulls pulls(points, outward);
+  double mean = 0;
+  for (int p = 0; p < count; ++p) mean += points(column::volume)[p] / count;
+  std::vector<Eigen::Triplet<double>> square;
+  Eigen::VectorXd missed = Eigen::VectorXd::Zero(pulls.rows());
+  const auto for_points = [&](auto&& visit) {
+    for (int p = 0; p < count; ++p) {
+      const int from = first[static_cast<std::size_t>(p)], n = first[static_cast<std::size_t>(p) + 1] - from;
+      const Eigen::MatrixXd free = free_changes(&links[static_cast<std::size_t>(from)], n);
+      for (int a = 0; a < 2; ++a) {
+        visit(&links[static_cast<std::size_t>(from)], a, free,
+              shares_of(&links[static_cast<std::size_t>(from)], n, points, mean, pulls, a));
+      }
+    }
+  };
+  for_points([&](const SurfaceLink* own, int a, const Eigen::MatrixXd& free, const Shares& shares) {
+    for (std::size_t i = 0; i < shares.row.size(); ++i) {
+      missed[shares.row[i]] -= shares.factor[i] * reach * own[shares.link[i]].weight[static_cast<std::size_t>(a)];
+      for (std::size_t j = 0; j < shares.row.size(); ++j) {
+        square.emplace_back(shares.row[i], shares.row[j],
+                            shares.factor[i] * free(shares.link[i], shares.link[j]) * shares.factor[j]);
+      }
+    }
+  });
+  Eigen::SparseMatrix<double> matrix(pulls.rows(), pulls.rows());
+  matrix.setFromTriplets(square.begin(), square.end());
+  const Eigen::VectorXd y = factors_of(matrix, missed, count);
+  for_points([&](SurfaceLink* own, int a, const Eigen::MatrixXd& free, const Shares& shares) {
+    Eigen::VectorXd wanted = Eigen::VectorXd::Zero(free.rows());
+    for (std::size_t i = 0; i < shares.row.size(); ++i) wanted[shares.link[i]] += shares.factor[i] * y[shares.row[i]];
+    const Eigen::VectorXd change = free * (free * wanted) / reach;  // twice: rounding of large factors would stay
+    double sum = 0;
+    for (int n = 0; n < change.size(); ++n) sum += own[n].weight[static_cast<std::size_t>(a)] += change[n];
+    own[change.size() - 1].weight[static_cast<std::size_t>(a)] -= sum;  // the point's own, so that momentum is exact
+  });
+}
+
+}  // namespace plumbline
