@@ -155,6 +155,14 @@ def test_json_is_utf8_whatever_is_quoted(plumbline):
     assert result.code == 1 and result.json("score")["version"] == "\ufffd\ufffd"
 
 
+@pytest.mark.parametrize("more", [(), ("--dry-run",)])
+def test_an_end_that_no_run_reaches_is_refused(plumbline, more):
+    """Of two bars at a speed of 5e-324 m/s, whose end is that of their meeting."""
+    result = plumbline("run", "two-bar", "--set", "speed=5e-324", *more, json=True, timeout=20)
+    error = result.json("error")["error"]
+    assert result.code == 2 and error["key"] == "end time" and error["value"] == "inf" and plumbline.files() == []
+
+
 # --- calls that contradict themselves -------------------------------------------------------------------------------------------
 
 @pytest.mark.parametrize("key, arguments", [

@@ -120,6 +120,14 @@ void require_memory(const SceneSize& size, const Settings& settings) {
                   settings.number("cells"), settings.number("ppc"), size.points, size.cells, wanted, allowed));
 }
 
+void require_end(double end) {
+  if (std::isfinite(end)) return;
+  throw UsageError("end time", fmt::format("{}", end), "a finite time", {},
+                   fmt::format("the end time that follows from the settings is {} s, which no run reaches: less extreme "
+                               "values would do",
+                               end));
+}
+
 void require_steps(double end, double dt, const Settings& settings) {
   const double steps = end / dt, most = budget().steps;
   if (steps <= most) return;

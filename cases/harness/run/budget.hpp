@@ -35,5 +35,7 @@ SceneSize foreseen_size(const Case& entry, const Settings& settings);
 void require_memory(const SceneSize& size, const Settings& settings);
 // The same for a run to `end` (s) by steps of dt (s).
 void require_steps(double end, double dt, const Settings& settings);
+// Throws UsageError for an end that is no finite time, s.
+void require_end(double end);
 
 }  // namespace plumbline

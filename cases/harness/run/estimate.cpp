@@ -28,6 +28,7 @@ RunEstimate estimate_run(const Case& entry, const Settings& settings) {
   if (!entry.trials.empty()) return {.seconds = 1};          // nothing is known of a trial before it is made
   require_memory(foreseen_size(entry, settings), settings);  // a problem may fill its bodies as soon as it is made
   const auto problem = entry.problem(settings);
+  require_end(problem->end_time());
   if (settings.is_set("dt")) require_steps(problem->end_time(), settings.number("dt"), settings);
   Scene scene = problem->scene();
   const SceneSize size = size_of(scene);

@@ -191,6 +191,7 @@ RunResult run_experiment(const Case& entry, const std::string& scheme, const Set
   if (!entry.trials.empty()) return make_trial(entry, scheme, settings);
   require_memory(foreseen_size(entry, settings), settings);  // a problem may fill its bodies as soon as it is made
   const auto problem = entry.problem(settings);
+  require_end(problem->end_time());
   if (settings.is_set("dt")) require_steps(problem->end_time(), settings.number("dt"), settings);
   Scene scene = problem->scene();
   throw_if_interrupted();
