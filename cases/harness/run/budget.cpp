@@ -122,10 +122,11 @@ void require_memory(const SceneSize& size, const Settings& settings) {
 
 void require_end(double end) {
   if (std::isfinite(end)) return;
-  throw UsageError("end time", fmt::format("{}", end), "a finite time", {},
-                   fmt::format("the end time that follows from the settings is {} s, which no run reaches: less extreme "
-                               "values would do",
-                               end));
+  throw UsageError(
+      "end time", fmt::format("{}", end), "a finite time", {},
+      fmt::format("the end time that follows from the settings is {} s, which no run reaches: less extreme "
+                  "values would do",
+                  end));
 }
 
 void require_steps(double end, double dt, const Settings& settings) {
