@@ -192,8 +192,8 @@ Case pulled_strip() {
       .sets = {{"cells", 8.0}},
       .york_step = courant_number(0.3),
       .problem = run_of<PulledStripRun>,
-      .studies = {study("default", "default", "Exact: rows are even.", {8}).in_full({8, 16}).pictured(2, 8),
-                  irregular("fitted", "irregular points", {}).in_full({8, 16}),
+      .studies = {study("default", "default", "Exact: rows are even.", {8}).in_full({8, 16}),
+                  irregular("fitted", "irregular points", {}).in_full({8, 16}).pictured(2, 8),
                   irregular("near", "irregular points, fewer neighbours", {{"reach", 2.2}}),
                   irregular("far", "irregular points, more neighbours", {{"reach", 3.4}}),
                   irregular("balanced", "irregular points, weights of neighbours balanced", {{"weights", "balanced"}})
