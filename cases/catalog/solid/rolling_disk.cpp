@@ -40,7 +40,6 @@ struct Slope : Parameters {
     stiffness = positive("stiffness", usual_stiffness, "Pa", "E of disk and floor over the cells along the radius");
     end = positive("t_end", 3.5, "s", "end time");
   }
-  // The disk at rest on the incline.
   reference::LineContact contact(double cells) const {
     const double weight = density * std::numbers::pi * radius * radius * reference::Incline(incline).across().value;
     return {radius, stiffness * cells, poisson, weight};
@@ -94,10 +93,8 @@ class RollingDisk final : public Problem {
     const double mass = motion_of(simulation.scene().bodies[0], 2).mass;
     const reference::Bounded a = exact_.disk_acceleration(), turns = exact_.disk_spin_up();
     const double along = rate(velocity), spin = rate(turning), across = exact_.across().value + rate(off);
-    const auto first = std::find_if(history_.begin(), history_.end(), [this](const auto& row) { return later(row); });
-    const auto& last = history_.back();
-    const double taken = last[work] - (*first)[work], down = exact_.along().value * mass * (last[way] - (*first)[way]);
-    const double rubbed = at_.incline.friction * across * mass * (last[slip] - (*first)[slip]);
+    const double taken = grown(work), down = exact_.along().value * mass * grown(way);
+    const double rubbed = at_.incline.friction * across * mass * grown(slip);
     return {scalar_measure("acceleration", along, a.value, a.bound, "m/s^2"),
             share_measure("acceleration_share", along / a.value, 1),
             share_measure("spin_share", radius * spin / turns.value, 1),
@@ -127,6 +124,11 @@ class RollingDisk final : public Problem {
   using Row = std::array<double, 8>;
 
   bool later(const Row& row) const { return row[time] >= at_.incline.rise; }
+  // What a column has grown by since then; no number for a run that ends before.
+  double grown(Column column) const {
+    const auto first = std::find_if(history_.begin(), history_.end(), [this](const Row& row) { return later(row); });
+    return first == history_.end() ? std::nan("") : history_.back()[column] - (*first)[column];
+  }
 
   // Of a column over time, since gravity has grown: the line of least squares, since the disk swings on its own softness.
   double rate(Column column) const {
@@ -211,7 +213,6 @@ double creep(double level) {
   return disk.creep(usual_friction, pull(level) * disk.force);
 }
 
-// Where the disk's centre stands, of both studies.
 CaseGate stands(const std::string& study, double slope, double level) {
   const double high = radius * (1 - sinks(level, slope)), rows = (1 - std::sqrt(0.75)) / (2 * level);
   return gate(
