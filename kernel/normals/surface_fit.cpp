@@ -1,6 +1,7 @@
 #include "kernel/normals/surface_fit.hpp"
 
 #include <Eigen/Dense>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -39,19 +40,24 @@ Patch near_point(const Cubes& all, const Vec& x, double reach) {
   return patch;
 }
 
-// Axes of the plane, its normal the first. [Surface 15]
-Eigen::Matrix3d plane(const Patch& patch) {
+// Of eigenvalues and pivots of a patch of size one: what is less is none.
+constexpr double least_share = 1e-12;
+
+// Axes of the plane, its normal the first; none where the points are on a line. [Surface 15]
+std::optional<Eigen::Matrix3d> plane(const Patch& patch) {
   const Vec mean = patch.mean();
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (std::size_t k = 0; k < patch.place.size(); ++k) {
     const Vec off = patch.place[k] - mean;
     spread += patch.weight[k] * off * off.transpose();
   }
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+  if (!(axes.eigenvalues()[1] > least_share * axes.eigenvalues()[2])) return std::nullopt;
+  return axes.eigenvectors();
 }
 
-// [Surface 16]
-Vec tilted(const Patch& patch, const Eigen::Matrix3d& axes) {
+// None where the points do not determine a quadratic. [Surface 16]
+std::optional<Vec> tilted(const Patch& patch, const Eigen::Matrix3d& axes) {
   constexpr int terms = 6;
   Eigen::Matrix<double, terms, terms> normal = Eigen::Matrix<double, terms, terms>::Zero();
   Eigen::Matrix<double, terms, 1> right = Eigen::Matrix<double, terms, 1>::Zero();
@@ -63,8 +69,16 @@ Vec tilted(const Patch& patch, const Eigen::Matrix3d& axes) {
     normal += patch.weight[k] * phi * phi.transpose();
     right += patch.weight[k] * local[0] * phi;
   }
-  const Eigen::Matrix<double, terms, 1> fit = normal.ldlt().solve(right);
+  const auto solver = normal.ldlt();
+  if (!(solver.vectorD().minCoeff() > least_share * solver.vectorD().maxCoeff())) return std::nullopt;
+  const Eigen::Matrix<double, terms, 1> fit = solver.solve(right);
   return (axes.col(0) - fit[1] * axes.col(1) - fit[2] * axes.col(2)).normalized();
+}
+
+std::optional<Vec> normal_of(const Patch& patch, SurfaceFit fit) {
+  const std::optional<Eigen::Matrix3d> axes = plane(patch);
+  if (!axes) return std::nullopt;
+  return fit == SurfaceFit::plane ? Vec(axes->col(0)) : tilted(patch, *axes);
 }
 
 }  // namespace
@@ -72,18 +86,18 @@ Vec tilted(const Patch& patch, const Eigen::Matrix3d& axes) {
 std::vector<Vec> fitted_normals(const std::vector<Vec>& points, double reach, SurfaceFit fit) {
   if (!(reach > 0))
     throw std::invalid_argument("the reach of a fit is " + std::to_string(reach) + " m; it must be > 0");
-  const std::size_t least = fit == SurfaceFit::plane ? 3 : 6;
   const Cubes all(points, reach);
   std::vector<Vec> normals;
   for (std::size_t p = 0; p < points.size(); ++p) {
     const Patch patch = near_point(all, points[p], reach);
-    if (patch.place.size() < least) {
+    const std::optional<Vec> normal = normal_of(patch, fit);
+    if (!normal) {
       throw std::invalid_argument("point " + std::to_string(p) + " of a surface has " +
                                   std::to_string(patch.place.size()) +
-                                  " points within reach, itself among them; a fit takes " + std::to_string(least));
+                                  " points within reach, itself among them, which determine no fit: a larger reach, or "
+                                  "more points");
     }
-    const Eigen::Matrix3d axes = plane(patch);
-    normals.push_back(fit == SurfaceFit::plane ? Vec(axes.col(0)) : tilted(patch, axes));
+    normals.push_back(*normal);
   }
   return normals;
 }

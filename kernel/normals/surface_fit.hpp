@@ -13,7 +13,7 @@ enum class SurfaceFit { plane, quadric };
 //              min sum_q w_q (n . (x_q - <x>))^2, |n| = 1
 //   quadric  heights z over that plane by a quadratic in the places (u, v) on it, min sum_q w_q (z_q - a - b . (u, v)_q - ...)^2;
 //              then n - b, normed [Surface 16]
-// reach: m, > 0. Throws std::invalid_argument for a point with too few neighbours for its fit.
+// reach: m, > 0. Throws std::invalid_argument for a point whose neighbours do not determine its fit.
 std::vector<Eigen::Vector3d> fitted_normals(const std::vector<Eigen::Vector3d>& points, double reach, SurfaceFit fit);
 
 }  // namespace plumbline

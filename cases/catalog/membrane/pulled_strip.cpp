@@ -1,6 +1,5 @@
 // A strip of membrane in space, pulled along its length, with two free edges.
 #include <cmath>
-#include <random>
 
 #include "cases/catalog/membrane/surface_case.hpp"
 #include "cases/harness/description/archive.hpp"
@@ -93,8 +92,7 @@ class PulledStripRun final : public Problem {
 
   // Equal areas, wherever the points stand.
   std::vector<SurfacePoint> points() const {
-    std::mt19937_64 numbers(1997);
-    const auto random = [&] { return 2 * static_cast<double>(numbers() >> 11U) / 9007199254740992.0 - 1; };
+    Draws random;
     const double x = at_.along(), y = at_.across(), near = at_.choice.reach * spacing();
     std::vector<SurfacePoint> all;
     for (int i = 0; i < along_count(); ++i) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <utility>
 
 #include "kernel/materials/carried_membrane.hpp"
@@ -72,8 +71,7 @@ std::vector<SurfacePoint> sphere_points(int count, double radius_at_rest, double
 }
 
 void move_at_random(std::vector<SurfacePoint>& sphere, double share) {
-  std::mt19937_64 numbers(1997);
-  const auto random = [&] { return 2 * static_cast<double>(numbers() >> 11U) / 9007199254740992.0 - 1; };
+  Draws random;
   for (SurfacePoint& point : sphere) {
     const double stretch = norm(point.first), radius = norm(point.place),
                  most = share * stretch * std::sqrt(point.area);

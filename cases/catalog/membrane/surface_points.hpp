@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,15 @@ struct SurfacePoint {
   double area;
   int sheet = 0;   // see surface_neighbours()
   Vec3 outward{};  // of a free edge within reach; see balance_weights()
+};
+
+// Numbers from -1 to 1, in each object the same ones.
+class Draws {
+ public:
+  double operator()() { return 2 * static_cast<double>(numbers_() >> 11U) / 9007199254740992.0 - 1; }
+
+ private:
+  std::mt19937_64 numbers_{1997};
 };
 
 // `count` points of equal areas along a spiral (Fibonacci) on a sphere about the origin, `stretch` times as large as at rest.

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <random>
 
 #include "cases/catalog/membrane/surface_case.hpp"
 #include "cases/catalog/normals/space_mass_matrix.hpp"
@@ -67,8 +66,7 @@ std::vector<SurfacePoint> ellipsoid_points(const Surfaces& at, int count) {
 }
 
 std::vector<SurfacePoint> cylinder_points(const Surfaces& at, double height, double spacing) {
-  std::mt19937_64 numbers(1997);
-  const auto random = [&] { return 2 * static_cast<double>(numbers() >> 11U) / 9007199254740992.0 - 1; };
+  Draws random;
   std::vector<SurfacePoint> all = band_points(at.size, height, spacing, 1, 1);
   for (SurfacePoint& point : all) {
     const double angle = std::atan2(point.place[1], point.place[0]) + at.jitter * spacing / at.size * random();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cases/catalog/solid/collision.hpp"
+#include "cases/catalog/solid/incline_gravity.hpp"
 #include "cases/harness/description/archive.hpp"
 #include "cases/harness/description/fill_solid.hpp"
 #include "cases/harness/description/parameters.hpp"
@@ -55,11 +56,7 @@ class InclineBlock final : public Problem {
     scene.bodies.push_back(box("block", behind, floor_height - sunk * l, length, height));
     round_ends(scene.bodies.front());
     scene.bodies.push_back(box("floor", 0, 0, behind + length + before, floor_height));
-    scene.bodies.front().load = [exact = exact_](double time, Columns& points, std::span<const int>) {
-      const double s = std::min(1.0, time / exact.problem().rise), grown = s * s * (3 - 2 * s);
-      std::fill_n(points(column::body_force, 0), points.points(), grown * exact.along().value);
-      std::fill_n(points(column::body_force, 1), points.points(), -grown * exact.across().value);
-    };
+    scene.bodies.front().load = incline_gravity(exact_);
     apply_choices(settings_, scene);
     return scene;
   }

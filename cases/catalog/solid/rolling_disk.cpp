@@ -10,6 +10,7 @@
 
 #include "cases/catalog/solid/annulus_points.hpp"
 #include "cases/catalog/solid/collision.hpp"
+#include "cases/catalog/solid/incline_gravity.hpp"
 #include "cases/harness/description/archive.hpp"
 #include "cases/harness/description/fill_solid.hpp"
 #include "cases/harness/description/parameters.hpp"
@@ -60,11 +61,7 @@ class RollingDisk final : public Problem {
     scene.bodies.push_back(polar_annulus("disk", material(), disk, density, ppc, scene.grid));
     scene.bodies.push_back(
         fill_solid("floor", material(), {{0, 0, 0}, {behind + before, top, 0}}, density, ppc, scene.grid));
-    scene.bodies.front().load = [exact = exact_](double t, Columns& points, std::span<const int>) {
-      const double s = std::min(1.0, t / exact.problem().rise), grown = s * s * (3 - 2 * s);
-      std::fill_n(points(column::body_force, 0), points.points(), grown * exact.along().value);
-      std::fill_n(points(column::body_force, 1), points.points(), -grown * exact.across().value);
-    };
+    scene.bodies.front().load = incline_gravity(exact_);
     apply_choices(settings_, scene);
     return scene;
   }

@@ -71,11 +71,19 @@ TEST(SurfaceFit, SpheresAreMetAsFarAsTheFitGoes) {
   EXPECT_GE(largest(SurfaceFit::quadric), 1e-6);
 }
 
-TEST(SurfaceFit, RefusesTooFewPoints) {
+TEST(SurfaceFit, RefusesPointsThatDetermineNoFit) {
   const std::vector<Vec> points = sheet(0, turned, [](double, double) { return 0.0; });
   EXPECT_THROW(fitted_normals(points, 0.05, SurfaceFit::plane), std::invalid_argument);
   EXPECT_THROW(fitted_normals(points, 0.11, SurfaceFit::quadric), std::invalid_argument);
   EXPECT_THROW(fitted_normals(points, 0, SurfaceFit::plane), std::invalid_argument);
+  std::vector<Vec> line, rows;  // enough points, and none across
+  for (int k = 0; k < 9; ++k) {
+    line.emplace_back(0.03 * k, 0.06 * k, 0);
+    for (const double y : {0.0, 0.1}) rows.emplace_back(0.03 * k, y, 0);
+  }
+  EXPECT_THROW(fitted_normals(line, 1, SurfaceFit::plane), std::invalid_argument);
+  EXPECT_NO_THROW(fitted_normals(rows, 1, SurfaceFit::plane));
+  EXPECT_THROW(fitted_normals(rows, 1, SurfaceFit::quadric), std::invalid_argument);
 }
 
 }  // namespace
