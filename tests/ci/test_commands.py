@@ -306,3 +306,16 @@ def test_sanitizers_end_red_when_a_program_crashes(sanitized):
 def test_unknown_option_is_refused(tree, script, options):
     assert tree.run(script, *options).returncode == 2
     assert not tree.log.exists()
+
+
+def test_what_failed_stands_at_the_end(tree):
+    """Where a log is cut, its end is what is left: the failed tests' own words, and no word of those that passed."""
+    shutil.copy(CI / "failed_tests.py", tree.root / "ci")
+    tree.fake("bin/ctest", status=8)
+    (tree.root / "build/release/junit.xml").write_text("""<testsuite>
+      <testcase name="contract.good" status="run"><system-out>E   not said</system-out></testcase>
+      <testcase name="contract.bad" status="fail"><system-out>a line\nE   assert 1 == 2\nFAILED test_bad.py::one</system-out></testcase>
+      <testcase name="silent" status="fail"><system-out>it ends\nwith a word</system-out></testcase></testsuite>""")
+    done = tree.run("test")
+    assert done.returncode == 8 and done.stdout.endswith(
+        "== failed: contract.bad\nE   assert 1 == 2\nFAILED test_bad.py::one\n== failed: silent\nit ends\nwith a word\n")
