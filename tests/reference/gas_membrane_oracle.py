@@ -219,3 +219,44 @@ class Bag:
     def cold(self, n, near):
         constant = (self.gamma - 1) * self.U * self.A0 ** (self.gamma - 1)
         return self.at(n, lambda A, W: constant / A**self.gamma, near)
+
+
+class Sphere:
+    """A ball of gas in a thin sheet: roots between those of tan z = z, the sheet's law written out."""
+    zeros = [R(0), *(mpmath.findroot(lambda z: mpmath.sin(z) - z * mpmath.cos(z), (n + R(1) / 2) * mp.pi - 1 / ((n + R(1) / 2) * mp.pi))
+                     for n in range(1, 11))]
+
+    def __init__(self, youngs_modulus, poisson_ratio, thickness, density, radius, stretch, neo_hookean, gas_density, gamma, velocity=1.0):
+        E, nu, t, rho, r0, l, self.rho, self.gamma, self.v = (R(v) for v in (
+            youngs_modulus, poisson_ratio, thickness, density, radius, stretch, gas_density, gamma, velocity))
+        if neo_hookean:
+            stress, slope = E / 3 * (1 - l**-6), 2 * E * l**-7
+        else:
+            stress, slope = E / (1 - nu) * (l**2 - 1) / 2, E / (1 - nu) * l
+        self.r, self.m, self.n = l * r0, rho * t / l**2, t * stress
+        self.p = 2 * self.n / self.r
+        self.k = 2 * t * (l * slope - stress) / self.r**2
+        self.c = mpmath.sqrt(self.gamma * self.p / self.rho)
+        self.slow = mpmath.sqrt((self.k + 3 * self.gamma * self.p / self.r) / self.m)
+
+    @staticmethod
+    def turning(z):
+        return mpmath.sin(z) / z**2 - mpmath.cos(z) / z
+
+    def balance(self, w):
+        z = w * self.r / self.c
+        return self.k + self.rho * w * self.c * mpmath.sin(z) / z / self.turning(z) - self.m * w**2
+
+    def omega(self, n, near):
+        low, high = (z * self.c / self.r for z in self.zeros[n - 1 : n + 1])
+        margin = (high - low) * R(10) ** -25
+        return root(self.balance, low + margin, high - margin, near)
+
+    def shape(self, s, w):
+        z = w * self.r / self.c
+        return self.turning(z * R(s)) / self.turning(z)
+
+    def pressure(self, w):
+        """At the centre, of a displacement of the sheet by 1."""
+        z = w * self.r / self.c
+        return -self.gamma * self.p / self.r * z / self.turning(z)

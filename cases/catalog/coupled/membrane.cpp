@@ -257,4 +257,12 @@ BagState look_at(const Body& gas, const Body& membrane, const MembraneMaterial& 
   return state;
 }
 
+std::array<double, 2> mean_and_scatter(const std::vector<double>& stress) {
+  const auto count = static_cast<double>(stress.size());
+  double sum = 0, squares = 0;
+  for (const double s : stress) sum += s;
+  for (const double s : stress) squares += (s - sum / count) * (s - sum / count);
+  return {sum / count, std::sqrt(squares / count) / (sum / count)};
+}
+
 }  // namespace plumbline

@@ -71,4 +71,7 @@ BagState look_at(const Body& gas, const Body& membrane, const MembraneMaterial& 
 // Stress along the membrane, E' eps of each segment or point; zero where it is slack and the law is one-way. Pa
 std::vector<double> hoop_stresses(const Body& membrane, const MembraneMaterial& material);
 
+// The mean, and the standard deviation over it: of stresses of points that stand for equal parts.
+std::array<double, 2> mean_and_scatter(const std::vector<double>& stress);
+
 }  // namespace plumbline

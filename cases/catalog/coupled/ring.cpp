@@ -25,23 +25,12 @@ Curve lattice_cell(double x, double y, double side) {
 
 }  // namespace
 
-RingMode::RingMode(const reference::GasRing& exact, int mode, double radius)
-    : wavenumber_(exact.wavenumber(mode).value / radius),
-      at_ring_(reference::bessel_J1(wavenumber_ * radius).value) {}
-
-RingMode::At RingMode::at(double x, double y) const {
-  At here;
-  const double r = std::hypot(x, y);
-  if (r == 0) return here;
-  const double c[2] = {x / r, y / r}, outward = reference::bessel_J1(wavenumber_ * r).value / at_ring_;
-  const double divergence = wavenumber_ * reference::bessel_J0(wavenumber_ * r).value / at_ring_, around = outward / r;
-  for (std::size_t d = 0; d < 2; ++d) {
-    here.displacement[d] = outward * c[d];
-    for (std::size_t e = 0; e < 2; ++e) {
-      here.gradient[d][e] = (divergence - 2 * around) * c[d] * c[e] + (d == e ? around : 0.0);
-    }
-  }
-  return here;
+RadialMode ring_mode(const reference::GasRing& exact, int mode, double radius) {
+  const double k = exact.wavenumber(mode).value / radius, at_ring = reference::bessel_J1(k * radius).value;
+  return RadialMode([=](double r) {
+    const double outward = reference::bessel_J1(k * r).value / at_ring;
+    return std::array<double, 2>{outward, k * reference::bessel_J0(k * r).value / at_ring - outward / r};
+  });
 }
 
 Override york_ring_step(const Settings& settings) {
@@ -178,54 +167,6 @@ Scene ring_scene(const Settings& settings, const RestingRing& ring) {
 RestingRing resting_ring(const Settings& settings) {
   const reference::GasRingProblem problem = ring_problem(settings);
   return resting_ring(problem, chords_of(settings), problem.law == reference::RingLaw::segments);
-}
-
-void start_mode(Scene& scene, const RingMode& mode, double velocity) {
-  const bool affine = scene.transfer == "apic";
-  for (Body& body : scene.bodies) {
-    if (affine && !body.points.has(column::affine)) body.points.add(column::affine, 4);
-    const double *x = body.points(column::position), *y = body.points(column::position, 1);
-    for (int p = 0; p < body.points.points(); ++p) {
-      const RingMode::At at = mode.at(x[p], y[p]);
-      for (int d = 0; d < 2; ++d) {
-        const auto k = static_cast<std::size_t>(d);
-        body.points(column::velocity, d)[p] = velocity * at.displacement[k];
-        if (!affine) continue;
-        for (int e = 0; e < 2; ++e) {
-          body.points(column::affine, 2 * d + e)[p] = velocity * at.gradient[k][static_cast<std::size_t>(e)];
-        }
-      }
-    }
-  }
-}
-
-ModeShare::ModeShare(const Scene& start, const RingMode& mode) {
-  for (const Body& body : start.bodies) {
-    const auto n = static_cast<std::size_t>(body.points.points());
-    Shape shape{std::vector<double>(n), std::vector<double>(n)};
-    for (std::size_t p = 0; p < n; ++p) {
-      const auto phi = mode.at(body.points(column::position)[p], body.points(column::position, 1)[p]).displacement;
-      const auto id = static_cast<std::size_t>(body.id[p]);
-      shape.x[id] = phi[0];
-      shape.y[id] = phi[1];
-      weight_ += body.points(column::mass)[p] * (phi[0] * phi[0] + phi[1] * phi[1]);
-    }
-    shapes_.push_back(std::move(shape));
-  }
-}
-
-double ModeShare::of(const Scene& scene) const {
-  double moment = 0;
-  for (std::size_t b = 0; b < shapes_.size(); ++b) {
-    const Body& body = scene.bodies[b];
-    const double *m = body.points(column::mass), *vx = body.points(column::velocity),
-                 *vy = body.points(column::velocity, 1);
-    for (int p = 0; p < body.points.points(); ++p) {
-      const auto id = static_cast<std::size_t>(body.id[static_cast<std::size_t>(p)]);
-      moment += m[p] * (vx[p] * shapes_[b].x[id] + vy[p] * shapes_[b].y[id]);
-    }
-  }
-  return moment / weight_;
 }
 
 }  // namespace plumbline

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cases/catalog/coupled/membrane.hpp"
+#include "cases/catalog/coupled/radial_mode.hpp"
 #include "cases/harness/description/parameters.hpp"
 #include "cases/harness/description/schemes.hpp"
 #include "kernel/scene.hpp"
@@ -62,36 +63,7 @@ std::array<double, 2> centroid(const Curve& polygon);  // of an area above 0
 // Grid, gas and ring at rest: bodies "gas" and "ring", the schemes' choices applied.
 Scene ring_scene(const Settings& settings, const RestingRing& ring);
 
-// A mode of breathing: displacement per displacement of the ring, radial, J1(k r)/J1(k R), and its gradient.
-class RingMode {
- public:
-  RingMode(const reference::GasRing& exact, int mode, double radius);
-  struct At {
-    std::array<double, 2> displacement{};
-    std::array<std::array<double, 2>, 2> gradient{};  // 1/m, [component][direction]
-  };
-  At at(double x, double y) const;
-
- private:
-  double wavenumber_, at_ring_;
-};
-
-// Gives gas and ring the velocity of a mode, `velocity` at the ring, and with affine transfers its gradient.
-void start_mode(Scene& scene, const RingMode& mode, double velocity);
-
-// The share of a mode in the velocities of all points: sum m v . phi / sum m phi^2, phi the mode's displacement where
-// the points were at the start. Modes are orthogonal under the mass of gas and ring together.
-class ModeShare {
- public:
-  ModeShare(const Scene& start, const RingMode& mode);
-  double of(const Scene& scene) const;  // m/s, at the ring
-
- private:
-  struct Shape {
-    std::vector<double> x, y;  // by id
-  };
-  std::vector<Shape> shapes_;  // by body
-  double weight_ = 0;
-};
+// A mode of breathing: J1(k r)/J1(k R).
+RadialMode ring_mode(const reference::GasRing& exact, int mode, double radius);
 
 }  // namespace plumbline

@@ -80,14 +80,6 @@ class RingAtRestRun final : public Problem {
 
  private:
   static Curve centre() { return {{0, 0}}; }
-  // All chords have one rest length, all points one volume.
-  static std::array<double, 2> mean_and_scatter(const std::vector<double>& stress) {
-    const auto count = static_cast<double>(stress.size());
-    double sum = 0, squares = 0;
-    for (const double s : stress) sum += s;
-    for (const double s : stress) squares += (s - sum / count) * (s - sum / count);
-    return {sum / count, std::sqrt(squares / count) / (sum / count)};
-  }
 
   Settings settings_;
   StillRing at_;

@@ -30,7 +30,7 @@ class RingBreathingRun final : public Problem {
       : settings_(settings),
         at_(settings),
         exact_(at_.problem),
-        shape_(exact_, at_.mode, at_.problem.radius),
+        shape_(ring_mode(exact_, at_.mode, at_.problem.radius)),
         velocity_(at_.mach * exact_.sound_speed().value),
         times_{0},
         shares_{velocity_} {}
@@ -76,7 +76,7 @@ class RingBreathingRun final : public Problem {
   Settings settings_;
   BreathingRing at_;
   reference::GasRing exact_;
-  RingMode shape_;
+  RadialMode shape_;
   double velocity_;
   std::optional<ModeShare> share_;
   std::vector<double> times_, shares_;

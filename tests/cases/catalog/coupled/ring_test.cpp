@@ -121,14 +121,16 @@ TEST(RingMode, GradientIsThatOfTheDisplacement) {
   const reference::GasRingProblem problem;
   const reference::GasRing exact(problem);
   for (const int n : {1, 3}) {
-    const RingMode mode(exact, n, problem.radius);
-    EXPECT_NEAR(mode.at(problem.radius, 0).displacement[0], 1, 1e-12);
-    EXPECT_EQ(mode.at(0, 0).displacement[0], 0);
+    const RadialMode mode = ring_mode(exact, n, problem.radius);
+    EXPECT_NEAR(mode.at({problem.radius, 0, 0}).displacement[0], 1, 1e-12);
+    EXPECT_EQ(mode.at({0, 0, 0}).displacement[0], 0);
     const double x = 0.5, y = 0.8, step = 1e-5;
-    const auto here = mode.at(x, y);
+    const auto here = mode.at({x, y, 0});
     for (std::size_t d = 0; d < 2; ++d) {
-      const double along_x = (mode.at(x + step, y).displacement[d] - mode.at(x - step, y).displacement[d]) / (2 * step);
-      const double along_y = (mode.at(x, y + step).displacement[d] - mode.at(x, y - step).displacement[d]) / (2 * step);
+      const double along_x = (mode.at({x + step, y, 0}).displacement[d] - mode.at({x - step, y, 0}).displacement[d]) /
+                             (2 * step);
+      const double along_y = (mode.at({x, y + step, 0}).displacement[d] - mode.at({x, y - step, 0}).displacement[d]) /
+                             (2 * step);
       EXPECT_NEAR(here.gradient[d][0], along_x, 1e-7);  // k^3 step^2 and rounding over the step
       EXPECT_NEAR(here.gradient[d][1], along_y, 1e-7);
     }
@@ -142,13 +144,13 @@ TEST(ModeShare, FindsItsModeAndNoOther) {
   const Settings settings = settings_of("ring-breathing", {"cells=10"});
   const reference::GasRing exact(ring_problem(settings));
   Scene scene = ring_scene(settings, resting_ring(settings));
-  const RingMode first(exact, 1, 1.4), second(exact, 2, 1.4);
+  const RadialMode first = ring_mode(exact, 1, 1.4), second = ring_mode(exact, 2, 1.4);
   start_mode(scene, first, 0.01);
   EXPECT_NEAR(ModeShare(scene, first).of(scene), 0.01, 1e-15);
   // Orthogonal as far as the points are a quadrature of the disc: (a k)^2/24 of a = 0.05.
   EXPECT_NEAR(ModeShare(scene, second).of(scene), 0, 0.01 * 2e-3);
   const Columns& gas = scene.bodies[0].points;
-  const auto at = first.at(gas(column::position)[40], gas(column::position, 1)[40]);
+  const auto at = first.at({gas(column::position)[40], gas(column::position, 1)[40], 0});
   EXPECT_EQ(gas(column::velocity, 1)[40], 0.01 * at.displacement[1]);
   EXPECT_EQ(gas(column::affine, 1)[40], 0.01 * at.gradient[0][1]);
   EXPECT_EQ(gas(column::affine, 2)[40], 0.01 * at.gradient[1][0]);
