@@ -22,7 +22,7 @@ TEST(GasSphere, LightGasIsASpring) {  // [Surface 17] for slow motion
 }
 
 TEST(GasSphere,
-     HeavySheetHoldsTheGas) {  // whose modes are those within a rigid wall: tan z = z [DLMF 10.21, 4.4934, 7.7253]
+     HeavySheetHoldsTheGas) {  // whose modes are those within a rigid wall: tan z = z
   GasSphereProblem heavy = with(1.2, 0.03);
   heavy.sheet.density = 1e7;
   const GasSphere sphere(heavy);
@@ -82,7 +82,7 @@ TEST(GasSphere, ModeIsAWave) {
   }
   EXPECT_NEAR(sphere.shape(1.2).value, 1, 1e-12);
   EXPECT_EQ(sphere.shape(0).value, 0);
-  EXPECT_NEAR(sphere.shape(1e-4).value * 2, sphere.shape(2e-4).value, 1e-10);  // it begins in proportion to r
+  EXPECT_NEAR(sphere.shape(1e-4).value * 2, sphere.shape(2e-4).value, 1e-10);  // j1(z) ~ z/3 [DLMF 10.53.1]
 }
 
 TEST(GasSphere, Laplace) {
