@@ -1,12 +1,12 @@
 #include "kernel/contact/touching.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 
+#include "kernel/contact/separation.hpp"
 #include "kernel/contact/shared_nodes.hpp"
 #include "kernel/register_part.hpp"
 
@@ -23,27 +23,6 @@ const RegisterPart entry(ContactEntry{
      "reports/docs/theory/contact-and-coupling.md"},
     {make<1>, make<2>, make<3>},
     true});
-
-// Ridge of the discriminant in units of h^2: points in one line have no spread across it.
-constexpr double ridge = 1e-3;
-
-// Count, sum and second moments of the points of one body around a node, relative to the node.
-template <int dim>
-struct Cloud {
-  using Vec = Eigen::Matrix<double, dim, 1>;
-  int count = 0;
-  Vec sum = Vec::Zero();
-  Eigen::Matrix<double, dim, dim> squares = Eigen::Matrix<double, dim, dim>::Zero();
-  bool touches = false;
-
-  void add(const Vec& x) {
-    ++count;
-    sum += x;
-    squares += x * x.transpose();
-  }
-  Vec mean() const { return sum / count; }
-  Eigen::Matrix<double, dim, dim> covariance() const { return squares / count - mean() * mean().transpose(); }
-};
 
 }  // namespace
 
@@ -129,26 +108,30 @@ void TouchingContact<dim>::find_touching(std::vector<Near>& first, std::vector<N
 template <int dim>
 void TouchingContact<dim>::find_candidates(std::size_t a, std::size_t b, const std::vector<Near>& first,
                                            const std::vector<Near>& second) {
-  std::map<int, std::array<Cloud<dim>, 2>> clouds;  // of nodes that carry a touching point
+  struct Around {
+    bool touches[2] = {false, false};
+    Clouds<dim> clouds{};
+  };
+  std::map<int, Around> nodes;  // that carry a touching point
   const std::vector<Near>* const both[2] = {&first, &second};
   for (std::size_t side = 0; side < 2; ++side) {
     for (const Near& p : *both[side]) {
-      if (p.touches) for_support(p.lowest, [&](int node) { clouds[node][side].touches = true; });
+      if (p.touches) for_support(p.lowest, [&](int node) { nodes[node].touches[side] = true; });
     }
   }
+  std::erase_if(nodes, [](const auto& entry) { return !entry.second.touches[0] || !entry.second.touches[1]; });
   for (std::size_t side = 0; side < 2; ++side) {
     for (const Near& p : *both[side]) {
       for_support(p.lowest, [&](int node) {
-        const auto found = clouds.find(node);
-        if (found != clouds.end()) found->second[side].add(p.x - grid_.position(node));
+        const auto found = nodes.find(node);
+        if (found == nodes.end()) return;
+        Clouds<dim>& clouds = found->second.clouds;
+        (side == 0 ? clouds.first : clouds.second).push_back((p.x - grid_.position(node)) / grid_.h());
       });
     }
   }
-  for (const auto& [node, cloud] : clouds) {
-    if (!cloud[0].touches || !cloud[1].touches) continue;
-    Eigen::Matrix<double, dim, dim> spread = cloud[0].covariance() + cloud[1].covariance();
-    spread.diagonal().array() += ridge * grid_.h() * grid_.h();
-    const Vec across = along_walls<dim>(grid_, node, spread.ldlt().solve(cloud[1].mean() - cloud[0].mean()));
+  for (const auto& [node, around] : nodes) {
+    const Vec across = along_walls<dim>(grid_, node, separating_direction<dim>(around.clouds, 0.5 * support_));
     if (across.norm() > 0) candidates_.push_back({node, a, b, across.normalized(), false, 0});  // [Touching 2]
   }
 }

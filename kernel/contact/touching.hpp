@@ -7,8 +7,7 @@ namespace plumbline {
 
 // Points p, q of two bodies touch if |x_p - x_q| < (l_p + l_q)/2, l the spacing of a body's points.          [Touching 1]
 // A node that carries a touching point of each body is a candidate. Its normal, from the first body to the second, is
-// the direction that separates the points around it best: n ~ (S_1 + S_2 + 1e-3 h^2)^-1 (mu_2 - mu_1), mu and S mean and
-// covariance of the points of each (Fisher's discriminant).                                                  [Touching 2]
+// the direction that separates the points around it best: separating_direction().                            [Touching 2]
 // It is in contact if the midpoint velocities of the first force pass approach: s = (vm_1 - vm_2) . n > 0. Then, in both
 // passes, vm_1 -= M_2/(M_1 + M_2) s n, vm_2 += M_1/(M_1 + M_2) s n, and v~ = 2 vm - v; where three bodies meet, all pairs
 // at once.                                                                                                   [Touching 3]

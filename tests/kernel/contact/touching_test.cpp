@@ -70,7 +70,7 @@ TEST(Touching, BodiesThatPartAreLeftAlone) {
   EXPECT_TRUE(meeting.changes.empty());
 }
 
-// Normals from a straight face: the discriminant has no component along it where the clouds are mirror images.
+// Normals from a straight face: the plane has no slope along it where the clouds are mirror images.
 // [Touching 2]
 TEST(Touching, NormalsOfStraightFaces) {
   const double s = 0.05, h = 0.1;
@@ -161,28 +161,21 @@ TEST(Touching, ImpulsesConserveMomentumAndAngularMomentum) {
   }
 }
 
-// The direction of every impulse is Fisher's, from the points around the node taken naively. [Touching 2]
+// The direction of every impulse is that of the points around the node taken naively. [Touching 2]
 TEST(Touching, NormalsOfUnevenClouds) {
   Meeting<2> meeting = squares(3);
   meeting.meet("touching");
   for (const auto& c : meeting.changes) {
     const Eigen::Vector2d node = meeting.grid.position(c.node), given = c.end - c.own_end;
-    Eigen::Vector2d mean[2];
-    Eigen::Matrix2d spread = 1e-3 * 0.1 * 0.1 * Eigen::Matrix2d::Identity();
-    for (int b = 0; b < 2; ++b) {
-      std::vector<Eigen::Vector2d> around;
-      const Columns& points = meeting.scene.bodies[static_cast<std::size_t>(b)].points;
+    Clouds<2> clouds;
+    for (std::size_t b = 0; b < 2; ++b) {
+      const Columns& points = meeting.scene.bodies[b].points;
       for (int p = 0; p < points.points(); ++p) {
         const Eigen::Vector2d x(points(column::position, 0)[p], points(column::position, 1)[p]);
-        if ((x - node).cwiseAbs().maxCoeff() < 0.15) around.push_back(x);
-      }
-      mean[b] = Eigen::Vector2d::Zero();
-      for (const auto& x : around) mean[b] += x / static_cast<double>(around.size());
-      for (const auto& x : around) {
-        spread += (x - mean[b]) * (x - mean[b]).transpose() / static_cast<double>(around.size());
+        (b == 0 ? clouds.first : clouds.second).push_back((x - node) / 0.1);
       }
     }
-    const Eigen::Vector2d n = (spread.inverse() * (mean[1] - mean[0])).normalized();
+    const Eigen::Vector2d n = separating_direction<2>(clouds, 1.5);
     EXPECT_NEAR(given[0] * n[1] - given[1] * n[0], 0, 1e-10 * given.norm());
   }
 }
