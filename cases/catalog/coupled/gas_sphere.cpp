@@ -150,7 +150,7 @@ std::vector<StudyPlan> studies() {
   const Override short_steps{"cfl", 0.4};
   return {
       study("default", "first mode", "Order 2.", {4, 5}).in_full({4, 5, 6, 8}).pictured(8, 5),
-      study("order", "first mode, shorter steps",
+      study("order", "first mode, shorter steps, longer",
             "Order 2 of the frequency, 3 of the damping: errors of mesh and step, of different sign, do not cancel.",
             {6, 7, 8, 10, 12})
           .with({short_steps})
