@@ -1,4 +1,4 @@
-// Tangents of a surface in space from where its points stand: each point takes those near it at rest, found once by distance.
+// Tangents of a surface in space from where its points stand: each point takes those near it at rest, found once by distance or given.
 #pragma once
 
 #include <array>
@@ -41,5 +41,10 @@ struct SurfaceNeighbours {
 SurfaceNeighbours surface_neighbours(const Columns& points, double reach, const std::vector<OddImage>& images = {},
                                      const std::vector<int>& sheet = {},
                                      const std::vector<std::array<double, 3>>& outward = {});
+
+// The same, who is whose neighbour given, as by a mesh: see neighbours_in_mesh(). Of each point its neighbours, each once; their weights
+// are those of a reach a fifth farther than the farthest of them.
+// Throws std::invalid_argument as above, and for neighbours that are no other points, or not given of every point.
+SurfaceNeighbours surface_neighbours(const Columns& points, const std::vector<std::vector<int>>& given);
 
 }  // namespace plumbline

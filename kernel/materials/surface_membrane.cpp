@@ -128,6 +128,13 @@ std::shared_ptr<const SurfaceMembrane> SurfaceMembrane::of_rest(
   return own;
 }
 
+std::shared_ptr<const SurfaceMembrane> SurfaceMembrane::of_rest(const Columns& points,
+                                                                const std::vector<std::vector<int>>& given) const {
+  auto own = std::make_shared<SurfaceMembrane>(*this);
+  own->neighbours = std::make_shared<const SurfaceNeighbours>(surface_neighbours(points, given));
+  return own;
+}
+
 const SurfaceNeighbours& SurfaceMembrane::known() const {
   if (!neighbours) throw std::logic_error("a surface_membrane knows no neighbours: of_rest() comes first");
   return *neighbours;

@@ -27,6 +27,9 @@ struct SurfaceMembrane final : Material, SurfaceLaw {
   std::shared_ptr<const SurfaceMembrane> of_rest(const Columns& points, const std::vector<OddImage>& images,
                                                  const std::vector<int>& sheet,
                                                  const std::vector<std::array<double, 3>>& outward = {}) const;
+  // Neighbours given of each point; `reach` is not used.
+  std::shared_ptr<const SurfaceMembrane> of_rest(const Columns& points,
+                                                 const std::vector<std::vector<int>>& given) const;
   double advance(Columns& points, PointRange range, const MaterialContext& context, double dt) const override;
   std::vector<const ColumnId*> internal_variables(const MaterialContext& context) const override;
   std::vector<double> rates(const Columns& points, const MaterialContext& context) const override;

@@ -11,6 +11,7 @@
 #include "cases/harness/description/drag.hpp"
 #include "kernel/materials/surface_law.hpp"
 #include "kernel/points/body.hpp"
+#include "kernel/surface_mesh.hpp"
 #include "kernel/surface_neighbours.hpp"
 
 namespace plumbline {
@@ -68,9 +69,11 @@ struct SurfaceChoice {
   bool balanced = false;  // weights of neighbours, see balance_weights()
 };
 // The points in the order of the cells of size h that they stand in, so that those of a cell are worked on together.
-// images_of: of these points in their new order; may be empty.
+// images_of, mesh_of: of these points in their new order; one or both are empty. With a mesh the neighbours of a point are those no
+// more than two edges away, some 18, and `reach` is not used.
 Body surface_body(const std::string& name, const SurfaceChoice& choice, std::vector<SurfacePoint> points, double h,
-                  const std::function<std::vector<OddImage>(const Columns&)>& images_of = {});
+                  const std::function<std::vector<OddImage>(const Columns&)>& images_of = {},
+                  const std::function<std::vector<Triangle>(const Columns&)>& mesh_of = {});
 
 // Of a closed surface about the origin: a third of the sum of A n . x, m^3.
 double enclosed_volume(const Columns& points, double thickness);
