@@ -1,6 +1,7 @@
 #include "kernel/surface_neighbours.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -23,9 +24,6 @@ Frame frame_of(const Columns& points, int p) {
   Frame f;
   for (int a = 0; a < 2; ++a) {
     for (int d = 0; d < 3; ++d) f(d, a) = points(column::tangents, 3 * a + d)[p];
-  }
-  if (!((f.transpose() * f).determinant() > 0)) {
-    throw std::invalid_argument("point " + std::to_string(p) + " of a surface has no tangents at the start");
   }
   return f;
 }
@@ -54,8 +52,48 @@ std::vector<Vec> places_of(const std::vector<Candidate>& all) {
 
 double longest_tangent(const Columns& points) {
   double longest = 0;
-  for (int p = 0; p < points.points(); ++p) longest = std::max(longest, frame_of(points, p).operatorNorm());
+  for (int p = 0; p < points.points(); ++p) {
+    const Frame f = frame_of(points, p);
+    if (!((f.transpose() * f).determinant() > 0)) {
+      throw std::invalid_argument("point " + std::to_string(p) + " of a surface has no tangents at the start");
+    }
+    longest = std::max(longest, f.operatorNorm());
+  }
   return longest;
+}
+
+// Which pairs of points may be neighbours, however near they are.
+struct Pairs {
+  const std::vector<int>& sheet;
+  const std::vector<std::vector<int>>& given;  // sorted
+  bool may_be(int a, int b) const {
+    if (!given.empty()) {
+      const std::vector<int>& of = given[static_cast<std::size_t>(a)];
+      if (!std::binary_search(of.begin(), of.end(), b)) return false;
+    }
+    if (sheet.empty()) return true;
+    const int one = sheet[static_cast<std::size_t>(a)], other = sheet[static_cast<std::size_t>(b)];
+    return one == other || one < 0 || other < 0;
+  }
+};
+
+// Throws std::invalid_argument for what cannot be neighbours.
+void sort_given(std::vector<std::vector<int>>& given, int points) {
+  if (given.empty()) return;
+  if (given.size() != static_cast<std::size_t>(points)) {
+    throw std::invalid_argument("neighbours are given of " + std::to_string(given.size()) + " of the " +
+                                std::to_string(points) + " points of a surface");
+  }
+  for (std::size_t p = 0; p < given.size(); ++p) {
+    std::vector<int>& of = given[p];
+    std::sort(of.begin(), of.end());
+    for (const int other : of) {
+      if (other >= 0 && other < points && other != static_cast<int>(p)) continue;
+      throw std::invalid_argument("point " + std::to_string(p) + " of a surface has the neighbour " +
+                                  std::to_string(other) + ": no other of the points 0 to " +
+                                  std::to_string(points - 1));
+    }
+  }
 }
 
 // A neighbour with the terms of its place on the surface at rest, lengths over the reach, and its weight.
@@ -65,77 +103,27 @@ struct Neighbour {
   double weight;
 };
 
-// Places as a point sees them at the start: along its tangents as at rest, and out of their plane as in space, so that on a folded
-// sheet the other side is no neighbour.
-class Sight {
- public:
-  Sight(const Columns& points, int p)
-      : place_(place_of(points, p)),
-        f_(frame_of(points, p)),
-        dual_((f_.transpose() * f_).inverse() * f_.transpose()) {}
-  const Vec& place() const { return place_; }
-  Eigen::Vector2d along(const Vec& other) const { return dual_ * (other - place_); }
-  // Of the distance over the reach.
-  double square(const Vec& other, double reach) const {
-    const Eigen::Vector2d to = along(other), xi = to / reach;
-    return xi.squaredNorm() + (other - place_ - f_ * to).squaredNorm() / (reach * reach);
-  }
-  // Of weight zero at the reach.
-  Neighbour neighbour(const Candidate& at, double reach) const {
-    const Eigen::Vector2d xi = along(at.place) / reach;
-    const double left = 1 - square(at.place, reach);
-    Neighbour found{at, {}, left * left};
-    found.phi << xi[0], xi[1], xi[0] * xi[0] / 2, xi[0] * xi[1], xi[1] * xi[1] / 2;
-    return found;
-  }
-
- private:
-  Vec place_;
-  Frame f_;
-  Eigen::Matrix<double, 2, 3> dual_;
-};
-
-std::vector<Neighbour> neighbours_of(const std::vector<Candidate>& candidates, const Cubes& near, int p,
-                                     const Sight& sight, double reach, const std::vector<int>& sheet) {
-  const auto together = [&](int a, int b) {
-    if (sheet.empty()) return true;
-    const int one = sheet[static_cast<std::size_t>(a)], other = sheet[static_cast<std::size_t>(b)];
-    return one == other || one < 0 || other < 0;
-  };
+std::vector<Neighbour> neighbours_of(const std::vector<Candidate>& candidates, const Cubes& near, int p, const Frame& f,
+                                     double reach, const Pairs& pairs) {
+  const Candidate& point = candidates[static_cast<std::size_t>(p)];
+  const Eigen::Matrix<double, 2, 3> dual = (f.transpose() * f).inverse() * f.transpose();
   std::vector<Neighbour> all;
-  near.for_near(sight.place(), [&](std::size_t k) {
+  near.for_near(point.place, [&](std::size_t k) {
     const Candidate& other = candidates[k];
-    if ((!other.image && other.point == p) || !together(p, other.point)) return;
-    if (sight.square(other.place, reach) < 1) all.push_back(sight.neighbour(other, reach));
+    const bool own = other.point == point.point;
+    if (own ? !other.image : !pairs.may_be(point.point, other.point)) return;
+    const Vec apart = other.place - point.place;
+    const Eigen::Vector2d xi = dual * apart / reach;
+    // Out of the tangents' plane distances are those of space: on a folded sheet the other side is no neighbour.
+    const double across = (apart - f * (dual * apart)).squaredNorm() / (reach * reach);
+    const double square = xi.squaredNorm() + across;
+    if (square >= 1) return;
+    Neighbour found{other, {}, (1 - square) * (1 - square)};
+    found.phi << xi[0], xi[1], xi[0] * xi[0] / 2, xi[0] * xi[1], xi[1] * xi[1] / 2;
+    all.push_back(found);
   });
   return all;
 }
-
-// Links of all points in their order, and of those with images what the places of image and partner add up to.
-struct Links {
-  std::vector<SurfaceLink> all;
-  std::vector<Vec> both;
-  // Of point p with its neighbours, by moving least squares.
-  void add(const Columns& points, int p, const std::vector<Neighbour>& own, double reach) {
-    Eigen::Matrix<double, terms, terms> normal = Eigen::Matrix<double, terms, terms>::Zero();
-    for (const Neighbour& n : own) normal += n.weight * n.phi * n.phi.transpose();
-    const Eigen::FullPivLU<Eigen::Matrix<double, terms, terms>> solver(normal);
-    if (solver.rank() < terms) {
-      throw std::invalid_argument("point " + std::to_string(p) + " of a surface has " + std::to_string(own.size()) +
-                                  " neighbours, too few for its tangents: a larger reach, or more points");
-    }
-    const Eigen::Matrix<double, terms, terms> inverse = solver.inverse();
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    for (const Neighbour& n : own) {
-      const Eigen::Vector2d c = inverse.topRows<2>() * n.phi * (n.weight / reach);  // [Surface 1]
-      sum += c;
-      all.push_back({p, n.at.point, n.at.image, {}, {c[0], c[1]}});
-      for (std::size_t k = 0; k < terms; ++k) all.back().terms[k] = n.phi[static_cast<int>(k)];
-      if (n.at.image) both.emplace_back(n.at.place + place_of(points, n.at.point));
-    }
-    all.push_back({p, p, false, {}, {-sum[0], -sum[1]}});
-  }
-};
 
 void transpose(const SurfaceNeighbours::Links& of, SurfaceNeighbours::Links& on) {
   const std::size_t points = of.first.size() - 1, count = of.other.size();
@@ -158,13 +146,13 @@ void transpose(const SurfaceNeighbours::Links& of, SurfaceNeighbours::Links& on)
 }
 
 // Links in the order of the points that they are of.
-SurfaceNeighbours of_links(const Links& links, int points) {
+SurfaceNeighbours of_links(const std::vector<SurfaceLink>& links, const std::vector<Vec>& both, int points) {
   SurfaceNeighbours found;
   SurfaceNeighbours::Links& of = found.of;
-  if (!links.both.empty()) found.fixed.assign(static_cast<std::size_t>(6 * points), 0.0);
+  if (!both.empty()) found.fixed.assign(static_cast<std::size_t>(6 * points), 0.0);
   of.first.assign(static_cast<std::size_t>(points) + 1, 0);
-  auto image = links.both.begin();
-  for (const SurfaceLink& link : links.all) {
+  auto image = both.begin();
+  for (const SurfaceLink& link : links) {
     const double sign = link.image ? -1 : 1;
     of.other.push_back(link.on);
     of.along.push_back(sign * link.weight[0]);
@@ -186,41 +174,35 @@ SurfaceNeighbours of_links(const Links& links, int points) {
 }  // namespace
 
 SurfaceNeighbours surface_neighbours(const Columns& points, double reach, const std::vector<OddImage>& images,
-                                     const std::vector<int>& sheet, const std::vector<std::array<double, 3>>& outward) {
+                                     const std::vector<int>& sheet, const std::vector<std::array<double, 3>>& outward,
+                                     std::vector<std::vector<int>> given) {
+  sort_given(given, points.points());
   const std::vector<Candidate> all = candidates(points, images);
   const Cubes near(places_of(all), reach * longest_tangent(points));
-  Links links;
+  std::vector<SurfaceLink> links;
+  std::vector<Vec> both;  // of the links with images: what the places of image and partner add up to
   for (int p = 0; p < points.points(); ++p) {
-    links.add(points, p, neighbours_of(all, near, p, Sight(points, p), reach, sheet), reach);
-  }
-  if (!outward.empty()) balance_weights(links.all, points, reach, outward);
-  return of_links(links, points.points());
-}
-
-SurfaceNeighbours surface_neighbours(const Columns& points, const std::vector<std::vector<int>>& given) {
-  constexpr double beyond = 1.2;  // reach over the distance of the farthest, so that it has a weight
-  if (given.size() != static_cast<std::size_t>(points.points())) {
-    throw std::invalid_argument("neighbours are given of " + std::to_string(given.size()) + " of the " +
-                                std::to_string(points.points()) + " points of a surface");
-  }
-  Links links;
-  for (int p = 0; p < points.points(); ++p) {
-    const Sight sight(points, p);
-    double farthest = 0;
-    for (const int other : given[static_cast<std::size_t>(p)]) {
-      if (other < 0 || other >= points.points() || other == p) {
-        throw std::invalid_argument("point " + std::to_string(p) + " of a surface has " + std::to_string(other) +
-                                    " for a neighbour: no other of its " + std::to_string(points.points()) + " points");
-      }
-      farthest = std::max(farthest, std::sqrt(sight.square(place_of(points, other), 1)));
+    const std::vector<Neighbour> own = neighbours_of(all, near, p, frame_of(points, p), reach, {sheet, given});
+    Eigen::Matrix<double, terms, terms> normal = Eigen::Matrix<double, terms, terms>::Zero();
+    for (const Neighbour& n : own) normal += n.weight * n.phi * n.phi.transpose();
+    const Eigen::FullPivLU<Eigen::Matrix<double, terms, terms>> solver(normal);
+    if (solver.rank() < terms) {
+      throw std::invalid_argument("point " + std::to_string(p) + " of a surface has " + std::to_string(own.size()) +
+                                  " neighbours within reach, too few for its tangents: a larger reach, or more points");
     }
-    std::vector<Neighbour> own;
-    for (const int other : given[static_cast<std::size_t>(p)]) {
-      own.push_back(sight.neighbour({place_of(points, other), other, false}, beyond * farthest));
+    const Eigen::Matrix<double, terms, terms> inverse = solver.inverse();
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (const Neighbour& n : own) {
+      const Eigen::Vector2d c = inverse.topRows<2>() * n.phi * (n.weight / reach);  // [Surface 1]
+      sum += c;
+      links.push_back({p, n.at.point, n.at.image, {}, {c[0], c[1]}});
+      for (std::size_t k = 0; k < terms; ++k) links.back().terms[k] = n.phi[static_cast<int>(k)];
+      if (n.at.image) both.emplace_back(n.at.place + place_of(points, n.at.point));
     }
-    links.add(points, p, own, beyond * farthest);
+    links.push_back({p, p, false, {}, {-sum[0], -sum[1]}});
   }
-  return of_links(links, points.points());
+  if (!outward.empty()) balance_weights(links, points, reach, outward);
+  return of_links(links, both, points.points());
 }
 
 }  // namespace plumbline
