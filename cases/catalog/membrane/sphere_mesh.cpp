@@ -59,6 +59,10 @@ class Hull {
     }
     faces_.erase(seen, faces_.end());
     for (const auto& [from, to] : edges) {
+      if (at(from) == at(p)) {
+        throw std::invalid_argument("points " + std::to_string(from) + " and " + std::to_string(p) +
+                                    " of a sphere stand in one place");
+      }
       if (!edges.contains({to, from})) add_face({from, to, p});
     }
   }
