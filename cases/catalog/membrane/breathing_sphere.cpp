@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "cases/catalog/membrane/sphere_mesh.hpp"
 #include "cases/catalog/membrane/surface_case.hpp"
@@ -152,9 +153,9 @@ std::vector<StudyPlan> studies() {
           .with({{"connectivity", "given"}, {"weights", "balanced"}})
           .in_full({4, 6, 8, 11, 16}),
       study("given-fitted", "the same, not balanced", "Sets of neighbours change abruptly: the period is off a little.",
-            {8, 16})
+            {8})
           .with({{"connectivity", "given"}})
-          .in(Tier::full),
+          .in_full({8, 16}),
       study("shifted", "the grid moved by a part of a cell", "Order 2.", {8}).with(shifted_grid()).in(Tier::full)};
   for (StudyPlan& wrong : wrong_tangents({8}))
     all.push_back(std::move(wrong).with({{"tangents", wrong.id}, {"periods", 5.0}}));
@@ -162,15 +163,38 @@ std::vector<StudyPlan> studies() {
 }
 
 // Of study `default`. Throws std::runtime_error where a run has no period.
-Number period_over_found(double level) {
+Number off_found(double level) {
   const auto period = [=](const StudyResult& s) {
     const Measure* m = s.level(level)->run.find("period");
     if (!m || !m->value) throw std::runtime_error("a run has no period");
     return *m->value;
   };
-  return number_of("period over that with neighbours found by distance",
-                   [=](const StudyResult& s) { return Measured::of(period(s) / period(*s.sibling("default"))); },
-                   {level});
+  return number_of(
+      "relative difference of the period from that with neighbours found by distance",
+      [=](const StudyResult& s) { return Measured::of(std::abs(period(s) / period(*s.sibling("default")) - 1)); },
+      {level});
+}
+
+// Neighbours given beside found.
+std::vector<CaseGate> given_gates() {
+  const Because hundredth = requirement(
+      "maps, and their smoothing by .24 (h/R)^2, are the same; a hundredth of it is left for what other neighbours "
+      "make "
+      "of the same surface");
+  std::vector<CaseGate> all;
+  for (const double level : {8.0, 16.0}) {
+    const Tier tier = level > 8 ? Tier::full : Tier::quick;
+    const Range most = at_most(0.0024 / (level * level));
+    const std::string name = "/as-found-" + to_text(level);
+    all.push_back(gate("given" + name, off_found(level), most, hundredth).beside({"default"}).in(tier));
+    all.push_back(gate("given-fitted" + name, off_found(level), most, hundredth)
+                      .beside({"default"})
+                      .in(tier)
+                      .fails("sets of neighbours change abruptly from point to point: a uniform tension leaves forces "
+                             "that do not fade with the cell size",
+                             level > 8 ? Range{6.7e-5, 9e-5} : Range{6.5e-5, 8.7e-5}, "2026-11-27 8e62057"));
+  }
+  return all;
 }
 
 std::vector<CaseGate> gates() {
@@ -192,29 +216,17 @@ std::vector<CaseGate> gates() {
                    "relax a little at each step",
                    tier == Tier::quick ? Range{8.6e-4, 1.13e-3} : Range{1.25e-3, 1.65e-3}, "2026-11-26 43deee6"));
   }
-  for (const std::string study : {"default", "given", "given-fitted"}) {
+  for (const std::string study : {"default", "given"}) {
     all.push_back(
         gate(study + "/period-16", error_at("period", 16), at_most(1.2e-3 * 3.6254521), grid_error).in(Tier::full));
-    if (study == "given-fitted") continue;
     all.push_back(gate(study + "/period-order", order_of("period"), at_least(1.9),
                        theory("maps and neighbours are of second order; 0.1 for the interval"))
                       .in(Tier::full));
   }
   all.push_back(gate("given/period-8", error_at("period", 8), at_most(5e-3 * 3.6254521), grid_error));
   all.push_back(gate("given/growth-8", value_at("growth", 8), at_most(1e-3), still));
-  for (const std::string study : {"given", "given-fitted"}) {
-    const Tier tier = study == "given" ? Tier::quick : Tier::full;
-    all.push_back(gate(study + "/tangents-8", value_at("tangents", 8), at_most(5e-4), same).in(tier));
-    for (const double level : {8.0, 16.0}) {
-      const double tenth = 0.024 / (level * level);
-      all.push_back(
-          gate(study + "/as-found-" + to_text(level), period_over_found(level), between(1 - tenth, 1 + tenth),
-               requirement("maps, and their smoothing by .24 (h/R)^2, are the same; a tenth of it is left for "
-                           "what other neighbours make of the same surface"))
-              .beside({"default"})
-              .in(level > 8 ? Tier::full : tier));
-    }
-  }
+  all.push_back(gate("given/tangents-8", value_at("tangents", 8), at_most(5e-4), same));
+  for (CaseGate& beside : given_gates()) all.push_back(std::move(beside));
   all.push_back(restart_gate("default", "runs of a membrane in space"));
   return all;
 }
