@@ -7,6 +7,7 @@
 #include "cases/harness/description/schemes.hpp"
 #include "cases/harness/judge/gates.hpp"
 #include "cases/harness/verify/restart_gate.hpp"
+#include "kernel/held_points.hpp"
 #include "kernel/materials/linear_elastic.hpp"
 #include "reference/drum.hpp"
 
@@ -37,8 +38,9 @@ struct Drum : SurfaceCase {
                    .low = 0,
                    .high = 10,
                    .description = "points this many spacings from the rim have images behind it"});
-    clamp = one_of("clamp", "images", {"images", "nodes"},
-                   "what holds the rim: odd images of the points behind it, or nodes that do not move outside of it");
+    clamp = one_of("clamp", "images", {"images", "nodes", "markers"},
+                   "what holds the rim: odd images of the points behind it, nodes that do not move outside of it, or "
+                   "points on it that the nodes must not move");
   }
 };
 
@@ -65,6 +67,7 @@ class DrumRun final : public Problem {
     }
     scene.bodies.push_back(std::move(body));
     if (at_.clamp == "nodes") scene.bodies.push_back(still_nodes(scene.grid));
+    if (at_.clamp == "markers") scene.bodies.push_back(markers(scene.grid.h));
     apply_choices(settings_, scene);
     return scene;
   }
@@ -123,6 +126,24 @@ class DrumRun final : public Problem {
       body.points(column::volume)[p] = on.h * on.h * on.h;
       body.points(column::mass)[p] = heavy;
     }
+    return body;
+  }
+  // On the rim a cell apart, each with a quarter of the mass of a cell of the drum: lighter ones let nodes beyond the rim move wildly.
+  Body markers(double h) const {
+    const SurfaceLaw& law = at_.choice.law;
+    const int count = static_cast<int>(std::lround(2 * std::numbers::pi * at_.size / h));
+    auto soft = std::make_shared<LinearElastic>();
+    soft->youngs_modulus = 1e-9 * law.youngs_modulus;  // no forces of its own
+    soft->density = law.density;
+    Body body = make_body("rim", std::move(soft), count, 3);
+    for (int p = 0; p < count; ++p) {
+      const double angle = 2 * std::numbers::pi * p / count;
+      body.points(column::position, 0)[p] = at_.size * std::cos(angle);
+      body.points(column::position, 1)[p] = at_.size * std::sin(angle);
+      body.points(column::volume)[p] = 0.25 * law.thickness * h * h;
+      body.points(column::mass)[p] = law.density * body.points(column::volume)[p];
+    }
+    body.points.add(column::held);
     return body;
   }
   // Of each point, 1 where it is largest.
@@ -193,7 +214,10 @@ Case drum() {
       .studies = {mode(0, "mode (0,1)"), mode(1, "mode (1,1)"), mode(2, "mode (2,1)"),
                   study("nodes", "clamped by nodes that stand still", "A stair of nodes is no circle: order 1.", {8})
                       .in_full(meshes)
-                      .with({{"clamp", "nodes"}})},
+                      .with({{"clamp", "nodes"}}),
+                  study("markers", "clamped by multipliers at points of its rim", "Tension leaks past the points.", {8})
+                      .in_full({8, 16})
+                      .with({{"clamp", "markers"}})},
       .gates = gates(),
       .levels = meshes};
 }
