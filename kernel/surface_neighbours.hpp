@@ -39,7 +39,8 @@ struct SurfaceNeighbours {
 //   outward empty, or for each point the direction out of a free edge near it: then the weights are balanced, see balance_weights()
 //   given   empty, or of each point those that alone may be its neighbours where they are within reach, as by a mesh: see
 //           neighbours_in_mesh(). Images are neighbours of the points that their partners are
-// Throws std::invalid_argument for neighbours that are no other points, for a point with too few neighbours for a quadratic surface through it, or without tangents.
+// Throws std::invalid_argument for neighbours that are no other points, and for a point with too few neighbours for a quadratic
+// surface through it, or without tangents.
 SurfaceNeighbours surface_neighbours(const Columns& points, double reach, const std::vector<OddImage>& images = {},
                                      const std::vector<int>& sheet = {},
                                      const std::vector<std::array<double, 3>>& outward = {},

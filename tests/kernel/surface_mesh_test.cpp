@@ -28,7 +28,7 @@ int edges_to(int i, int j) {
   return i * j >= 0 ? std::abs(i + j) : std::abs(i) > std::abs(j) ? std::abs(i) : std::abs(j);
 }
 
-TEST(SurfaceMesh, RingsOfASheetHaveSixTwelveEighteenPoints) {
+TEST(SurfaceMesh, RingsOfASheetHaveSixEighteenThirtySixPoints) {
   constexpr int side = 9, middle = 4 * side + 4;
   const std::size_t within[] = {6, 18, 36};
   for (int rings = 1; rings <= 3; ++rings) {

@@ -179,8 +179,7 @@ Number off_found(double level) {
 std::vector<CaseGate> given_gates() {
   const Because hundredth = requirement(
       "maps, and their smoothing by .24 (h/R)^2, are the same; a hundredth of it is left for what other neighbours "
-      "make "
-      "of the same surface");
+      "make of the same surface");
   std::vector<CaseGate> all;
   for (const double level : {8.0, 16.0}) {
     const Tier tier = level > 8 ? Tier::full : Tier::quick;
