@@ -1,6 +1,7 @@
 #include "kernel/surface_neighbours.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -61,6 +62,40 @@ double longest_tangent(const Columns& points) {
   return longest;
 }
 
+// Which pairs of points may be neighbours, however near they are.
+struct Pairs {
+  const std::vector<int>& sheet;
+  const std::vector<std::vector<int>>& given;  // sorted
+  bool may_be(int a, int b) const {
+    if (!given.empty()) {
+      const std::vector<int>& of = given[static_cast<std::size_t>(a)];
+      if (!std::binary_search(of.begin(), of.end(), b)) return false;
+    }
+    if (sheet.empty()) return true;
+    const int one = sheet[static_cast<std::size_t>(a)], other = sheet[static_cast<std::size_t>(b)];
+    return one == other || one < 0 || other < 0;
+  }
+};
+
+// Throws std::invalid_argument for what cannot be neighbours.
+void sort_given(std::vector<std::vector<int>>& given, int points) {
+  if (given.empty()) return;
+  if (given.size() != static_cast<std::size_t>(points)) {
+    throw std::invalid_argument("neighbours are given of " + std::to_string(given.size()) + " of the " +
+                                std::to_string(points) + " points of a surface");
+  }
+  for (std::size_t p = 0; p < given.size(); ++p) {
+    std::vector<int>& of = given[p];
+    std::sort(of.begin(), of.end());
+    for (const int other : of) {
+      if (other >= 0 && other < points && other != static_cast<int>(p)) continue;
+      throw std::invalid_argument("point " + std::to_string(p) + " of a surface has the neighbour " +
+                                  std::to_string(other) + ": no other of the points 0 to " +
+                                  std::to_string(points - 1));
+    }
+  }
+}
+
 // A neighbour with the terms of its place on the surface at rest, lengths over the reach, and its weight.
 struct Neighbour {
   Candidate at;
@@ -69,18 +104,14 @@ struct Neighbour {
 };
 
 std::vector<Neighbour> neighbours_of(const std::vector<Candidate>& candidates, const Cubes& near, int p, const Frame& f,
-                                     double reach, const std::vector<int>& sheet) {
+                                     double reach, const Pairs& pairs) {
   const Candidate& point = candidates[static_cast<std::size_t>(p)];
   const Eigen::Matrix<double, 2, 3> dual = (f.transpose() * f).inverse() * f.transpose();
-  const auto together = [&](int a, int b) {
-    if (sheet.empty()) return true;
-    const int one = sheet[static_cast<std::size_t>(a)], other = sheet[static_cast<std::size_t>(b)];
-    return one == other || one < 0 || other < 0;
-  };
   std::vector<Neighbour> all;
   near.for_near(point.place, [&](std::size_t k) {
     const Candidate& other = candidates[k];
-    if ((!other.image && other.point == point.point) || !together(point.point, other.point)) return;
+    const bool own = other.point == point.point;
+    if (own ? !other.image : !pairs.may_be(point.point, other.point)) return;
     const Vec apart = other.place - point.place;
     const Eigen::Vector2d xi = dual * apart / reach;
     // Out of the tangents' plane distances are those of space: on a folded sheet the other side is no neighbour.
@@ -143,13 +174,15 @@ SurfaceNeighbours of_links(const std::vector<SurfaceLink>& links, const std::vec
 }  // namespace
 
 SurfaceNeighbours surface_neighbours(const Columns& points, double reach, const std::vector<OddImage>& images,
-                                     const std::vector<int>& sheet, const std::vector<std::array<double, 3>>& outward) {
+                                     const std::vector<int>& sheet, const std::vector<std::array<double, 3>>& outward,
+                                     std::vector<std::vector<int>> given) {
+  sort_given(given, points.points());
   const std::vector<Candidate> all = candidates(points, images);
   const Cubes near(places_of(all), reach * longest_tangent(points));
   std::vector<SurfaceLink> links;
   std::vector<Vec> both;  // of the links with images: what the places of image and partner add up to
   for (int p = 0; p < points.points(); ++p) {
-    const std::vector<Neighbour> own = neighbours_of(all, near, p, frame_of(points, p), reach, sheet);
+    const std::vector<Neighbour> own = neighbours_of(all, near, p, frame_of(points, p), reach, {sheet, given});
     Eigen::Matrix<double, terms, terms> normal = Eigen::Matrix<double, terms, terms>::Zero();
     for (const Neighbour& n : own) normal += n.weight * n.phi * n.phi.transpose();
     const Eigen::FullPivLU<Eigen::Matrix<double, terms, terms>> solver(normal);

@@ -37,9 +37,13 @@ struct SurfaceNeighbours {
 //   reach   m at rest, > 0: farther points are no neighbours
 //   sheet   empty, or a number for each point: points of different sheets are no neighbours; -1: of all sheets
 //   outward empty, or for each point the direction out of a free edge near it: then the weights are balanced, see balance_weights()
-// Throws std::invalid_argument for a point with too few neighbours for a quadratic surface through it, or without tangents.
+//   given   empty, or of each point those that alone may be its neighbours where they are within reach, as by a mesh: see
+//           neighbours_in_mesh(). Images are neighbours of the points that their partners are
+// Throws std::invalid_argument for neighbours that are no other points, and for a point with too few neighbours for a quadratic
+// surface through it, or without tangents.
 SurfaceNeighbours surface_neighbours(const Columns& points, double reach, const std::vector<OddImage>& images = {},
                                      const std::vector<int>& sheet = {},
-                                     const std::vector<std::array<double, 3>>& outward = {});
+                                     const std::vector<std::array<double, 3>>& outward = {},
+                                     std::vector<std::vector<int>> given = {});
 
 }  // namespace plumbline

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "kernel/engine/finish.hpp"
+#include "kernel/engine/holding.hpp"
 #include "kernel/engine/locating.hpp"
 #include "kernel/engine/method_of_lines.hpp"
 #include "kernel/engine/stress.hpp"
@@ -37,6 +38,7 @@ class Mechanics final : public Engine {
         layout_(layout_of(scene.bodies, space_.grid)),
         locating_(space_, scene, options, ledger),
         to_grid_(space_),
+        holding_(space_, scene),
         momentum_(space_, scene, layout_.field_of_body),
         strain_(space_, scene.strain_smoothing, ledger),
         stress_(space_, scene, shares_of(scene, space_.filters_at_rate(scene), options.keep_loss)),
@@ -66,6 +68,7 @@ class Mechanics final : public Engine {
   void map_mass_and_momentum() override {
     layout_.want_places("map_mass_and_momentum");
     to_grid_.map_mass_and_momentum(layout_, momentum_, step_);
+    holding_.hold_start(layout_, step_);
   }
 
   void map_forces() override {
@@ -79,6 +82,7 @@ class Mechanics final : public Engine {
     if (momentum_.contact_changes_start()) to_grid_.settle_loss(layout_, step_);
     const bool first = !step_.advance;
     step_.advance = momentum_.advance(layout_.fields, step_.forces.value_or(MappedForces<dim>{}), dt, first);
+    holding_.hold_advanced(layout_, *step_.advance);
     step_.power.reset();
     step_.rates_of.reset();
     step_.newest = NodalVelocity::end;
@@ -98,6 +102,7 @@ class Mechanics final : public Engine {
   void map_momentum() override {
     layout_.want_places("map_momentum");
     to_grid_.map_momentum(layout_, momentum_, step_);
+    holding_.hold_remapped(layout_);
   }
 
   void strain_points(double dt, NodalVelocity velocity) override {
@@ -237,6 +242,7 @@ class Mechanics final : public Engine {
   Layout<dim> layout_;
   Locating<Geometry> locating_;
   ToGrid<Geometry> to_grid_;
+  Holding<Geometry> holding_;
   NodalMomentum<Geometry> momentum_;
   Strain<Geometry> strain_;
   Stress<Geometry> stress_;

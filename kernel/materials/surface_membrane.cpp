@@ -119,12 +119,14 @@ std::shared_ptr<const Material> SurfaceMembrane::of_rest(const Columns& points) 
   return of_rest(points, {}, {});
 }
 
-std::shared_ptr<const SurfaceMembrane> SurfaceMembrane::of_rest(
-    const Columns& points, const std::vector<OddImage>& images, const std::vector<int>& sheet,
-    const std::vector<std::array<double, 3>>& outward) const {
+std::shared_ptr<const SurfaceMembrane> SurfaceMembrane::of_rest(const Columns& points,
+                                                                const std::vector<OddImage>& images,
+                                                                const std::vector<int>& sheet,
+                                                                const std::vector<std::array<double, 3>>& outward,
+                                                                const std::vector<std::vector<int>>& given) const {
   auto own = std::make_shared<SurfaceMembrane>(*this);
   own->neighbours = std::make_shared<const SurfaceNeighbours>(
-      surface_neighbours(points, reach * spacing(points), images, sheet, outward));
+      surface_neighbours(points, reach * spacing(points), images, sheet, outward, given));
   return own;
 }
 

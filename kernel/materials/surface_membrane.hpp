@@ -22,11 +22,12 @@ struct SurfaceMembrane final : Material, SurfaceLaw {
   // The volume of a point is the area at rest that it stands for times the thickness; tangents must be those of the start.
   void add_columns(Columns& points, int dim) const override;
   std::shared_ptr<const Material> of_rest(const Columns& points) const override;
-  // The same with images of points behind a clamped edge, with the sheet of each point, and with the direction out of a free edge
-  // near it; see surface_neighbours().
+  // The same with images of points behind a clamped edge, with the sheet of each point, with the direction out of a free edge near
+  // it, and with neighbours given; see surface_neighbours().
   std::shared_ptr<const SurfaceMembrane> of_rest(const Columns& points, const std::vector<OddImage>& images,
                                                  const std::vector<int>& sheet,
-                                                 const std::vector<std::array<double, 3>>& outward = {}) const;
+                                                 const std::vector<std::array<double, 3>>& outward = {},
+                                                 const std::vector<std::vector<int>>& given = {}) const;
   double advance(Columns& points, PointRange range, const MaterialContext& context, double dt) const override;
   std::vector<const ColumnId*> internal_variables(const MaterialContext& context) const override;
   std::vector<double> rates(const Columns& points, const MaterialContext& context) const override;

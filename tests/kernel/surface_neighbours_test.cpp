@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <stdexcept>
 #include <vector>
 
@@ -139,6 +141,63 @@ TEST(SurfaceNeighbours, OtherSheetsAreNoNeighbours) {
     for (int k = all.of.first[at]; k < all.of.first[at + 1]; ++k) {
       EXPECT_EQ(number[static_cast<std::size_t>(all.of.other[static_cast<std::size_t>(k)])], number[at]);
     }
+  }
+}
+
+using Lists = std::vector<std::vector<int>>;
+
+// Of each point of a sheet of 7 x 6 those no farther than this many points along and across.
+Lists within(int along, int across) {
+  Lists all(42);
+  for (int p = 0; p < 42; ++p) {
+    for (int q = 41; q >= 0; --q) {  // in any order
+      if (q != p && std::abs(q % 7 - p % 7) <= along && std::abs(q / 7 - p / 7) <= across)
+        all[static_cast<std::size_t>(p)].push_back(q);
+    }
+  }
+  return all;
+}
+
+// Whoever the neighbours are, quadratic motions are exact; others, though within reach, have no weight. [Surface 1]
+TEST(SurfaceNeighbours, GivenOnesAreTheOnlyOnes) {
+  const Columns points = sheet(7, 6, flat(), in_plane);
+  const Lists given = within(2, 3);
+  const SurfaceNeighbours all = surface_neighbours(points, 1.0, {}, {}, {}, given);
+  const auto moved = [&](int p) {
+    const Vec x = place(points, p);
+    return Vec(x[0] + 0.4 * x[0] * x[1], 1.1 * x[1] - 0.3 * x[0] * x[0], x[1] * x[1]);
+  };
+  for (int p = 0; p < points.points(); ++p) {
+    const auto at = static_cast<std::size_t>(p);
+    std::vector<int> links(all.of.other.begin() + all.of.first[at], all.of.other.begin() + all.of.first[at + 1] - 1);
+    std::sort(links.begin(), links.end());
+    EXPECT_EQ(links, std::vector<int>(given[at].rbegin(), given[at].rend()));
+    const Vec x = place(points, p);
+    Frame exact;
+    exact << 1 + 0.4 * x[1], 0.4 * x[0], -0.6 * x[0], 1.1, 0, 2 * x[1];
+    EXPECT_LT((tangents(all, p, moved) - exact).norm(), 1e4 * rounding) << p;
+  }
+}
+
+TEST(SurfaceNeighbours, GivenOnesBeyondReachAreNone) {
+  const Columns points = sheet(7, 6, flat(), in_plane);
+  const SurfaceNeighbours found = surface_neighbours(points, reach),
+                          all = surface_neighbours(points, reach, {}, {}, {}, within(7, 6));
+  EXPECT_EQ(all.of.other, found.of.other);
+  EXPECT_EQ(all.of.along, found.of.along);
+  EXPECT_EQ(all.of.across, found.of.across);
+}
+
+TEST(SurfaceNeighbours, ClearErrorsOfGivenOnes) {
+  const Columns points = sheet(7, 6, flat(), in_plane);
+  const auto given = [&](const Lists& lists) { surface_neighbours(points, reach, {}, {}, {}, lists); };
+  EXPECT_NO_THROW(given(within(3, 3)));
+  EXPECT_THROW(given(Lists(41)), std::invalid_argument);
+  EXPECT_THROW(given(within(1, 0)), std::invalid_argument);  // too few
+  for (const int wrong : {0, 42, -1}) {                      // itself, and no points
+    Lists lists = within(3, 3);
+    lists[0].push_back(wrong);
+    EXPECT_THROW(given(lists), std::invalid_argument) << wrong;
   }
 }
 

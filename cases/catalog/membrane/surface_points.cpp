@@ -164,7 +164,8 @@ std::vector<OddImage> images_behind_rim(const Columns& points, double radius, do
 }
 
 Body surface_body(const std::string& name, const SurfaceChoice& choice, std::vector<SurfacePoint> points, double h,
-                  const std::function<std::vector<OddImage>(const Columns&)>& images_of) {
+                  const std::function<std::vector<OddImage>(const Columns&)>& images_of,
+                  const std::function<std::vector<std::vector<int>>(const Columns&)>& given_of) {
   std::stable_sort(points.begin(), points.end(),
                    [h](const SurfacePoint& a, const SurfacePoint& b) { return cell_of(a, h) < cell_of(b, h); });
   const auto material = material_of(choice);
@@ -189,7 +190,8 @@ Body surface_body(const std::string& name, const SurfaceChoice& choice, std::vec
   body.spacing = std::sqrt(area / columns.points());
   if (const auto* membrane = dynamic_cast<const SurfaceMembrane*>(material.get())) {
     const std::vector<OddImage> images = images_of ? images_of(columns) : std::vector<OddImage>();
-    body.material = membrane->of_rest(columns, images, sheet, outward);
+    const std::vector<std::vector<int>> given = given_of ? given_of(columns) : std::vector<std::vector<int>>();
+    body.material = membrane->of_rest(columns, images, sheet, outward, given);
     if (!images.empty()) columns.add(column::clamped);
     for (const OddImage& image : images) columns(column::clamped)[image.partner] = 1;
   }

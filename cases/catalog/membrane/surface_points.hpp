@@ -68,9 +68,10 @@ struct SurfaceChoice {
   bool balanced = false;  // weights of neighbours, see balance_weights()
 };
 // The points in the order of the cells of size h that they stand in, so that those of a cell are worked on together.
-// images_of: of these points in their new order; may be empty.
+// images_of, given_of: images, and neighbours given, of these points in their new order; may be empty.
 Body surface_body(const std::string& name, const SurfaceChoice& choice, std::vector<SurfacePoint> points, double h,
-                  const std::function<std::vector<OddImage>(const Columns&)>& images_of = {});
+                  const std::function<std::vector<OddImage>(const Columns&)>& images_of = {},
+                  const std::function<std::vector<std::vector<int>>(const Columns&)>& given_of = {});
 
 // Of a closed surface about the origin: a third of the sum of A n . x, m^3.
 double enclosed_volume(const Columns& points, double thickness);
