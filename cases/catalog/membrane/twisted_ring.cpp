@@ -60,7 +60,7 @@ TwistedAnnulus::TwistedAnnulus(Parameters given) : SurfaceCase(std::move(given))
                               "none: what is shortened wrinkles; carried: the sheet bears it, as a plate would") ==
                        "none";
   drag = not_negative("drag", 1, "1", "against the velocity, over the speed of waves and the outer radius");
-  end = positive("end", 8, "1", "time of the end");
+  end = positive("end", 12, "1", "time of the end");
   rows = number({.name = "clamped_rows",
                  .value = 3.0,
                  .low = 0,
@@ -77,8 +77,8 @@ reference::TwistedAnnulus TwistedAnnulus::exact() const {
     const bool far = error.key == "twist";
     const std::string key = far ? "twist" : "poissons_ratio", value = fmt::format("{:g}", error.value);
     throw UsageError(key, value, error.allowed, {},
-                     fmt::format("{}={} with inner={:g} twist={:g} is no ring that wrinkles everywhere; allowed: {}", key, value,
-                                 inner, twist, error.allowed));
+                     fmt::format("{}={} with inner={:g} twist={:g} is no ring that wrinkles everywhere; allowed: {}",
+                                 key, value, inner, twist, error.allowed));
   }
 }
 
@@ -142,38 +142,40 @@ double largest_stress(const Columns& points, int p, const SurfaceLaw& law) {
   return Principal(law.state(metric_of(points, p))).larger;
 }
 
-RingForces ring_forces(const Columns& points, const std::vector<double>& radii, const SurfaceLaw& law,
-                       const reference::TwistedAnnulus& exact) {
+RingForces ring_forces(const Columns& points, const std::vector<int>& ring, const SurfaceLaw& law,
+                       const TwistedRing& exact) {
+  const double arm = exact.exact().arm().value, whole_torque = exact.exact().torque().value,
+               whole_energy = exact.exact().energy().value;
   RingForces all{};
-  double weights = 0, larger = 0, smaller = 0, volume = 0;
   struct Through {
     double torque = 0, weight = 0;
   };
-  std::map<double, Through> rings;
+  std::map<int, Through> rings;
+  double weights = 0, stresses = 0, volume = 0;
   for (int p = 0; p < points.points(); ++p) {
-    const double R = radii[static_cast<std::size_t>(p)], own = points(column::volume)[p];
+    const int own = ring[static_cast<std::size_t>(p)];
+    const double R = exact.radius(own), V = points(column::volume)[p], weight = V / R;
     const SurfaceLaw::State s = law.state(metric_of(points, p));
     const Principal stress(s);
-    // The traction on what is within a ring is S_1b f_b: f_1 stands along the radius at rest.
-    const double torque = 2 * pi * law.thickness * R * moment(points, p, s.first, s.mixed);
-    Through& ring = rings[R];
-    ring.torque += own / R * torque;
-    ring.weight += own / R;
-    all.torque += own / R * torque;
-    weights += own / R;
-    all.energy += own * s.energy;
-    const double arm = moment(points, p, stress.cosine, stress.sine) / length(points, p, stress.cosine, stress.sine);
-    all.crooked += own * std::pow(arm / exact.arm().value - 1, 2);
-    larger += own * stress.larger * stress.larger;
-    smaller += own * stress.smaller * stress.smaller;
-    volume += own;
+    // The traction on what is within a ring is S_1b f_b: f_1 stood along the radius at rest.
+    const double torque = 2 * pi * law.thickness * R * moment(points, p, s.first, s.mixed) / whole_torque;
+    rings[own].torque += weight * torque;
+    rings[own].weight += weight;
+    all.torque += weight * torque;
+    weights += weight;
+    all.energy += V * s.energy / whole_energy;
+    const double away = moment(points, p, stress.cosine, stress.sine) / length(points, p, stress.cosine, stress.sine);
+    all.crooked += V * std::pow(away / arm - 1, 2);
+    all.across += V * stress.smaller * stress.smaller;
+    stresses += V * std::pow(exact.exact_at(own).stress.value, 2);
+    volume += V;
   }
   all.torque /= weights;
-  for (const auto& [R, ring] : rings)
-    all.uneven += ring.weight / weights * std::pow((ring.torque / ring.weight - all.torque) / exact.torque().value, 2);
+  for (const auto& [k, through] : rings)
+    all.uneven += through.weight / weights * std::pow(through.torque / through.weight - all.torque, 2);
   all.uneven = std::sqrt(all.uneven);
   all.crooked = std::sqrt(all.crooked / volume);
-  all.across = std::sqrt(smaller / larger);
+  all.across = std::sqrt(all.across / stresses);
   return all;
 }
 

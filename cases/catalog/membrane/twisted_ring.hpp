@@ -53,15 +53,16 @@ class TwistedRing {
 double largest_stress(const Columns& points, int p, const SurfaceLaw& law);
 
 struct RingForces {
-  double torque;   // N m: mean over the radii of that through a ring of material
-  double energy;   // J
-  double uneven;   // torque through the rings, root mean square of what it is off their mean, over the exact one
-  double crooked;  // distance from the axis of the lines along the larger principal stress, root mean square error, over the exact one
-  double across;   // root mean square of the smaller principal stress, over that of the larger
+  double torque;  // mean over the radii of that through a ring of material, over the exact one
+  double energy;  // over the exact one
+  double uneven;  // torque through the rings, root mean square of what it is off their mean, over the exact one
+  double
+      crooked;  // distance from the axis of the lines along the larger principal stress, root mean square error, over the exact one
+  double across;  // root mean square of the smaller principal stress, over that of the exact stress
 };
 
-// radii: of the points at rest, m.
-RingForces ring_forces(const Columns& points, const std::vector<double>& radii, const SurfaceLaw& law,
-                       const reference::TwistedAnnulus& exact);
+// ring: of each point.
+RingForces ring_forces(const Columns& points, const std::vector<int>& ring, const SurfaceLaw& law,
+                       const TwistedRing& exact);
 
 }  // namespace plumbline
