@@ -128,44 +128,61 @@ const std::vector<double> meshes{8, 10, 12, 16, 24};
 
 std::vector<CaseGate> gates() {
   std::vector<CaseGate> all;
+  const auto order = [&](const std::string& study, const std::string& measure, double least, const char* why) {
+    all.push_back(
+        gate(study + "/" + measure + "-order", fitted_order_of(measure), at_least(least), theory(why)).in(Tier::full));
+  };
+  const Because fiftieth = requirement(
+      "a fiftieth of the torque, with eight rings from rim to rim, of which six are next to images");
   for (const std::string study : {"default", "far"}) {
     for (const std::string measure : {"torque", "uneven", "crooked", "across"}) {
       all.push_back(gate(study + "/start_" + measure, error_at("start_" + measure, 8), at_most(1e-11),
                          theory("points stand, and their tangents are, as the exact solution has it: rounding, of "
-                                "strains that are differences, and the reference's own bound")));
+                                "strains that are differences, and a hundred times the bound of the reference")));
     }
     all.push_back(gate(study + "/across-8", error_at("across", 8), at_most(1e-11),
-                       theory("wrinkled everywhere, as at the start: no stress across the lines")));
-    all.push_back(gate(study + "/torque-8", error_at("torque", 8), at_most(0.02),
-                       requirement("a fiftieth of the torque, with eight rings from rim to rim of which six are within "
-                                   "reach of images")));
-    all.push_back(gate(study + "/start_energy-order", fitted_order_of("start_energy"), at_least(1.9),
-                       theory("sums over rings of equal width, of second order; 0.1 for the coarsest mesh"))
-                      .in(Tier::full));
-    for (const std::string measure : {"torque", "radial.L2", "around.L2"}) {
-      all.push_back(gate(study + "/" + measure + "-order", fitted_order_of(measure), at_least(1.8),
-                         theory("neighbours and maps are of second order; forces next to a rim are wrong by a share of "
-                                "the stress's slope in a layer as wide as neighbours reach, which moves the rest by "
-                                "h^2; 0.2 for the coarsest mesh"))
-                        .in(Tier::full));
-    }
+                       theory("wrinkled everywhere, as at the start: no stress across the lines, to rounding")));
+    all.push_back(gate(study + "/torque-8", error_at("torque", 8), at_most(0.02), fiftieth));
+    order(study, "start_energy", 1.9, "sums over rings of equal width are of second order; 0.1 for the coarsest mesh");
+    for (const char* measure : {"torque", "radial.L2", "around.L2"})
+      order(study, measure, 1.8,
+            "neighbours and maps are of second order; next to a rim images take the stress to be even, and forces are "
+            "wrong by its slope in a layer as wide as neighbours reach, which moves the rest by h^2; 0.2 for the "
+            "coarsest mesh");
+    order(study, "crooked", 1.3,
+          "of first order in a layer of width h, elsewhere of second: 1.5; 0.2 for the coarsest mesh");
   }
+  order("default", "stress.L2", 1.3,
+        "of first order in a layer of width h, elsewhere of second: 1.5; 0.2 for the coarsest mesh");
+  order("default", "stress.Linf", 0.8, "of first order in the layer next to a rim; 0.2 for the coarsest mesh");
+  all.push_back(gate("shifted/torque-8", error_at("torque", 8), at_most(0.02), fiftieth).in(Tier::full));
+  all.push_back(
+      gate("two-way/torque-8", error_at("torque", 8), at_most(0.02), fiftieth)
+          .fails(
+              "a sheet that carries compression resists the twist by it, too: of small twists by 1.8 times the torque",
+              {0.7, 0.94}, "2026-11-27 cadecec"));
   return all;
 }
 
 Case twisted_annulus() {
-  return {.name = "twisted-annulus",
-          .kind = Kind::membrane,
-          .keys = TwistedAnnulus().keys(),
-          .sets = {{"cells", 8.0}, {"poissons_ratio", 0.1}},
-          .york_step = courant_number(0.3),
-          .problem = run_of<TwistedAnnulusRun>,
-          .studies = {study("default", "default", "Order 2.", {8}).in_full(meshes).pictured(2, 8),
-                      study("far", "four times the twist", "Order 2.", {8}).in_full(meshes).with({{"twist", 0.2}}),
-                      study("two-way", "a sheet that carries compression", "Another equilibrium: no order.", {8})
-                          .with({{"compression", "carried"}})},
-          .gates = gates(),
-          .levels = meshes};
+  return {
+      .name = "twisted-annulus",
+      .kind = Kind::membrane,
+      .keys = TwistedAnnulus().keys(),
+      .sets = {{"cells", 8.0}, {"poissons_ratio", 0.1}},
+      .york_step = courant_number(0.3),
+      .problem = run_of<TwistedAnnulusRun>,
+      .studies = {study("default", "default", "Torque and places of order 2, stresses next to rims of order 1.", {8})
+                      .in_full(meshes)
+                      .pictured(2, 8),
+                  study("far", "four times the twist", "As the default.", {8}).in_full(meshes).with({{"twist", 0.2}}),
+                  study("shifted", "the grid moved by a part of a cell", "As the default.", {8})
+                      .with(shifted_grid())
+                      .in(Tier::full),
+                  study("two-way", "a sheet that carries compression", "Another equilibrium: no order.", {8})
+                      .with({{"compression", "carried"}})},
+      .gates = gates(),
+      .levels = meshes};
 }
 PLUMBLINE_CASE(twisted_annulus);
 

@@ -100,7 +100,7 @@ std::vector<SurfacePoint> TwistedRing::points() const {
     const reference::AnnulusPoint& exact = exact_at(k);
     const double along = exact.along.value, across = exact.across.value, rest = exact.rest.value;
     for (int j = 0; j < count_; ++j) {
-      const double angle = 2 * pi * (j + 0.5 * (k % 2)) / count_ + exact.turned.value;
+      const double angle = 2 * pi * j / count_ + exact.turned.value;
       const double c = std::cos(angle + exact.now.value), s = std::sin(angle + exact.now.value);
       // l m n and l2 times the directions across, of the tangents along the radius at rest and around.
       const auto carried = [&](double n, double other) {

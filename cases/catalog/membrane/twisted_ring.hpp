@@ -25,8 +25,9 @@ struct Seat {
   double angle;
 };
 
-// Points in rings of equal width at rest, as many in each and half a step on from ring to ring, so that each point of a ring has the
-// same neighbours.
+// Points in rings of equal width at rest, as many in each and on the same radii: each point of a ring has the same neighbours, and the
+// image of each is the point's own reflection at the place on the rim of its radius. Reflected there, small parts of the ring and of
+// its images are each other, and a uniform stress leaves no force on the points before the rim.
 class TwistedRing {
  public:
   // So many spacings to the outer radius.
@@ -39,7 +40,7 @@ class TwistedRing {
   std::vector<SurfacePoint> points() const;
   // Of a point that stands as at the start.
   Seat seat(const Columns& points, int p) const;
-  // Behind both rims, of as many rings: each as far beyond the place on the rim of its radius at rest.
+  // Behind both rims, of as many rings.
   std::vector<OddImage> images(const Columns& points, double rows) const;
 
  private:
