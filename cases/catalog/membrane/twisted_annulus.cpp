@@ -126,6 +126,12 @@ class TwistedAnnulusRun final : public Problem {
 
 const std::vector<double> meshes{8, 10, 12, 16, 24};
 
+// Of a norm, over that of the exact value.
+Number relative(const std::string& measure) {
+  return number_at("relative error of " + measure, measure, 8,
+                   [](const RunResult&, const Measure& norm) { return Measured::of(norm.error / norm.scale); });
+}
+
 std::vector<CaseGate> gates() {
   std::vector<CaseGate> all;
   const auto order = [&](const std::string& study, const std::string& measure, double least, const char* why) {
@@ -143,6 +149,13 @@ std::vector<CaseGate> gates() {
     all.push_back(gate(study + "/across-8", error_at("across", 8), at_most(1e-11),
                        theory("wrinkled everywhere, as at the start: no stress across the lines, to rounding")));
     all.push_back(gate(study + "/torque-8", error_at("torque", 8), at_most(0.02), fiftieth));
+    all.push_back(
+        gate(study + "/crooked-8", error_at("crooked", 8), at_most(0.03),
+             requirement("a thirtieth of the lines' distance from the axis, six of eight rings next to images")));
+    all.push_back(gate(study + "/stress-8", relative("stress.L2"), at_most(0.03),
+                       requirement("a thirtieth of the stress, six of eight rings next to images")));
+    all.push_back(gate(study + "/around-8", relative("around.L2"), at_most(0.1),
+                       requirement("a tenth of the displacement around the axis")));
     order(study, "start_energy", 1.9, "sums over rings of equal width are of second order; 0.1 for the coarsest mesh");
     for (const char* measure : {"torque", "radial.L2", "around.L2"})
       order(study, measure, 1.8,
