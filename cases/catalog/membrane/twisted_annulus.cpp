@@ -173,7 +173,7 @@ std::vector<CaseGate> gates() {
       gate("two-way/torque-8", error_at("torque", 8), at_most(0.02), fiftieth)
           .fails(
               "a sheet that carries compression resists the twist by it, too: of small twists by 1.8 times the torque",
-              {0.7, 0.94}, "2026-11-27 cadecec"));
+              {0.7, 0.94}, "2026-11-27 f2007ad"));
   return all;
 }
 
