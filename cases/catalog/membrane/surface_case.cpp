@@ -1,9 +1,12 @@
 #include "cases/catalog/membrane/surface_case.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "cases/harness/description/drag.hpp"
+#include "cases/harness/files/errors.hpp"
 #include "cases/harness/files/whole.hpp"
 
 namespace plumbline {
@@ -25,6 +28,12 @@ SurfaceCase::SurfaceCase(Parameters given, bool neo_hookean) : Parameters(std::m
         {.name = "poissons_ratio", .value = 0.3, .low = 0, .high = 0.5, .high_open = true, .description = "nu"});
   law.density = positive("surface_density", 1, "kg/m^3", "density of the membrane at rest");
   law.thickness = positive("thickness", 0.01, "m", "of the membrane at rest");
+  if (!(speed() > 0) || !std::isfinite(speed())) {  // times of the end are counted by it
+    const std::string allowed = "such that the speed of waves is more than 0 and finite";
+    throw UsageError("surface_density", fmt::format("{:g}", law.density), allowed, {},
+                     fmt::format("surface_density={:g} with youngs_modulus={:g}: waves of {:g} m/s; allowed: {}",
+                                 law.density, law.youngs_modulus, speed(), allowed));
+  }
   size = positive("radius", 1, "m", "of the membrane at rest");
   const std::string tangents = one_of(
       "tangents", "neighbours", {"neighbours", "carried", "refitted"},
