@@ -153,7 +153,7 @@ std::vector<StudyPlan> studies() {
       study("order", "first mode, shorter steps, longer",
             "Order 2 of the frequency, 3 of the damping: errors of mesh and step, of different sign, do not cancel.",
             {6, 7, 8, 10, 12})
-          .with({short_steps})
+          .with({short_steps, {"periods", 3.5}})
           .in(Tier::full),
       study("mode-2", "second mode", "As the first.", {8, 10, 12}).with({{"mode", 2.0}, short_steps}).in(Tier::full),
       study("rest", "at rest", "What does not cancel at the nodes is balanced by bends over a cell.", {6})
