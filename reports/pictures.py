@@ -96,14 +96,15 @@ def _with_frames(case, results):
 
 
 def _drawable(frames):
-    return frames.grid["dim"] == 2 or surfaces.is_surface(frames)
+    return frames.grid["dim"] == 2 or surfaces.surface_of(frames) is not None
 
 
 def _group(entry, level, result, prefix, most_characters):
     cells = (level.get("settings") or {}).get("cells")
     run = f"{entry.label}, {text.count(cells)} cells" if isinstance(cells, (int, float)) else entry.label
-    if surfaces.is_surface(result.frames):
-        fields, drawn = [], {"strip": surface_strip(result.frames, run, result.name, f"{prefix}-surface"), "film": None}
+    surface = surfaces.surface_of(result.frames)
+    if surface is not None:
+        fields, drawn = [], {"strip": surface_strip(surface, run, result.name, f"{prefix}-surface"), "film": None}
     else:
         view = View(result.frames)
         # Of the first run only: those of another differ too little to be worth their weight.

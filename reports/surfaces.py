@@ -2,6 +2,8 @@
 larger principal stress.
 """
 
+import dataclasses
+
 import numpy
 import scipy.spatial
 
@@ -21,11 +23,22 @@ _REACH = 1.1  # of the disc around a point, in mean distances of points
 _NEIGHBOURS = 9  # of a point and those around it, through which its tangent plane goes
 
 
-def is_surface(frames):
-    """Whether all that a run holds are membranes in space, some of it with places and stresses that are numbers."""
-    if frames.grid["dim"] != 3 or not all(body["kind"] == "membrane" and not body["chain"] for body in frames.bodies):
-        return False
-    return bool((numpy.isfinite(frames.points["stress"]) & numpy.isfinite(frames.points["position"]).all(axis=1)).any())
+def surface_of(frames):
+    """The frames of the membranes of a run in space, gas inside left out, as it is not seen. None where there is something else, or no place
+    and stress that is a number."""
+    seen = [number for number, body in enumerate(frames.bodies) if body["kind"] == "membrane" and not body["chain"]]
+    gases = [number for number, body in enumerate(frames.bodies) if body["kind"] == "gas"]
+    if frames.grid["dim"] != 3 or not seen or len(seen) + len(gases) < len(frames.bodies):
+        return None
+    kept = numpy.isin(frames.points["body"], seen)
+    points = {name: values[kept] for name, values in frames.points.items()}
+    points["body"] = numpy.searchsorted(seen, points["body"])
+    if not (numpy.isfinite(points["stress"]) & numpy.isfinite(points["position"]).all(axis=1)).any():
+        return None
+    counts = numpy.concatenate([[0], numpy.cumsum(kept)])
+    return dataclasses.replace(
+        frames, bodies=[frames.bodies[number] for number in seen], points=points, starts=counts[frames.starts]
+    )
 
 
 def projected(places):

@@ -382,7 +382,7 @@ def in_space(run):
 
 
 def test_surfaces_are_drawn_with_one_scale_of_stress(in_space):
-    assert surfaces.is_surface(in_space)
+    assert surfaces.surface_of(in_space).points["stress"].size == 1200
     drawn = pictures.surface_strip(in_space, "run", "file", "p")
     assert [cell["time"] for cell in drawn.cells] == ["t = 0 s", "t = 1 s", "t = 2 s"]
     sizes = [(pixels_of(cell["picture"])[..., 3] == 255).sum() for cell in drawn.cells]
@@ -398,10 +398,22 @@ def test_the_scale_of_a_strip_is_drawn_on_the_page_not_written(in_space, monkeyp
     assert "<svg" in page and "&lt;svg" not in page
 
 
+def test_gas_inside_a_surface_is_not_drawn(in_space):
+    """Every other point is the gas's, which has no stress and comes first: what is left is the membrane, frame by frame."""
+    points = {**in_space.points, "body": numpy.tile([0, 1], 600)}
+    points["stress"] = numpy.where(points["body"] == 0, numpy.nan, points["stress"])
+    gas = {**in_space.bodies[0], "name": "gas", "kind": "gas"}
+    surface = surfaces.surface_of(dataclasses.replace(in_space, bodies=[gas, *in_space.bodies], points=points))
+    assert [body["name"] for body in surface.bodies] == ["sphere"] and list(surface.starts) == [0, 200, 400, 600]
+    for frame in range(3):
+        assert numpy.array_equal(surface.body(frame, 0)["position"], in_space.body(frame, 0)["position"][1::2])
+    assert len(pictures.surface_strip(surface, "run", "file", "p").cells) == 3
+
+
 def test_no_surface_is_what_holds_something_else(in_space, run):
-    assert not surfaces.is_surface(run.frames)
+    assert surfaces.surface_of(run.frames) is None
     solid = {**in_space.bodies[0], "kind": "solid"}
-    assert not surfaces.is_surface(dataclasses.replace(in_space, bodies=[*in_space.bodies, solid]))
+    assert surfaces.surface_of(dataclasses.replace(in_space, bodies=[*in_space.bodies, solid])) is None
     for name in ("stress", "position"):
         lost = {**in_space.points, name: numpy.full_like(in_space.points[name], numpy.nan)}
-        assert not surfaces.is_surface(dataclasses.replace(in_space, points=lost))
+        assert surfaces.surface_of(dataclasses.replace(in_space, points=lost)) is None

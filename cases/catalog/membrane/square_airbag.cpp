@@ -68,7 +68,7 @@ class SquareAirbagRun final : public Problem {
   // a row of points sews them, neighbours of both, with next to no area.
   std::vector<SurfacePoint> points(double h) const {
     constexpr double of_seam = 1e-3;  // of the area of others: their mass is not to be none
-    constexpr double apart = 0.2;     // in the middle: more than a cell
+    constexpr double apart = 0.05;    // in the middle
     const int rows = std::max(4, whole(std::round(2 * at_.size / h * std::sqrt(settings_.number("ppc")))));
     const double spacing = 2 * at_.size / rows, area = spacing * spacing;
     const Vec3 x{1, 0, 0}, y{0, 1, 0};
