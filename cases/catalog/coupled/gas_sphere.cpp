@@ -107,7 +107,7 @@ class GasSphereRun final : public Problem {
 
   std::vector<Measure> measures(const Simulation& simulation) const override {
     const reference::Bounded omega = exact_.omega(at_.mode);
-    const auto wave = damped_wave(times_, shares_);
+    const auto wave = velocity_ > 0 ? damped_wave(times_, shares_) : std::nullopt;
     const double none = std::nan("");
     return {scalar_measure("omega", wave ? wave->omega : none, omega.value, omega.bound, "rad/s"),
             share_measure("damping", wave ? wave->damping : none), share_measure("hoop_drift", hoop_drift_),
