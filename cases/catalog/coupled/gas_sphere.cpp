@@ -3,11 +3,9 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "cases/catalog/coupled/damped_wave.hpp"
 #include "cases/catalog/coupled/gas_ball.hpp"
 #include "cases/catalog/coupled/membrane.hpp"
 #include "cases/catalog/coupled/radial_mode.hpp"
@@ -70,8 +68,7 @@ class GasSphereRun final : public Problem {
         exact_(at_.problem),
         mode_(sphere_mode(exact_, at_.mode)),
         velocity_(at_.mach * exact_.sound_speed().value),
-        times_{0},
-        shares_{velocity_} {}
+        record_(mode_, velocity_) {}
 
   double end_time() const override { return at_.periods * 2 * std::numbers::pi / exact_.omega(at_.mode).value; }
 
@@ -90,39 +87,28 @@ class GasSphereRun final : public Problem {
   }
 
   void observe(const Simulation& simulation) override {
-    if (!share_) share_.emplace(scene(), mode_);
-    times_.push_back(simulation.time());
-    shares_.push_back(share_->of(simulation.scene()));
     const Scene& now = simulation.scene();
+    record_.observe(simulation.time(), now, [this] { return scene(); });
     const auto [mean, scatter] = mean_and_scatter(resultants(now.bodies[1].points, at_.choice.law));
     hoop_drift_ = larger(hoop_drift_, std::abs(mean / exact_.resultant().value - 1));
     hoop_scatter_ = larger(hoop_scatter_, scatter);
   }
   void history(Archive& archive) override {
-    archive("times", times_);
-    archive("shares", shares_);
+    record_.history(archive);
     archive("hoop_drift", hoop_drift_);
     archive("hoop_scatter", hoop_scatter_);
   }
 
   std::vector<Measure> measures(const Simulation& simulation) const override {
-    const reference::Bounded omega = exact_.omega(at_.mode);
-    const auto wave = velocity_ > 0 ? damped_wave(times_, shares_) : std::nullopt;
-    const double none = std::nan("");
-    return {scalar_measure("omega", wave ? wave->omega : none, omega.value, omega.bound, "rad/s"),
-            share_measure("damping", wave ? wave->damping : none), share_measure("hoop_drift", hoop_drift_),
-            share_measure("hoop_scatter", hoop_scatter_), share_measure("laplace", laplace(simulation.scene()))};
+    std::vector<Measure> all = record_.measures(exact_.omega(at_.mode));
+    all.push_back(share_measure("hoop_drift", hoop_drift_));
+    all.push_back(share_measure("hoop_scatter", hoop_scatter_));
+    all.push_back(share_measure("laplace", laplace(simulation.scene())));
+    return all;
   }
 
   Profile profile(const Simulation&) const override {
-    std::vector<std::array<double, 3>> rows;
-    for (std::size_t k = 0; k < times_.size(); ++k) {
-      rows.push_back({times_[k], shares_[k], velocity_ * std::cos(exact_.omega(at_.mode).value * times_[k])});
-    }
-    return history_profile({{"time", "s", "time", {}},
-                            {"velocity", "m/s", "the mode's velocity at the membrane", {}},
-                            {"velocity_reference", "m/s", "exact velocity of the membrane", {}}},
-                           rows);
+    return record_.profile("membrane", exact_.omega(at_.mode).value);
   }
 
  private:
@@ -141,8 +127,7 @@ class GasSphereRun final : public Problem {
   reference::GasSphere exact_;
   RadialMode mode_;
   double velocity_;  // m/s
-  std::optional<ModeShare> share_;
-  std::vector<double> times_, shares_;
+  ModeRecord record_;
   double hoop_drift_ = 0, hoop_scatter_ = 0;
 };
 
@@ -166,8 +151,7 @@ double exact_omega(int mode) { return reference::GasSphere(GasInSphere().problem
 std::vector<CaseGate> gates() {
   const Because coupled = requirement(
       "within 1 % of the exact frequency; those of the membrane under a constant pressure and of a gas without mass "
-      "are "
-      "8 and 21 % off");
+      "are 8 and 21 % off");
   std::vector<CaseGate> all{
       gate("default/omega-5", error_at("omega", 5), at_most(0.01 * exact_omega(1)), coupled),
       gate("order/omega-12", error_at("omega", 12), at_most(0.01 * exact_omega(1)), coupled).in(Tier::full),

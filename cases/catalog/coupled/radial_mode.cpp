@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "cases/catalog/coupled/damped_wave.hpp"
+
 namespace plumbline {
 namespace {
 
@@ -74,6 +76,35 @@ double ModeShare::of(const Scene& scene) const {
     }
   }
   return moment / weight_;
+}
+
+void ModeRecord::observe(double time, const Scene& now, const std::function<Scene()>& start) {
+  if (!share_) share_.emplace(start(), mode_);
+  times_.push_back(time);
+  shares_.push_back(share_->of(now));
+}
+
+void ModeRecord::history(Archive& archive) {
+  archive("times", times_);
+  archive("shares", shares_);
+}
+
+std::vector<Measure> ModeRecord::measures(reference::Bounded omega) const {
+  const auto wave = shares_.front() == 0 ? std::nullopt : damped_wave(times_, shares_);
+  const double none = std::nan("");
+  return {scalar_measure("omega", wave ? wave->omega : none, omega.value, omega.bound, "rad/s"),
+          share_measure("damping", wave ? wave->damping : none)};
+}
+
+Profile ModeRecord::profile(const std::string& where, double omega) const {
+  std::vector<std::array<double, 3>> rows;
+  for (std::size_t k = 0; k < times_.size(); ++k) {
+    rows.push_back({times_[k], shares_[k], shares_.front() * std::cos(omega * times_[k])});
+  }
+  return history_profile({{"time", "s", "time", {}},
+                          {"velocity", "m/s", "the mode's velocity at the " + where, {}},
+                          {"velocity_reference", "m/s", "exact velocity of the " + where, {}}},
+                         rows);
 }
 
 }  // namespace plumbline

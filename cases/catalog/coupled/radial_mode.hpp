@@ -3,9 +3,15 @@
 
 #include <array>
 #include <functional>
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "cases/harness/description/archive.hpp"
+#include "cases/harness/description/measures.hpp"
 #include "kernel/scene.hpp"
+#include "reference/bounded.hpp"
 
 namespace plumbline {
 
@@ -40,6 +46,25 @@ class ModeShare {
  private:
   std::vector<std::vector<std::array<double, 3>>> shapes_;  // by body and id
   double weight_ = 0;
+};
+
+// A mode's share over a run that starts with it.
+class ModeRecord {
+ public:
+  ModeRecord(RadialMode mode, double velocity) : mode_(std::move(mode)), times_{0}, shares_{velocity} {}
+
+  // start: makes the scene of the start, which says where the points were; asked for once.
+  void observe(double time, const Scene& now, const std::function<Scene()>& start);
+  void history(Archive& archive);
+  // "omega", rad/s, and "damping", over the critical one; not numbers where nothing swings.
+  std::vector<Measure> measures(reference::Bounded omega) const;
+  // The share and the exact one, at `where`: "ring".
+  Profile profile(const std::string& where, double omega) const;
+
+ private:
+  RadialMode mode_;
+  std::optional<ModeShare> share_;
+  std::vector<double> times_, shares_;
 };
 
 }  // namespace plumbline

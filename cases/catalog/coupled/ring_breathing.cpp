@@ -1,12 +1,10 @@
 // A ring filled with gas breathes: gas and membrane swing together in modes known by Bessel functions.
 #include <array>
 #include <cmath>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "cases/catalog/coupled/damped_wave.hpp"
 #include "cases/catalog/coupled/ring.hpp"
 #include "cases/harness/description/archive.hpp"
 #include "cases/harness/description/case.hpp"
@@ -32,8 +30,7 @@ class RingBreathingRun final : public Problem {
         exact_(at_.problem),
         shape_(ring_mode(exact_, at_.mode, at_.problem.radius)),
         velocity_(at_.mach * exact_.sound_speed().value),
-        times_{0},
-        shares_{velocity_} {}
+        record_(shape_, velocity_) {}
 
   double end_time() const override { return at_.periods * exact_.period(at_.mode).value; }
 
@@ -44,33 +41,12 @@ class RingBreathingRun final : public Problem {
   }
 
   void observe(const Simulation& simulation) override {
-    if (!share_) share_.emplace(scene(), shape_);
-    times_.push_back(simulation.time());
-    shares_.push_back(share_->of(simulation.scene()));
+    record_.observe(simulation.time(), simulation.scene(), [this] { return scene(); });
   }
-  void history(Archive& archive) override {
-    archive("times", times_);
-    archive("shares", shares_);
-  }
+  void history(Archive& archive) override { record_.history(archive); }
 
-  std::vector<Measure> measures(const Simulation&) const override {
-    const reference::Bounded omega = exact_.omega(at_.mode);
-    const auto wave = damped_wave(times_, shares_);
-    const double none = std::nan("");
-    return {scalar_measure("omega", wave ? wave->omega : none, omega.value, omega.bound, "rad/s"),
-            share_measure("damping", wave ? wave->damping : none)};
-  }
-
-  Profile profile(const Simulation&) const override {
-    std::vector<std::array<double, 3>> rows;
-    for (std::size_t k = 0; k < times_.size(); ++k) {
-      rows.push_back({times_[k], shares_[k], velocity_ * std::cos(exact_.omega(at_.mode).value * times_[k])});
-    }
-    return history_profile({{"time", "s", "time", {}},
-                            {"velocity", "m/s", "the mode's velocity at the ring", {}},
-                            {"velocity_reference", "m/s", "exact velocity of the ring", {}}},
-                           rows);
-  }
+  std::vector<Measure> measures(const Simulation&) const override { return record_.measures(exact_.omega(at_.mode)); }
+  Profile profile(const Simulation&) const override { return record_.profile("ring", exact_.omega(at_.mode).value); }
 
  private:
   Settings settings_;
@@ -78,8 +54,7 @@ class RingBreathingRun final : public Problem {
   reference::GasRing exact_;
   RadialMode shape_;
   double velocity_;
-  std::optional<ModeShare> share_;
-  std::vector<double> times_, shares_;
+  ModeRecord record_;
 };
 
 std::vector<StudyPlan> studies() {
