@@ -43,8 +43,7 @@ class AirbagRun final : public Problem {
   AirbagRun(const AirbagSpec& defaults, const Settings& settings)
       : settings_(settings),
         at_(defaults, settings),
-        grid_(airbag_grid(settings.integer("cells"))),
-        bag_(blown_up()) {
+        grid_(airbag_grid(settings.integer("cells"))) {
     if (settings.text("membrane.strain") != "segments") {
       throw UsageError("membrane.strain", settings.text("membrane.strain"), "segments", {"segments"},
                        "membrane.strain=accumulated knows no hoop strain: a bag of revolution needs segments");
@@ -53,25 +52,9 @@ class AirbagRun final : public Problem {
 
   double end_time() const override { return at_.spec.end_time; }
 
-  Scene scene() const override {
-    Scene scene;
-    scene.grid = grid_;
-    scene.bodies = {bag_.gas, bag_.skin, airbag_probe(at_.spec, grid_, probe_ppc, start_height())};
-    if (density_method(settings_.text("density")) == DensityMethod::grid) {
-      scene.bodies[0].enclosure = Enclosure{"bag", {}};
-    }
-    scene.bodies[1].load = [outside = at_.pressures.outside, tethered = at_.tethered, tether = bag_.tether](
-                               double, Columns& points, std::span<const int>) {
-      for (int d = 0; d < 2; ++d) std::fill_n(points(column::body_force, d), points.points(), 0.0);
-      add_outside_pressure(points, outside);
-      if (tethered) add_tether(points, tether);
-    };
-    Columns& probe = scene.bodies[2].points;
-    std::fill_n(probe(column::velocity, 1), probe.points(), -at_.spec.speed);
-    scene.bodies[2].field = "probe";
-    apply_choices(settings_, scene);
-    return scene;
-  }
+  Scene scene() const override { return with_probe(blown_up()); }
+  Scene unprepared() const override { return with_probe(flat()); }
+  double preparation() const override { return blowing_time; }
 
   void observe(const Simulation& simulation) override {
     const auto& bodies = simulation.scene().bodies;
@@ -140,8 +123,28 @@ class AirbagRun final : public Problem {
   }
 
  private:
-  double start_height() const { return highest_point(bag_.skin, 1); }  // of the pole, where the probe is first
-  double start_volume() const { return turn * enclosed_volume(bag_.skin); }
+  double start_height() const { return highest_point(blown_up().skin, 1); }  // of the pole, where the probe is first
+  double start_volume() const { return turn * enclosed_volume(blown_up().skin); }
+
+  Scene with_probe(const Bag& bag) const {
+    Scene scene;
+    scene.grid = grid_;
+    scene.bodies = {bag.gas, bag.skin, airbag_probe(at_.spec, grid_, probe_ppc, highest_point(bag.skin, 1))};
+    if (density_method(settings_.text("density")) == DensityMethod::grid) {
+      scene.bodies[0].enclosure = Enclosure{"bag", {}};
+    }
+    scene.bodies[1].load = [outside = at_.pressures.outside, tethered = at_.tethered, tether = bag.tether](
+                               double, Columns& points, std::span<const int>) {
+      for (int d = 0; d < 2; ++d) std::fill_n(points(column::body_force, d), points.points(), 0.0);
+      add_outside_pressure(points, outside);
+      if (tethered) add_tether(points, tether);
+    };
+    Columns& probe = scene.bodies[2].points;
+    std::fill_n(probe(column::velocity, 1), probe.points(), -at_.spec.speed);
+    scene.bodies[2].field = "probe";
+    apply_choices(settings_, scene);
+    return scene;
+  }
 
   // The energy that the skin held at first counts with the probe's; for the rebound so does what the gas can do
   // besides, at most its excess pressure times the volume that the skin could open. None where the model has no answer.
@@ -167,16 +170,20 @@ class AirbagRun final : public Problem {
     }
   }
 
-  Bag blown_up() const {
-    const Bag flat = unstretched_bag(grid_, settings_.integer("ppc"), settings_.number("membrane.ppc"), at_.spec.crown,
-                                     at_.pressures, chosen_gas(settings_, bag_gamma));
-    return inflate(flat, grid_, at_.pressures);
+  Bag flat() const {
+    return unstretched_bag(grid_, settings_.integer("ppc"), settings_.number("membrane.ppc"), at_.spec.crown,
+                           at_.pressures, chosen_gas(settings_, bag_gamma));
+  }
+  // Computed where it is first needed: by far the most that a problem of this case costs.
+  const Bag& blown_up() const {
+    if (!blown_up_) blown_up_ = inflate(flat(), grid_, at_.pressures);
+    return *blown_up_;
   }
 
   Settings settings_;
   AirbagParameters at_;
   GridSpec grid_;
-  Bag bag_;
+  mutable std::optional<Bag> blown_up_;
   double start_elastic_ = 0, meridian_ = 0;
   std::vector<std::array<double, 8>> history_;
 };

@@ -18,7 +18,7 @@ constexpr double gauge = 4000, atmosphere = 101325;  // Pa York, Table 8
 constexpr double skin_modulus = 6e7, skin_poisson = 0.4, skin_thickness = 5e-4, bag_mass = 0.3672;
 constexpr double box_height = 0.5, box_radius = 0.36, room_above = 0.75;  // m
 constexpr double drag = 300;                                              // 1/s
-constexpr double pump_interval = 1e-3, blowing_time = 60e-3;              // s
+constexpr double pump_interval = 1e-3;                                    // s
 
 // The tether is ten times as stiff as a sheet of the skin's material as wide as its ring.
 constexpr double tether_stiffness = 10 * skin_modulus * skin_thickness * tether_radius;

@@ -39,8 +39,9 @@ struct Bag {
 Bag unstretched_bag(const GridSpec& grid, int ppc, double membrane_ppc, double crown, const BagPressures& pressures,
                     std::shared_ptr<const IdealGas> gas);
 
-// The bag blown up, at rest: the scheme `default` with a drag on all points, -rate v, while a pump holds the gas at its
-// pressure and one temperature. At the end all velocities are zero and the gas has York's density at that pressure.
+// The bag blown up, at rest: the scheme `default` with a drag on all points, -rate v, for `blowing_time`, while a pump holds
+// the gas at its pressure and one temperature. At the end all velocities are zero and the gas has York's density at that pressure.
+inline constexpr double blowing_time = 60e-3;  // s
 Bag inflate(const Bag& bag, const GridSpec& grid, const BagPressures& pressures);
 
 double enclosed_volume(const Body& skin);  // m^3 per radian

@@ -125,7 +125,7 @@ void settle_step(const Case& entry, Settings& settings) {
   if (!std::holds_alternative<std::string>(settings["cfl"])) return;
   settings.set("cfl", 0.5, entry.name);
   if (settings.is_set("dt")) return;
-  settings.set("cfl", safe_courant_number(entry.problem(settings)->scene(), settings), entry.name);
+  settings.set("cfl", safe_courant_number(entry.problem(settings)->unprepared(), settings), entry.name);
 }
 
 }  // namespace

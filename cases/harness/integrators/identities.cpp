@@ -44,7 +44,7 @@ const std::vector<Stepped>& stepped_cases() {
     for (const Case* entry : cases()) {
       if (!entry->trials.empty()) continue;
       const Settings settings = entry->settings("default", {{"cells", entry->levels.front()}});
-      const GridSpec grid = entry->problem(settings)->scene().grid;
+      const GridSpec grid = entry->problem(settings)->unprepared().grid;
       found.push_back({entry, grid.dim, grid.axisymmetric});
     }
     return found;

@@ -39,7 +39,7 @@ constexpr double coarse = 8, fine = 16, few = 2, more = 4;
 SceneSize size_at(const Case& entry, Settings settings, double cells, double ppc) {
   settings.set("cells", cells, entry.name);
   settings.set("ppc", ppc, entry.name);
-  return size_of(entry.problem(settings)->scene());
+  return size_of(entry.problem(settings)->unprepared());
 }
 
 // How `large` follows from numbers at two sizes, of which the second is twice the first.

@@ -30,7 +30,7 @@ RunEstimate estimate_run(const Case& entry, const Settings& settings) {
   const auto problem = entry.problem(settings);
   require_end(problem->end_time());
   if (settings.is_set("dt")) require_steps(problem->end_time(), settings.number("dt"), settings);
-  Scene scene = problem->scene();
+  Scene scene = problem->unprepared();
   const SceneSize size = size_of(scene);
   require_memory(size, settings);
   const auto simulation = stepped_once(entry, settings, std::move(scene));
@@ -42,7 +42,8 @@ RunEstimate estimate_run(const Case& entry, const Settings& settings) {
   require_steps(problem->end_time(), simulation->last_dt(), settings);
   estimate.cells = size.cells;
   estimate.bytes = size.bytes();
-  estimate.seconds = static_cast<double>(estimate.points) * estimate.steps / rate;
+  const double prepared = std::ceil(problem->preparation() / simulation->last_dt());
+  estimate.seconds = static_cast<double>(estimate.points) * (prepared + estimate.steps) / rate;
   return estimate;
 }
 

@@ -33,7 +33,7 @@ namespace {
 std::vector<Lack> lacks_of(const Case& entry, const IntegratorEntry& integrator, const StudyPlan& plan) {
   try {
     const PlannedRun first = planned_runs(entry, plan, Tier::quick).front();
-    return lacks(integrator, entry.problem(first.settings)->scene());
+    return lacks(integrator, entry.problem(first.settings)->unprepared());
   } catch (const MissingTraits& parts) {
     return parts.lacks;
   }
@@ -101,7 +101,7 @@ std::pair<int, bool> geometry_of(const StudyResult& study) {
   if (!study.levels.empty()) return {study.levels.front().run.dim, study.levels.front().run.axisymmetric};
   try {
     const PlannedRun first = planned_runs(*study.entry, study.plan, Tier::quick).front();
-    const GridSpec grid = study.entry->problem(first.settings)->scene().grid;
+    const GridSpec grid = study.entry->problem(first.settings)->unprepared().grid;
     return {grid.dim, grid.axisymmetric};
   } catch (const std::exception&) {
     return {1, false};
