@@ -2,11 +2,11 @@
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
-#include <Eigen/SparseCholesky>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "kernel/dissection.hpp"
 #include "kernel/materials/surface_law.hpp"
 
 namespace plumbline {
@@ -47,6 +47,14 @@ struct Pulls {
     }
   }
   int rows() const { return first.back(); }
+  std::vector<Vec> places(const Columns& points) const {
+    std::vector<Vec> all;
+    for (int p = 0; p < points.points(); ++p) {
+      const Vec place{points(column::position, 0)[p], points(column::position, 1)[p], points(column::position, 2)[p]};
+      all.insert(all.end(), along[static_cast<std::size_t>(p)].size(), place);
+    }
+    return all;
+  }
 };
 
 // What the weights of point p may be changed by, as a projection: the six sums of its links stay.
@@ -60,32 +68,35 @@ Eigen::MatrixXd free_changes(const SurfaceLink* links, int count) {
   return Eigen::MatrixXd::Identity(count, count) - basis * basis.transpose();
 }
 
-// Of the links of point p, what their weights along tangent a add to each condition, over the mean volume: rows and factors.
+// Of the links of a point, what their weights add to each condition, over the mean volume: rows, and a factor for each tangent.
 struct Shares {
   std::vector<int> row, link;
-  std::vector<double> factor;
+  std::vector<std::array<double, 2>> factor;
 };
-Shares shares_of(const SurfaceLink* links, int count, const Columns& points, double mean, const Pulls& pulls, int a) {
+Shares shares_of(const SurfaceLink* links, int count, const Columns& points, double mean, const Pulls& pulls) {
   Shares all;
   for (int n = 0; n < count; ++n) {
     const auto on = static_cast<std::size_t>(links[n].on);
     const double share = (links[n].image ? -1 : 1) * points(column::volume)[links[n].of] / mean;
+    const Vec first = tangent(points, links[n].of, 0), second = tangent(points, links[n].of, 1);
     for (std::size_t d = 0; d < pulls.along[on].size(); ++d) {
+      const Vec& along = pulls.along[on][d];
       all.row.push_back(pulls.first[on] + static_cast<int>(d));
       all.link.push_back(n);
-      all.factor.push_back(share * pulls.along[on][d].dot(tangent(points, links[n].of, a)));
+      all.factor.push_back({share * along.dot(first), share * along.dot(second)});
     }
   }
   return all;
 }
 
 // y of matrix y = missed. Throws where there is none.
-Eigen::VectorXd factors_of(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& missed, int points) {
+Eigen::VectorXd factors_of(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& missed,
+                           const std::vector<Vec>& places, int points) {
   constexpr int sweeps = 8;
   // Conditions depend on each other where all of a sheet is at rest: a little on the diagonal, and what it takes given back.
   Eigen::SparseMatrix<double> regular = matrix;
   for (int row = 0; row < static_cast<int>(missed.size()); ++row) regular.coeffRef(row, row) += 1e-12;
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(regular);
+  const DissectedCholesky solver(regular, places);
   Eigen::VectorXd y = Eigen::VectorXd::Zero(static_cast<int>(missed.size()));
   for (int sweep = 0; sweep < sweeps; ++sweep) y += solver.solve(missed - matrix * y);
   const double left = (matrix * y - missed).norm() / std::sqrt(static_cast<double>(points));
@@ -116,31 +127,35 @@ void balance_weights(std::vector<SurfaceLink>& links, const Columns& points, dou
     for (int p = 0; p < count; ++p) {
       const int from = first[static_cast<std::size_t>(p)], n = first[static_cast<std::size_t>(p) + 1] - from;
       const Eigen::MatrixXd free = free_changes(&links[static_cast<std::size_t>(from)], n);
-      for (int a = 0; a < 2; ++a) {
-        visit(&links[static_cast<std::size_t>(from)], a, free,
-              shares_of(&links[static_cast<std::size_t>(from)], n, points, mean, pulls, a));
-      }
+      visit(&links[static_cast<std::size_t>(from)], free,
+            shares_of(&links[static_cast<std::size_t>(from)], n, points, mean, pulls));
     }
   };
-  for_points([&](const SurfaceLink* own, int a, const Eigen::MatrixXd& free, const Shares& shares) {
+  for_points([&](const SurfaceLink* own, const Eigen::MatrixXd& free, const Shares& shares) {
     for (std::size_t i = 0; i < shares.row.size(); ++i) {
-      missed[shares.row[i]] -= shares.factor[i] * reach * own[shares.link[i]].weight[static_cast<std::size_t>(a)];
+      const auto& [first_i, second_i] = shares.factor[i];
+      const auto& [along, across] = own[shares.link[i]].weight;
+      missed[shares.row[i]] -= reach * (first_i * along + second_i * across);
       for (std::size_t j = 0; j < shares.row.size(); ++j) {
+        const auto& [first_j, second_j] = shares.factor[j];
         square.emplace_back(shares.row[i], shares.row[j],
-                            shares.factor[i] * free(shares.link[i], shares.link[j]) * shares.factor[j]);
+                            free(shares.link[i], shares.link[j]) * (first_i * first_j + second_i * second_j));
       }
     }
   });
   Eigen::SparseMatrix<double> matrix(pulls.rows(), pulls.rows());
   matrix.setFromTriplets(square.begin(), square.end());
-  const Eigen::VectorXd y = factors_of(matrix, missed, count);
-  for_points([&](SurfaceLink* own, int a, const Eigen::MatrixXd& free, const Shares& shares) {
-    Eigen::VectorXd wanted = Eigen::VectorXd::Zero(free.rows());
-    for (std::size_t i = 0; i < shares.row.size(); ++i) wanted[shares.link[i]] += shares.factor[i] * y[shares.row[i]];
-    const Eigen::VectorXd change = free * (free * wanted) / reach;  // twice: rounding of large factors would stay
-    double sum = 0;
-    for (int n = 0; n < change.size(); ++n) sum += own[n].weight[static_cast<std::size_t>(a)] += change[n];
-    own[change.size() - 1].weight[static_cast<std::size_t>(a)] -= sum;  // the point's own, so that momentum is exact
+  const Eigen::VectorXd y = factors_of(matrix, missed, pulls.places(points), count);
+  for_points([&](SurfaceLink* own, const Eigen::MatrixXd& free, const Shares& shares) {
+    for (std::size_t a = 0; a < 2; ++a) {
+      Eigen::VectorXd wanted = Eigen::VectorXd::Zero(free.rows());
+      for (std::size_t i = 0; i < shares.row.size(); ++i)
+        wanted[shares.link[i]] += shares.factor[i][a] * y[shares.row[i]];
+      const Eigen::VectorXd change = free * (free * wanted) / reach;  // twice: rounding of large factors would stay
+      double sum = 0;
+      for (int n = 0; n < change.size(); ++n) sum += own[n].weight[a] += change[n];
+      own[change.size() - 1].weight[a] -= sum;  // the point's own, so that momentum is exact
+    }
   });
 }
 
