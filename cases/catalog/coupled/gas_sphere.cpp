@@ -26,6 +26,7 @@ struct GasInSphere : SurfaceCase {
   double mach, periods;
 
   explicit GasInSphere(Parameters given = {}) : SurfaceCase(std::move(given)) {
+    choose_weights();
     const SurfaceLaw& law = choice.law;
     problem.sheet = {.youngs_modulus = law.youngs_modulus,
                      .poisson_ratio = law.poissons_ratio,

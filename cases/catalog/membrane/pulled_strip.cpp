@@ -160,8 +160,8 @@ std::vector<CaseGate> gates() {
       "them";
   for (const std::string measure : {"edge_along", "edge_across", "inner_along", "inner_across"}) {
     all.push_back(gate("default/" + measure, value_at(measure, 8), at_most(1e-12), even));
-    all.push_back(gate("balanced/" + measure, value_at(measure, 8), at_most(1e-10), balanced));
-    all.push_back(gate("balanced/" + measure + "-12", value_at(measure, 12), at_most(1e-10), balanced).in(Tier::full));
+    all.push_back(gate("irregular/" + measure, value_at(measure, 8), at_most(1e-10), balanced));
+    all.push_back(gate("irregular/" + measure + "-12", value_at(measure, 12), at_most(1e-10), balanced).in(Tier::full));
     all.push_back(gate("shifted/" + measure, value_at(measure, 16), at_most(1e-10), balanced).in(Tier::full));
   }
   const auto fails = [&](const std::string& study, const std::string& measure, Range band) {
@@ -183,25 +183,25 @@ Case pulled_strip() {
     keys.emplace_back("cfl", 0.2);
     return study(id, title, "Points moved at random by .3 of their spacing.", {8}).with(std::move(keys));
   };
-  return {
-      .name = "pulled-strip",
-      .kind = Kind::membrane,
-      .keys = PulledStrip().keys(),
-      .sets = {{"cells", 8.0}},
-      .york_step = courant_number(0.3),
-      .problem = run_of<PulledStripRun>,
-      .studies = {study("default", "default", "Exact: rows are even.", {8}).in_full({8, 16}),
-                  irregular("fitted", "irregular points", {}).in_full({8, 16}).pictured(2, 8),
-                  irregular("near", "irregular points, fewer neighbours", {{"reach", 2.2}}),
-                  irregular("far", "irregular points, more neighbours", {{"reach", 3.4}}),
-                  irregular("balanced", "irregular points, weights of neighbours balanced", {{"weights", "balanced"}})
-                      .in_full({8, 12, 16}),
-                  irregular("shifted", "the same, the grid moved by a part of a cell",
-                            {{"weights", "balanced"}, {"shift.x", 0.37}, {"shift.y", 0.21}, {"shift.z", 0.13}})
-                      .in_full({8, 16})
-                      .in(Tier::full)},
-      .gates = gates(),
-      .levels = {8, 12, 16}};
+  return {.name = "pulled-strip",
+          .kind = Kind::membrane,
+          .keys = PulledStrip().keys(),
+          .sets = {{"cells", 8.0}},
+          .york_step = courant_number(0.3),
+          .problem = run_of<PulledStripRun>,
+          .studies = {study("default", "default", "Exact: rows are even.", {8}).in_full({8, 16}),
+                      irregular("fitted", "irregular points, fitted weights of neighbours", {{"weights", "fitted"}})
+                          .in_full({8, 16})
+                          .pictured(2, 8),
+                      irregular("near", "the same, fewer neighbours", {{"reach", 2.2}, {"weights", "fitted"}}),
+                      irregular("far", "the same, more neighbours", {{"reach", 3.4}, {"weights", "fitted"}}),
+                      irregular("irregular", "irregular points", {}).in_full({8, 12, 16}),
+                      irregular("shifted", "irregular points, the grid moved by a part of a cell",
+                                {{"shift.x", 0.37}, {"shift.y", 0.21}, {"shift.z", 0.13}})
+                          .in_full({8, 16})
+                          .in(Tier::full)},
+          .gates = gates(),
+          .levels = {8, 12, 16}};
 }
 PLUMBLINE_CASE(pulled_strip);
 

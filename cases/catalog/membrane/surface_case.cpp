@@ -55,9 +55,10 @@ SurfaceCase::SurfaceCase(Parameters given, bool neo_hookean) : Parameters(std::m
 }
 
 void SurfaceCase::choose_weights() {
-  choice.balanced = one_of("weights", "fitted", {"fitted", "balanced"},
-                           "of neighbours: by moving least squares; or changed so that a uniform tension is at rest") ==
-                    "balanced";
+  choice.balanced =
+      one_of("weights", "balanced", {"balanced", "fitted"},
+             "of neighbours: changed so that a uniform tension is at rest; or as moving least squares give them") ==
+      "balanced";
 }
 
 double SurfaceCase::speed() const {
