@@ -19,12 +19,33 @@ Vec tangent(const Columns& points, int p, int a) {
           points(column::tangents, 3 * a + 2)[p]};
 }
 
-// Directions of the surface at a point along which nothing may pull: all but out of a free edge.
+Vec place_of(const Columns& points, int p) {
+  return {points(column::position, 0)[p], points(column::position, 1)[p], points(column::position, 2)[p]};
+}
+
+Vec normal_of(const Columns& points, int p) { return tangent(points, p, 0).cross(tangent(points, p, 1)).normalized(); }
+
+// Directions at a point along which the pull is known: of the surface, where nothing may pull, all but out of a free edge; last the
+// normal.
 std::vector<Vec> directions(const Columns& points, int p, const Vec& out) {
-  const Vec normal = tangent(points, p, 0).cross(tangent(points, p, 1)).normalized();
-  if (out.squaredNorm() > 0) return {normal.cross(out).normalized()};
+  const Vec normal = normal_of(points, p);
+  if (out.squaredNorm() > 0) return {normal.cross(out).normalized(), normal};
   const Vec first = tangent(points, p, 0).normalized();
-  return {first, normal.cross(first)};
+  return {first, normal.cross(first), normal};
+}
+
+// Of the quadratic surface through a point's neighbours: the sum of its second derivatives along the normal, times the reach squared, m.
+double bend(const SurfaceLink* links, int count, const Columns& points) {
+  const int p = links[0].of;
+  const Vec normal = normal_of(points, p);
+  Eigen::MatrixXd terms(count, 5);
+  Eigen::VectorXd height(count);
+  for (int n = 0; n < count; ++n) {
+    for (int k = 0; k < 5; ++k) terms(n, k) = links[n].terms[static_cast<std::size_t>(k)];
+    height[n] = normal.dot(place_of(points, links[n].on) - place_of(points, p));
+  }
+  const Eigen::VectorXd fit = terms.householderQr().solve(height);
+  return fit[2] + fit[4];
 }
 
 // Links of each point are one after another: the first, and one past the last.
@@ -35,7 +56,7 @@ std::vector<int> first_links(const std::vector<SurfaceLink>& links, int points) 
   return first;
 }
 
-// A condition for each direction in which a point must not be pulled at.
+// A condition for each direction in which the pull at a point is known.
 struct Pulls {
   std::vector<std::vector<Vec>> along;  // of each point
   std::vector<int> first;               // row of its first direction
@@ -47,12 +68,11 @@ struct Pulls {
     }
   }
   int rows() const { return first.back(); }
+  int normal_row(int p) const { return first[static_cast<std::size_t>(p) + 1] - 1; }
   std::vector<Vec> places(const Columns& points) const {
     std::vector<Vec> all;
-    for (int p = 0; p < points.points(); ++p) {
-      const Vec place{points(column::position, 0)[p], points(column::position, 1)[p], points(column::position, 2)[p]};
-      all.insert(all.end(), along[static_cast<std::size_t>(p)].size(), place);
-    }
+    for (int p = 0; p < points.points(); ++p)
+      all.insert(all.end(), along[static_cast<std::size_t>(p)].size(), place_of(points, p));
     return all;
   }
 };
@@ -115,7 +135,9 @@ void balance_weights(std::vector<SurfaceLink>& links, const Columns& points, dou
     throw std::invalid_argument("a surface of " + std::to_string(points.points()) + " points has " +
                                 std::to_string(outward.size()) + " directions out of its free edges");
   }
-  // The least change is Q^T y, Q the conditions on free changes alone; then Q Q^T y is what was missed.
+  // The least change is Q^T y, Q the conditions on free changes alone; then Q Q^T y is what was missed. Curvatures are fitted and do not
+  // agree with the work of a uniform tension in a motion of the whole, which no weights change: along the normal y times `slack` is left.
+  constexpr double slack = 1e-6;  // the conditions' own factors are of the order of 1
   const int count = points.points();
   const std::vector<int> first = first_links(links, count);
   const Pulls pulls(points, outward);
@@ -132,6 +154,9 @@ void balance_weights(std::vector<SurfaceLink>& links, const Columns& points, dou
     }
   };
   for_points([&](const SurfaceLink* own, const Eigen::MatrixXd& free, const Shares& shares) {
+    const int p = own->of, row = pulls.normal_row(p);
+    missed[row] -= points(column::volume)[p] / mean * bend(own, static_cast<int>(free.rows()), points) / reach;
+    square.emplace_back(row, row, slack);
     for (std::size_t i = 0; i < shares.row.size(); ++i) {
       const auto& [first_i, second_i] = shares.factor[i];
       const auto& [along, across] = own[shares.link[i]].weight;

@@ -19,9 +19,12 @@ struct SurfaceLink {
 
 // A tension that is the same everywhere pulls at point k with
 //   g_k = sum_p A_p sum_a c_pka f_a(p),
-// of which nothing may be left in the surface. Weights of moving least squares leave some where points are irregular or stand on
-// one side alone; they are changed by the least sum of squares with which
-//   sum_k c_pka (1, xi, xi xi) stays,  e . g_k = 0 for all directions e of the surface but across a free edge. [Surface 14]
+// of which nothing may be left in the surface, and along its normal n only what its curvature asks for. Weights of moving least squares
+// leave some where points are irregular or stand on one side alone; they are changed by the least sum of squares with which
+//   sum_k c_pka (1, xi, xi xi) stays,  e . g_k = 0 for all directions e of the surface but across a free edge, [Surface 14]
+//   n . g_k = -A_k n . sum_a d^2 x/d xi_a^2 [Surface 18]
+// of the quadratic surface through the neighbours of k, as far as the work of such a tension in a motion of the whole allows, which no
+// such weights change.
 // (Variational consistency: J.-S. Chen, M. Hillman, M. Rueter, Int. J. Numer. Meth. Engng 95 (2013) 387, doi 10.1002/nme.4512.)
 //   points   with tangents and volumes
 //   reach    m at rest, > 0
