@@ -536,22 +536,21 @@ std::vector<CaseGate> modern_gates() {
 }
 
 std::vector<CaseGate> gates() {
-  return joined(
-      {gates_at("default", 16, Tier::full),
-       gates_at("default", 32, Tier::full),
-       gates_at("viscous", 16, Tier::quick),
-       identities_of("default", Tier::full),
-       identities_of("viscous", Tier::quick),
-       {closed_ledger_gate("default"), closed_ledger_gate("viscous"),
-        gate("default/pressure-order", fitted_order_of("pressure"), at_least(0.9),
-             theory("order 1 is what a boundary inside cells allows; 0.1 for coarse meshes"))
-            .in(Tier::full)},
-       york_gates(),
-       york_energy_gates(),
-       mass_matrix_gates(),
-       booked_gates(),
-       found_gates(),
-       modern_gates()});
+  return joined({gates_at("default", 16, Tier::full),
+                 gates_at("default", 32, Tier::full),
+                 gates_at("viscous", 16, Tier::quick),
+                 identities_of("default", Tier::full),
+                 identities_of("viscous", Tier::quick),
+                 {closed_ledger_gate("default"), closed_ledger_gate("viscous"),
+                  gate("default/pressure-order", fitted_order_of("pressure"), at_least(0.9),
+                       theory("order 1 is what a boundary inside cells allows; 0.1 for coarse meshes"))
+                      .in(Tier::full)},
+                 york_gates(),
+                 york_energy_gates(),
+                 mass_matrix_gates(),
+                 booked_gates(),
+                 found_gates(),
+                 modern_gates()});
 }
 
 Case membrane_expansion() {
