@@ -250,7 +250,7 @@ std::vector<StudyPlan> studies() {
           .with({{"t_end", 0.5}})
           .in_full({8, 16})
           .pictured(25),
-      study("york1997", "york1997, 64 points a cell: tables 5 and 6", "York's own four meshes.", {4, 8})
+      study("york1997", "york1997, 64 points a cell: tables 5 and 6", "York's own four meshes.", {4})
           .of_york()
           .in_full({4, 8, 16, 32})
           .pictured(every_tenth(8.5), 8),
@@ -342,7 +342,7 @@ std::vector<CaseGate> identities_of(const std::string& study, Tier tier) {
 std::vector<CaseGate> york_gates() {
   const auto printed = [](const char* measure, double cells, double value, double share, const char* why) {
     return judged("york1997", value_at, measure, cells, around(value, share), literature(why))
-        .in(cells > 8 ? Tier::full : Tier::quick);
+        .in(cells > 4 ? Tier::full : Tier::quick);
   };
   const auto radius = [&](const char* measure, double cells, double value) {
     return printed(measure, cells, value, 0.03, "table 5; outline and start differ, and his bag breathes by 2 %");
@@ -394,14 +394,17 @@ std::vector<CaseGate> york_gates() {
              requirement("a tenth of the mean, as of the default scheme at h = 0.1"))
           .fails("strains in null-space modes of the maps are frozen in as the bag unfolds: single stresses mean "
                  "nothing, and scatter as roundings will (seventeen runs in cases/ensembles.json)",
-                 {1.0, 11.0}, "2026-11-23 5825b24"),
+                 {1.0, 11.0}, "2026-11-23 5825b24")
+          .in(Tier::full),
       judged("york1997", value_at, "volume_ratio", 8, between(0.99, 1.01),
              requirement("within 1 %, as of the default scheme at h = 0.1"))
           .fails("his quadratic density counts cells that the membrane cuts as full: low density, large volumes "
                  "beside it",
-                 {1.08, 1.18}, stamp),
+                 {1.08, 1.18}, stamp)
+          .in(Tier::full),
       judged("york1997", value_at, "virial", 8, between(0.99, 1.01),
-             theory("an identity at rest; his bag still moves with 6 % of its energy"))};
+             theory("an identity at rest; his bag still moves with 6 % of its energy"))
+          .in(Tier::full)};
 }
 
 // Energies of Figs. 49, 51, 53 and 55, of which the text gives what is lost, and what it says of the end.
@@ -415,7 +418,7 @@ std::vector<CaseGate> york_energy_gates() {
                           [york](const RunResult&, const Measure& lost) { return Measured::of(*lost.value - york); }),
                 between(-5e-4, 5e-4), literature(says))
         .fails(noise + cause, band, stamp)
-        .in(cells > 8 ? Tier::full : Tier::quick);
+        .in(cells > 4 ? Tier::full : Tier::quick);
   };
   const Number out_of_round = number_at("difference of the radii at 0 and 90 degrees over the one at 90, at 8",
                                         "radius_0", 8, [](const RunResult& run, const Measure& at_0) {
@@ -433,10 +436,11 @@ std::vector<CaseGate> york_energy_gates() {
                      {0.07, 0.092}, stamp)
               .in(Tier::full),
           gate("york1997/round-8", out_of_round, at_most(0.02),
-               literature("York, section 6.2.2: radii approximately equal; 2 %, by which his bag breathes")),
+               literature("York, section 6.2.2: radii approximately equal; 2 %, by which his bag breathes"))
+              .in(Tier::full),
           judged("york1997", value_at, "escaped_points", 4, at_most(0),
                  literature("York, section 6.2.1: gas does not escape")),
-          judged("york1997", value_at, "escaped_points", 8, at_most(0), nothing_passes),
+          judged("york1997", value_at, "escaped_points", 8, at_most(0), nothing_passes).in(Tier::full),
           judged("york1997", value_at, "escaped_points", 16, at_most(0), nothing_passes).in(Tier::full)};
 }
 
