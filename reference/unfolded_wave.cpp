@@ -1,5 +1,6 @@
 #include "reference/unfolded_wave.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -10,6 +11,15 @@ UnfoldedWave::UnfoldedWave(std::vector<WaveStep> steps, Bounded length, double l
       length_(length),
       left_(left_sign),
       right_(right_sign) {
+  Bounded here = 0.0, opposite = 0.0;
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    before_.push_back({here, opposite});
+    if (i + 1 == steps_.size()) break;
+    const Bounded width = steps_[i + 1].from - steps_[i].from;
+    here = here + width * steps_[i].here;
+    opposite = opposite + width * steps_[i].opposite;
+  }
+  two_bars_ = Bounded(left_) * sum(length_, true) + Bounded(left_ * right_) * sum(length_, false);
   for (const WaveStep& step : steps_) {
     largest_ = std::max(
         {largest_, std::abs(step.here.value) + step.here.bound, std::abs(step.opposite.value) + step.opposite.bound});
@@ -61,14 +71,11 @@ Bounded UnfoldedWave::value(Bounded place) const {
 }
 
 Bounded UnfoldedWave::sum(Bounded place, bool opposite) const {
-  Bounded total = 0.0;
-  for (std::size_t i = 0; i < steps_.size(); ++i) {
-    const bool last = i + 1 == steps_.size() || place.value <= steps_[i + 1].from.value;
-    const Bounded width = (last ? place : steps_[i + 1].from) - steps_[i].from;
-    total = total + width * (opposite ? steps_[i].opposite : steps_[i].here);
-    if (last) break;
-  }
-  return total;
+  const auto beyond = std::find_if(steps_.begin() + 1, steps_.end(),
+                                   [&](const WaveStep& step) { return place.value <= step.from.value; });
+  const std::size_t i = static_cast<std::size_t>(beyond - steps_.begin()) - 1;
+  const Bounded width = place - steps_[i].from;
+  return (opposite ? before_[i].opposite : before_[i].here) + width * (opposite ? steps_[i].opposite : steps_[i].here);
 }
 
 // With D the integral over the two bars [-2 L, 0] and s the product of the signs,
@@ -77,9 +84,8 @@ Bounded UnfoldedWave::integral(Bounded place) const {
   const auto [folded, turns] = fold(place);
   const Bounded at(folded.value);
   const Bounded near = at.value >= 0 ? sum(at, false) : Bounded(-left_) * sum(-at, true);
-  const Bounded two_bars = Bounded(left_) * sum(length_, true) + Bounded(left_ * right_) * sum(length_, false);
   const double count = left_ * right_ > 0 ? turns : std::fmod(turns, 2);
-  Bounded answer = Bounded(sign(turns)) * near - Bounded(count) * two_bars;
+  Bounded answer = Bounded(sign(turns)) * near - Bounded(count) * two_bars_;
   answer.bound = (answer.bound + largest_ * folded.bound) * rounding::inflate;
   return answer;
 }

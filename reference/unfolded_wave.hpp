@@ -35,7 +35,13 @@ class UnfoldedWave {
   Bounded sum(Bounded place, bool opposite) const;  // integral from 0 to a place inside the bar
   double sign(double turns) const;
 
+  struct Integrals {
+    Bounded here, opposite;
+  };
+
   std::vector<WaveStep> steps_;
+  std::vector<Integrals> before_;  // over all steps before each
+  Bounded two_bars_;               // the integral over [-2 L, 0]
   Bounded length_;
   double left_ = 1, right_ = 1;
   double largest_ = 0;

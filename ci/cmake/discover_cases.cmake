@@ -18,7 +18,7 @@ foreach(k RANGE ${last})
       "set_tests_properties([[${runs}]] PROPERTIES LABELS \"runs;${tier}\" TIMEOUT 1800 FIXTURES_SETUP [[${runs}]])\n"
       "add_test([[${case}]] [[${PYTHON}]] -B [[${MEASUREMENTS}]] --results [[${results}]] --case ${name}\n"
       "  --picture [[${RESULTS}/pictures/${case}.png]] --\n"
-      "  [[${PLUMBLINE}]] verify ${name} --tier ${tier} --reuse --results [[${results}]] --junit [[${RESULTS}/${case}.xml]])\n"
+      "  [[${PLUMBLINE}]] verify ${name} --tier ${tier} --threads 1 --reuse --results [[${results}]] --junit [[${RESULTS}/${case}.xml]])\n"
       "set_tests_properties([[${case}]] PROPERTIES LABELS \"case;${tier}\" TIMEOUT 1800 FIXTURES_REQUIRED [[${runs}]])\n")
   endforeach()
 endforeach()

@@ -77,7 +77,8 @@ void add_run_options(const Arguments& command, CommonOptions& options) {
   add_scheme_options(command, options);
   command
       .option("--threads", options.threads,
-              "threads: of the loops over points in run and bench, for runs side by side elsewhere")
+              "threads: of the loops over points in run and bench, for runs side by side elsewhere; 1 if not given, in "
+              "verify one a core")
       .whole_number(1, 1024);
   command.option("--results", options.results, "results folder").not_empty();
   add_limits(command);

@@ -101,10 +101,6 @@ std::map<std::string, double> parameters_of(const Subject& subject, const std::v
   return chosen;
 }
 
-int threads_for_judging(const CommonOptions& common) {
-  return common.threads > 1 ? common.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-}
-
 Json read_scorecard(const std::string& file) {
   const Json document = Json::parse(read_text_file(file), nullptr, false);
   if (document.is_discarded() || !document.is_object()) throw FileError(file, file + ": not a scorecard");
@@ -149,7 +145,7 @@ struct Scorecards {
 Scorecards judge_integrators(const CommonOptions& common, const VerifyOptions& options, const ResultsFolder& folder,
                              Verification& verification) {
   const bool with_cases = !options.patterns.empty();
-  const JudgingOptions how{options.core || with_cases ? Effort::core : Effort::whole, threads_for_judging(common),
+  const JudgingOptions how{options.core || with_cases ? Effort::core : Effort::whole, common.threads,
                            options.until_red};
   Scorecards scorecards;
   for (const std::string& name : common.integrators) {
@@ -231,7 +227,7 @@ int execute(const Invocation& invocation, const VerifyOptions& options) {
   const Output out(common);
   Verification verification;
   const Scorecards scorecards = judge_integrators(common, options, folder, verification);
-  PartJudging of_parts{threads_for_judging(common), options.until_red, {}};
+  PartJudging of_parts{common.threads, options.until_red, {}};
   if (!none(options.parts) && common.integrators.empty()) of_parts.shape = shape_for(options.parts, common.settings);
   const Json parts = judge_parts(options.parts, of_parts, judging_progress, verification);
   const bool parts_alone = options.patterns.empty() && common.schemes.empty() &&
@@ -309,7 +305,11 @@ Command add_verify(const Arguments& program, Invocation& invocation) {
   add_run_options(sub, invocation.options);
   add_reuse(sub, invocation.options);
   add_no_fusion(sub, invocation.options);
-  return {sub, [&invocation, options] { return execute(invocation, *options); }};
+  return {sub, [&invocation, options, sub] {
+            const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+            if (!sub.given("--threads")) invocation.options.threads = static_cast<int>(cores);
+            return execute(invocation, *options);
+          }};
 }
 
 }  // namespace plumbline
