@@ -133,7 +133,7 @@ TEST(SceneContents, EachSideOfABoxIsLookedAt) {
 // One straight on from either end of a chain there is a wall, of whichever direction, or there is not.
 TEST(SceneContents, EndsOfAChainLookStraightOn) {
   for (const int direction : {0, 1}) {
-    for (const double from : {0.6, 1.2}) {  // of its end from the wall, in cells
+    for (const double from : {0.6, 1.95}) {  // of its end from the wall, in cells
       for (const bool forwards : {true, false}) {
         Scene scene;
         scene.grid.dim = 2;
@@ -148,7 +148,7 @@ TEST(SceneContents, EndsOfAChainLookStraightOn) {
           body.points(column::position, 1 - direction)[p] = 4.5;
           body.points(column::mass)[p] = body.points(column::volume)[p] = body.points(column::rest_length)[p] = 0.7;
         }
-        // The other end is 3.3 or 3.9 cells from the low wall; a block stands one cell straight on from it.
+        // A block stands one cell straight on from the other end.
         scene.bodies.push_back(std::move(body));
         Body stop = make_body("stop", elastic(1), 1, 2);
         stop.points(column::position, direction)[0] = from + 2.1 + 1;
