@@ -174,7 +174,7 @@ const ConvergedGas& woodward_colella() {
 const ConvergedGas& gas_expansion(double radius, double end_time) {
   check({"radius", 0, 0, rounding::infinity, true, true, "m", ""}, radius);
   const double sound = std::sqrt(1.4 * 100);
-  check({"end_time", 0, 0, 0.8 * radius / sound, true, false, "s", ""}, end_time);
+  check({"time", 0, 0, 0.8 * radius / sound, true, false, "s", ""}, end_time);
   static std::mutex mutex;
   static std::map<std::pair<double, double>, ConvergedGas> solutions;
   const std::lock_guard lock(mutex);

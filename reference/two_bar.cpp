@@ -1,6 +1,5 @@
 #include "reference/two_bar.hpp"
 
-#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -10,14 +9,14 @@ namespace plumbline::reference {
 namespace {
 
 constexpr int corners = 4, unknowns = 8;
-using ElementMatrix = std::array<std::array<double, unknowns>, unknowns>;
 
-/// B^T D B integrated by 2 x 2 Gauss points over a rectangle, plane stress [Hughes 9.1]; corners anticlockwise from
-/// the lower left.
-ElementMatrix element_stiffness(const TwoBarProblem& p, double width, double height) {
+}  // namespace
+
+// By 2 x 2 Gauss points, plane stress.
+RectangleStiffness rectangle_stiffness(const TwoBarProblem& p, double width, double height) {
   const double at[corners][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
   const double modulus = p.youngs_modulus / (1 - p.poisson * p.poisson), shear = 0.5 * (1 - p.poisson) * modulus;
-  ElementMatrix stiffness{};
+  RectangleStiffness stiffness{};
   for (const auto& corner : at) {
     const double xi = corner[0] / std::sqrt(3.0), eta = corner[1] / std::sqrt(3.0);
     double slope[corners][2];
@@ -30,8 +29,7 @@ ElementMatrix element_stiffness(const TwoBarProblem& p, double width, double hei
         for (int i = 0; i < 2; ++i) {
           for (int j = 0; j < 2; ++j) {
             const double across = slope[a][1 - i] * slope[b][1 - j], own = slope[a][i] * slope[b][j];
-            const double value = i == j ? modulus * own + shear * across
-                                        : modulus * p.poisson * own + shear * slope[a][1 - i] * slope[b][1 - j];
+            const double value = modulus * (i == j ? 1 : p.poisson) * own + shear * across;
             stiffness[2 * a + i][2 * b + j] += 0.25 * width * height * value;
           }
         }
@@ -40,6 +38,8 @@ ElementMatrix element_stiffness(const TwoBarProblem& p, double width, double hei
   }
   return stiffness;
 }
+
+namespace {
 
 /// The upper half of one bar, from the wall at x = 0, moving to it at speed 1 (all is linear in the speed).
 class HalfBar {
@@ -50,7 +50,7 @@ class HalfBar {
         width_(p.width / elements),
         height_(0.5 * p.height / rows_),
         step_(width_ / std::sqrt(p.youngs_modulus / ((1 - p.poisson * p.poisson) * p.density))),
-        stiffness_(element_stiffness(p, width_, height_)),
+        stiffness_(rectangle_stiffness(p, width_, height_)),
         mass_(nodes()),
         moved_(2 * nodes()),
         velocity_(2 * nodes()),
@@ -137,7 +137,7 @@ class HalfBar {
 
   int columns_, rows_;
   double width_, height_, step_;
-  ElementMatrix stiffness_;
+  RectangleStiffness stiffness_;
   std::vector<double> mass_, moved_, velocity_, force_;
   double contact_work_ = 0, impulse_ = 0;
 };

@@ -8,6 +8,7 @@
 // elements carry plane waves exactly, and the impact *is* a plane wave from the face at first. Elements that are four
 // times as high as long keep the other motions inside the limit. What is left of the error is first order, mostly the
 // kinetic energy of the half elements at the face, 1/(2 n) of all, that an impact of lumped masses loses.
+#include <array>
 #include <vector>
 
 #include "reference/bounded.hpp"
@@ -29,6 +30,11 @@ struct TwoBarProblem {
 Bounded plane_wave_speed(const TwoBarProblem& problem);
 /// 2 width/c, s: the plane front, which nothing overtakes, is back at the whole face at once with tension.
 Bounded plane_contact_duration(const TwoBarProblem& problem);
+
+/// Of a bilinear rectangle of these sides and unit thickness, B^T D B integrated exactly [Hughes 9.1]: forces by
+/// displacements, x and y of the corners in turn, anticlockwise from the lower left.
+using RectangleStiffness = std::array<std::array<double, 8>, 8>;
+RectangleStiffness rectangle_stiffness(const TwoBarProblem& problem, double width, double height);
 
 /// One mesh: `elements` through the width, `aspect` times as high as long (rounded so that they fill the height).
 struct TwoBarRun {

@@ -1,5 +1,7 @@
 #include "kernel/cell_volumes.hpp"
 
+#include "kernel/engine/loops/list_volumes.hpp"
+#include "kernel/shapes/cpdi.hpp"
 #include "kernel/shapes/cubic.hpp"
 #include "kernel/shapes/linear.hpp"
 #include "kernel/shapes/quadratic.hpp"
@@ -74,6 +76,28 @@ TEST(CellVolumes, OfRings) {
   expect_ring_volumes<Linear>(1.0 / 6, 0);
   expect_ring_volumes<Quadratic>(13.0 / 64, 1.0 / 384);
   expect_ring_volumes<Cubic>(7.0 / 30, 1.0 / 120);
+}
+
+// Of a shape that is listed, by quadrature that is exact for its pieces: on free sides every node has a whole cell, ghosts
+// among them; a wall halves those on it and gives the ghosts' share to their mirrors. [EC-APIC 2]
+TEST(CellVolumes, OfListedShapesAreWholeCellsToo) {
+  constexpr double h = 0.5;
+  const MakeListed<2> make = +[](const Grid<2>& on) -> std::unique_ptr<const ListedShape<2>> {
+    return std::make_unique<Cpdi<2>>(on);
+  };
+  for (double inverse : inverse_listed_volumes<2>(scenes::box(Space::plane, {6, 5, 1}, h), make))
+    EXPECT_NEAR(inverse, 1 / (h * h), 100 * rounding);
+  const GridSpec walled = scenes::box(Space::plane, {6, 5, 1}, h, scenes::walls_everywhere(Wall::symmetry));
+  const Grid<2> grid(walled);
+  const auto inverse = inverse_listed_volumes<2>(walled, make);
+  for (int i = 0; i < grid.node_count(); ++i) {
+    double expected = 1 / (h * h);
+    for (int d = 0; d < 2; ++d) {
+      const int k = grid.index(i, d), last = grid.nodes(d) - 1;
+      expected *= k == 0 || k == last ? 0 : k == 1 || k == last - 1 ? 2 : 1;
+    }
+    EXPECT_NEAR(inverse[static_cast<std::size_t>(i)], expected, 100 * rounding) << i;
+  }
 }
 
 // Products of the directions: an edge of two walls has a quarter, a corner of three an eighth.

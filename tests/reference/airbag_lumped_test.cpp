@@ -37,6 +37,18 @@ TEST(AirbagLumped, EnergyIsKept) {
   }
 }
 
+// Of a displacement that is known to b the work is known to the force times b; the bag doubles its bounds of first order.
+TEST(AirbagLumped, BoundOfTheWorkIsThatOfTheForce) {
+  for (const AirbagProblem& p : problems) {
+    const AirbagLumped airbag(p);
+    for (double share : {0.3, 0.6, 0.95}) {
+      const double x = share * airbag.max_displacement().value, b = 1e-5 * x;
+      const double expected = 2 * airbag.at_displacement(x).force.value * b;
+      EXPECT_NEAR(airbag.work({x, b}).bound, expected, 1e-3 * expected);
+    }
+  }
+}
+
 TEST(AirbagLumped, ForceIsTheSlopeOfTheWork) {
   for (const AirbagProblem& p : problems) {
     const AirbagLumped airbag(p);

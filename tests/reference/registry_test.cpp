@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <random>
+#include <set>
+#include <stdexcept>
 
 namespace plumbline::reference::registry_test {
 namespace {
@@ -91,6 +95,37 @@ TEST(Registry, AValueOutOfRangeNamesKeyValueAndRange) {
     EXPECT_EQ(error.key, "mass");
     EXPECT_EQ(error.allowed, "(0, inf) kg");
   }
+}
+
+// Parameters may forbid each other's values: whichever a reference refuses, it names one of them and the value it had. One
+// or two are far from their defaults, within the ranges of their own. Left out are those that are computed numerically.
+TEST(Registry, RefusalsNameAParameterAndItsValue) {
+  const std::set<std::string> slow{"bar-chain",     "cook-panel", "finite-volume", "gas-expansion",
+                                   "mpm-stability", "shu-osher",  "two-bar",       "woodward-colella"};
+  std::mt19937_64 random(20);
+  int refused = 0;
+  for (const Reference* reference : references()) {
+    const std::vector<Parameter> parameters = reference->parameters();
+    for (int draw = 0; draw < 12 && !parameters.empty() && slow.count(reference->name()) == 0; ++draw) {
+      std::map<std::string, double> settings;
+      for (const Parameter& p : parameters) settings[p.key] = p.value;
+      for (int changes = 0; changes < 2; ++changes) {
+        const Parameter& one = parameters[random() % parameters.size()];
+        const double factor = std::pow(10.0, std::uniform_real_distribution<double>(-4, 4)(random));
+        const double value = (random() % 4 == 0 ? -factor : factor) * (one.value == 0 ? 1 : one.value);
+        settings[one.key] = std::clamp(value, one.low, one.high);
+      }
+      try {
+        reference->evaluate(settings, {});
+      } catch (const ParameterError& error) {
+        ++refused;
+        ASSERT_TRUE(settings.count(error.key)) << reference->name() << ": " << error.what();
+        EXPECT_EQ(error.value, settings.at(error.key)) << reference->name() << ": " << error.what();
+      } catch (const std::domain_error&) {  // where no solution was found
+      }
+    }
+  }
+  EXPECT_GT(refused, 100);
 }
 
 TEST(Registry, NumbersThatAreNotFiniteAreRefused) {

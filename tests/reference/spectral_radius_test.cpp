@@ -74,6 +74,28 @@ TEST(SpectralRadius, EigenvectorsThatSayNothingLeaveElsnersBound) {  // the comp
   EXPECT_LE(radius.bound, 1);
 }
 
+// What entries known to a share e of the norm N = |A|_F leave open. Eigenvectors of unit length that stand square to each
+// other: |V|_F = |V^-1|_F = sqrt(n) and a residual of at most e N |V|_F; the discs of Bauer and Fike have a radius of e n
+// N, and all n in a row reach 2 n - 1 of them. Where no eigenvectors are left it is Elsner's (2 N)^(1 - 1/n) (e N)^(1/n).
+TEST(SpectralRadius, BoundOfEntriesThatAreKnownRoughly) {
+  const double e = 1e-7;
+  SquareMatrix square(4);
+  for (int i = 0; i < 4; ++i) square(i, i) = 0.2 + i;
+  square(0, 1) = square(1, 0) = 0.7;
+  double norm = 0;
+  for (double entry : square.entries) norm = std::hypot(norm, entry);
+  EXPECT_NEAR(spectral_radius(square, e).bound, 7 * 4 * e * norm, 1e-4 * e * norm);
+  for (int n : {2, 3, 5}) {  // a root of 0.8 with one eigenvector; 2 N + e N by 1 + n e at most
+    SquareMatrix block(n);
+    for (int i = 0; i < n; ++i) {
+      block(i, i) = 0.8;
+      if (i > 0) block(i - 1, i) = 1;
+    }
+    const double size = std::sqrt(0.64 * n + n - 1), elsner = std::pow(2, 1 - 1.0 / n) * std::pow(e, 1.0 / n) * size;
+    EXPECT_NEAR(spectral_radius(block, e).bound, elsner, 1e-5 * elsner) << n;
+  }
+}
+
 TEST(SpectralRadius, OfAComplexMatrix) {  // ((2i, 1), (0, 1 - i)): triangular
   ComplexMatrix matrix(2);
   matrix(0, 0) = {0, 2};

@@ -42,6 +42,19 @@ TEST(SpringOscillator, HardeningByJacobisFunctions) {  // [DLMF 22.13.14]
   }
 }
 
+// So fast that halving the steps never settles within rounding: what the last halving changed is the bound.
+TEST(SpringOscillator, BoundWhereStepsDoNotSettle) {  // [DLMF 22.13.14]
+  for (const double u0 : {60.0, 150.0}) {
+    const double w = std::sqrt(1 + u0 * u0), m = u0 * u0 / (2 * w * w), t = 0.9;
+    double sn = 0, cn = 0, dn = 0;
+    gsl_sf_elljac_e(w * t, m, &sn, &cn, &dn);
+    const auto found = spring_oscillator({.law = SpringLaw::hardening, .displacement = u0}, t);
+    EXPECT_LE(std::abs(found.displacement.value - u0 * cn), found.displacement.bound);
+    EXPECT_LE(std::abs(found.velocity.value + u0 * w * sn * dn), found.velocity.bound);
+    EXPECT_GT(found.displacement.bound, 1e-12 * u0);  // else it has settled, and says nothing here
+  }
+}
+
 // v^2/2 + W(u) with W' = -f: of a gas column W = u/gamma + (1 + u)^(1 - gamma) / (gamma (gamma - 1)).
 TEST(SpringOscillator, AGasColumnKeepsItsEnergy) {
   for (const double gamma : {1.2, 1.4, 3.0}) {

@@ -39,6 +39,46 @@ TEST(TwoBarPublished, FirstTouchIsAPlaneWave) {  // plane stress, free to contra
   EXPECT_NEAR(bars.restitution().value, 0.953, 0.005);           // elastic finite elements of squares, extrapolated
 }
 
+// Motions of a rectangle of centre 0 whose forces are known in closed form [Hughes 9.1]: turns and shifts have none, a
+// uniform stress s pulls each corner by half of s times the sides it stands on, and bending ux = x y stores
+// (M w h^3 + G h w^3)/24, as the mean squares of y and x are h^2/12 and w^2/12.
+TEST(TwoBarElement, ForcesOfKnownMotions) {
+  const double w = 0.7, h = 1.9, modulus = stubby.youngs_modulus / (1 - 0.16), shear = 0.3 * modulus;
+  const RectangleStiffness stiffness = rectangle_stiffness(stubby, w, h);
+  const double x[] = {-w / 2, w / 2, w / 2, -w / 2}, y[] = {-h / 2, -h / 2, h / 2, h / 2};
+  const auto forces = [&](auto&& ux, auto&& uy) {
+    std::array<double, 8> moved{}, force{};
+    for (std::size_t k = 0; k < 8; ++k) moved[k] = k % 2 == 0 ? ux(x[k / 2], y[k / 2]) : uy(x[k / 2], y[k / 2]);
+    for (std::size_t k = 0; k < 64; ++k) force[k / 8] += stiffness[k / 8][k % 8] * moved[k % 8];
+    return std::pair(moved, force);
+  };
+  const auto none = [](double, double) { return 0.0; };
+  const auto is_stress = [&](auto&& ux, auto&& uy, double xx, double yy, double xy) {
+    const std::array<double, 8> force = forces(ux, uy).second;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double right = x[k] > 0 ? h / 2 : -h / 2, up = y[k] > 0 ? w / 2 : -w / 2;
+      EXPECT_NEAR(force[2 * k], xx * right + xy * up, 1e-13 * modulus);
+      EXPECT_NEAR(force[2 * k + 1], xy * right + yy * up, 1e-13 * modulus);
+    }
+  };
+  is_stress([](double, double) { return 0.3; }, [](double, double) { return -0.8; }, 0, 0, 0);
+  is_stress([](double, double b) { return -b; }, [](double a, double) { return a; }, 0, 0, 0);
+  is_stress([](double a, double) { return a; }, none, modulus, 0.4 * modulus, 0);
+  is_stress(
+      none, [](double, double b) { return b; }, 0.4 * modulus, modulus, 0);
+  is_stress([](double, double b) { return b; }, none, 0, 0, shear);
+  is_stress(
+      none, [](double a, double) { return a; }, 0, 0, shear);
+  for (bool along : {true, false}) {
+    const auto product = [](double a, double b) { return a * b; };
+    const auto [moved, force] = along ? forces(product, none) : forces(none, product);
+    double stored = 0;
+    for (std::size_t k = 0; k < 8; ++k) stored += 0.5 * moved[k] * force[k];
+    const double across = along ? h : w, own = along ? w : h;
+    EXPECT_NEAR(stored, w * h * (modulus * across * across + shear * own * own) / 24, 1e-13 * modulus);
+  }
+}
+
 TEST(TwoBarIdentity, EnergyAndMomentum) {  // [Hughes 9.1]: central differences conserve both; contact takes the rest
   for (const TwoBarProblem& p : {york, stubby}) {
     for (int aspect : {2, 4, 8}) {

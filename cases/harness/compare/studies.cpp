@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "cases/harness/compare/parts.hpp"
+#include "cases/harness/verdict/line_fit.hpp"
 #include "cases/harness/verdict/student.hpp"
 
 namespace plumbline {
@@ -65,34 +66,23 @@ bool enters(const FitRecord& fit, std::size_t level) { return fit.used.size() <=
 
 std::optional<Shifted> shifted(const std::vector<Common>& common, const std::string& measure, const FitRecord& before,
                                const FitRecord& after) {
-  std::vector<std::pair<double, double>> points;
+  std::vector<FitPoint> points;
   bool all_equal = true;
   for (const Common& at : common) {
     const ErrorRecord *a = error_of(*at.before, measure), *b = error_of(*at.after, measure);
     if (!a || !b || !(a->error > 0) || !(b->error > 0) || !(at.before->h > 0)) continue;
     if (!enters(before, at.at_before) || !enters(after, at.at_after)) continue;
-    points.emplace_back(std::log(at.before->h), std::log(b->error / a->error));
+    points.push_back({std::log(at.before->h), std::log(b->error / a->error)});
     all_equal = all_equal && within_rounding(*a, *b);
   }
   if (points.size() < least_common_levels) return std::nullopt;
   if (all_equal) return Shifted{0, 0, 0};
+  const StraightLine line = fit_line(points);
+  if (!std::isfinite(line.slope)) return std::nullopt;
   const double n = static_cast<double>(points.size());
-  double x_mean = 0, y_mean = 0, xx = 0, xy = 0, residual = 0;
-  for (const auto& [x, y] : points) {
-    x_mean += x / n;
-    y_mean += y / n;
-  }
-  for (const auto& [x, y] : points) {
-    xx += (x - x_mean) * (x - x_mean);
-    xy += (x - x_mean) * (y - y_mean);
-  }
-  if (!(xx > 0)) return std::nullopt;
-  const double slope = xy / xx;
-  for (const auto& [x, y] : points) {
-    const double r = y - y_mean - slope * (x - x_mean);
-    residual += r * r;
-  }
-  return Shifted{slope, student_quantile(n - 2) * std::sqrt(residual / (n - 2) / xx), y_mean};
+  double mean = 0;
+  for (const FitPoint& point : points) mean += point.y / n;
+  return Shifted{line.slope, student_quantile(n - 2) * line.slope_error, mean};
 }
 
 // Welch's test of two slopes from their intervals: each is t(n - 2) standard errors either side.
@@ -108,9 +98,10 @@ Shifted welch(const FitRecord& before, const FitRecord& after, std::size_t level
   const auto [b, b_degrees] = spread(after, levels_after);
   Shifted result{*after.order - *before.order, unbounded, 0};
   if (!std::isfinite(a) || !std::isfinite(b)) return result;
+  result.half_width = 0;
   const double variance = a * a + b * b;
-  const double degrees = variance > 0 ? variance * variance / (std::pow(a, 4) / a_degrees + std::pow(b, 4) / b_degrees)
-                                      : a_degrees + b_degrees;
+  if (!(variance > 0)) return result;
+  const double degrees = variance * variance / (std::pow(a, 4) / a_degrees + std::pow(b, 4) / b_degrees);
   result.half_width = student_quantile(degrees) * std::sqrt(variance);
   return result;
 }

@@ -11,6 +11,7 @@
 #include "cases/harness/integrators/small_scenes.hpp"
 #include "cases/harness/laboratory/oscillator.hpp"
 #include "cases/harness/laboratory/wave.hpp"
+#include "cases/harness/verdict/line_fit.hpp"
 #include "kernel/simulation.hpp"
 
 namespace plumbline {
@@ -23,25 +24,12 @@ constexpr double least_energy = 1e-30;  // below this an oscillation is gone
 // The logarithm of the largest energy of each period, over that of the start.
 using Peaks = std::vector<double>;
 
-// Slope of a straight line through the peaks, per period, and its standard error.
-struct Trend {
-  double slope = 0, error = 0;
-};
-Trend trend_of(const Peaks& peaks) {
-  if (peaks.size() < 3) return {1, 0};  // beyond all numbers within three periods
-  const double n = static_cast<double>(peaks.size());
-  double mean = 0, xx = 0, xy = 0, residual = 0;
-  for (const double peak : peaks) mean += peak / n;
-  for (std::size_t k = 0; k < peaks.size(); ++k) {
-    const double x = static_cast<double>(k) - (n - 1) / 2;
-    xx += x * x;
-    xy += x * (peaks[k] - mean);
-  }
-  for (std::size_t k = 0; k < peaks.size(); ++k) {
-    const double x = static_cast<double>(k) - (n - 1) / 2, off = peaks[k] - mean - xy / xx * x;
-    residual += off * off;
-  }
-  return {xy / xx, std::sqrt(residual / (n - 2) / xx)};
+// The straight line through them, per period.
+StraightLine trend_of(const Peaks& peaks) {
+  if (peaks.size() < 3) return {1, 0, 0};  // beyond all numbers within three periods
+  std::vector<FitPoint> points;
+  for (const double peak : peaks) points.push_back({static_cast<double>(points.size()), peak});
+  return fit_line(points);
 }
 
 // energy(): after each step of dt; a period has so many steps.
@@ -103,9 +91,10 @@ const Peaks& peaks_on_oscillator(const Subject& subject) {
 }
 
 Measured growth(const Peaks& peaks) {
-  const Trend trend = trend_of(peaks);
-  return plain(trend.slope / std::max(10 * trend.error, rounding),
-               fmt::format("slope {:.3g} of the energy a period, standard error {:.2g}", trend.slope, trend.error));
+  const StraightLine trend = trend_of(peaks);
+  return plain(
+      trend.slope / std::max(10 * trend.slope_error, rounding),
+      fmt::format("slope {:.3g} of the energy a period, standard error {:.2g}", trend.slope, trend.slope_error));
 }
 
 // What a closed box of gas gains or loses, over its kinetic energy at the start, where losses of maps are given back as heat.
@@ -145,8 +134,8 @@ IntegratorGate growth_row(const std::string& problem, const std::string& what,
 
 // How far the peaks are from what was claimed: 1 is the most that scatter and rounding make of it.
 Measured off_claim(EnergyBehaviour claim, const Peaks& peaks) {
-  const Trend trend = trend_of(peaks);
-  const double slope = trend.slope / std::max(10 * trend.error, rounding);
+  const StraightLine trend = trend_of(peaks);
+  const double slope = trend.slope / std::max(10 * trend.slope_error, rounding);
   if (claim == EnergyBehaviour::bounded) return plain(std::abs(slope));
   if (claim == EnergyBehaviour::decaying) return plain(slope + 2);  // a slope of -1 or less is told from none
   double off = 0;

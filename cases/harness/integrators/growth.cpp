@@ -22,17 +22,6 @@ SmallSteps with_power(SmallSteps steps) {
   return steps;
 }
 
-SmallSteps small_steps(const std::function<double(double dt)>& radius) {
-  SmallSteps steps;
-  double dt = limit_of_york;
-  for (int k = 0; k < halvings; ++k) {
-    dt /= 2;
-    steps.dt.push_back(dt);
-    steps.growth.push_back(std::log(radius(dt)));
-  }
-  return with_power(std::move(steps));
-}
-
 Maps maps_on_bar(const Subject& subject) {
   std::vector<Lack> first;
   for (const Maps& maps : {Maps{"linear", "flip"}, Maps{"quadratic", "flip"}, Maps{"quadratic", "apic"}}) {
@@ -52,6 +41,17 @@ Experiment bar_of(const Subject& subject) {
 }
 
 }  // namespace
+
+SmallSteps small_steps(const std::function<double(double dt)>& radius) {
+  SmallSteps steps;
+  double dt = limit_of_york;
+  for (int k = 0; k < halvings; ++k) {
+    dt /= 2;
+    steps.dt.push_back(dt);
+    steps.growth.push_back(std::log(radius(dt)));
+  }
+  return with_power(std::move(steps));
+}
 
 SmallSteps small_steps_on_oscillator(const Subject& subject) {
   return small_steps([&](double dt) { return spectral_radius(step_matrix(subject.choice(), 0, dt)); });

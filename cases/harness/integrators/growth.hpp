@@ -1,6 +1,7 @@
 // How much one step lets the worst state grow, on the problems that every integrator can step.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "cases/harness/integrators/subject.hpp"
@@ -17,6 +18,8 @@ struct SmallSteps {
   std::vector<double> dt, growth;
   double power = 0;  // of dt with which the growth at the two smallest steps falls; 0 where it is rounding
 };
+// Of a step whose spectral radius is known.
+SmallSteps small_steps(const std::function<double(double dt)>& radius);
 SmallSteps small_steps_on_oscillator(const Subject& subject);
 // An infinite bar, positions held; under FLIP where the integrator can work with it. Throws CannotWork.
 SmallSteps small_steps_on_bar(const Subject& subject);

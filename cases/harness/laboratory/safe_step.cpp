@@ -31,7 +31,7 @@ SafeStep safe_step_of_bar(const Method& method, int order, const std::map<std::s
   const auto regular = [&](const Extent& extent) { return bar_patch(maps, ppc, 0.5, extent); };
   // Implicit steps reach far and cost much: two large ones tell whether they have a limit at all.
   const bool far = reach_of_step(stepped(regular), 3) > far_reach;
-  const Scan scan = far ? Scan{1, 4, 2} : Scan{0.02, 4, 16};
+  const Scan scan = far ? Scan{1, 4, 2} : Scan{0.005, 4, 20};  // from below sqrt(2 depth) on
   const auto limit_of = [&](std::function<Patch(const Extent&)> patch) {
     try {
       return predict(stepped(std::move(patch)), scan, width).limit();

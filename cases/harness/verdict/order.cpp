@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cases/harness/verdict/line_fit.hpp"
 #include "cases/harness/verdict/student.hpp"
 
 namespace plumbline {
@@ -11,44 +12,6 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-struct Point {
-  double x;         // ln h
-  double y;         // ln E
-  double variance;  // sample variance of ln E over the offsets; 0 where the fit takes none
-  double weight = 1;
-};
-
-struct Line {
-  double slope;
-  double intercept;
-  double slope_error;  // standard error of the slope, its scale taken from the residuals
-};
-
-// Weighted least squares in centred form; at least two points with different x.
-Line fit_line(const std::vector<Point>& points) {
-  double weights = 0, x_mean = 0, y_mean = 0;
-  for (const Point& p : points) {
-    weights += p.weight;
-    x_mean += p.weight * p.x;
-    y_mean += p.weight * p.y;
-  }
-  x_mean /= weights;
-  y_mean /= weights;
-  double xx = 0, xy = 0;
-  for (const Point& p : points) {
-    xx += p.weight * (p.x - x_mean) * (p.x - x_mean);
-    xy += p.weight * (p.x - x_mean) * (p.y - y_mean);
-  }
-  const double slope = xy / xx;
-  double residual = 0;
-  for (const Point& p : points) {
-    const double r = (p.y - y_mean) - slope * (p.x - x_mean);
-    residual += p.weight * r * r;
-  }
-  const double degrees = static_cast<double>(points.size()) - 2;
-  return {slope, y_mean - slope * x_mean, degrees > 0 ? std::sqrt(residual / degrees / xx) : infinity};
-}
 
 bool is_error(double value) { return std::isfinite(value) && value > 0; }
 bool is_bound(double value) { return std::isfinite(value) && value >= 0; }
@@ -101,9 +64,15 @@ Weighting applicable(const std::vector<Level>& levels, Weighting wanted) {
   return wanted == Weighting::offsets && enough ? Weighting::offsets : Weighting::equal;
 }
 
-// Fills the lists that speak of every level and returns the points that enter the fit.
-std::vector<Point> select(const std::vector<Level>& levels, OrderFit& fit) {
-  std::vector<Point> points;
+// What enters the fit: ln E over ln h, and sample variances of ln E over the offsets; 0 where the fit takes none.
+struct Selected {
+  std::vector<FitPoint> points;
+  std::vector<double> variances;
+};
+
+// Fills the lists that speak of every level.
+Selected select(const std::vector<Level>& levels, OrderFit& fit) {
+  Selected used;
   for (const Level& level : levels) {
     const bool weighted = fit.weighting == Weighting::offsets && level.offset_errors.size() >= least_offsets;
     const Scatter scatter = weighted ? scatter_of(level.offset_errors) : Scatter{std::log(level.error), 0};
@@ -112,23 +81,25 @@ std::vector<Point> select(const std::vector<Level>& levels, OrderFit& fit) {
     fit.error.push_back(error);
     fit.why_unused.push_back(why_unused(level, error));
     fit.used.push_back(fit.why_unused.back().empty());
-    if (fit.used.back()) points.push_back({std::log(level.h), scatter.mean, scatter.variance});
+    if (!fit.used.back()) continue;
+    used.points.push_back({std::log(level.h), scatter.mean});
+    used.variances.push_back(scatter.variance);
   }
-  return points;
+  return used;
 }
 
-void weigh(std::vector<Point>& points) {
+void weigh(Selected& used) {
   double floor_squared = reference_share * reference_share;
-  for (const Point& p : points) floor_squared += p.variance / static_cast<double>(points.size());
-  for (Point& p : points) p.weight = 1 / (p.variance + floor_squared);
+  for (const double v : used.variances) floor_squared += v / static_cast<double>(used.variances.size());
+  for (std::size_t k = 0; k < used.points.size(); ++k) used.points[k].weight = 1 / (used.variances[k] + floor_squared);
 }
 
-void add_checks(const std::vector<Point>& points, OrderFit& fit) {
+void add_checks(const std::vector<FitPoint>& points, OrderFit& fit) {
   for (std::size_t k = 0; k < points.size(); ++k) {
     fit.plateau.push_back(std::exp(points[k].y - fit.order * points[k].x));
     if (k > 0) fit.pairwise.push_back((points[k].y - points[k - 1].y) / (points[k].x - points[k - 1].x));
     if (points.size() > 2) {
-      std::vector<Point> others = points;
+      std::vector<FitPoint> others = points;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
       fit.leave_one_out.push_back(fit_line(others).slope);
     }
@@ -143,7 +114,7 @@ bool is_asymptotic(const OrderFit& fit) {
                      [&](double order) { return std::abs(order - fit.order) <= asymptotic_order; });
 }
 
-void add_interval(const Line& line, std::size_t count, OrderFit& fit) {
+void add_interval(const StraightLine& line, std::size_t count, OrderFit& fit) {
   fit.low = -infinity;
   fit.high = infinity;
   if (count < 3) return;
@@ -173,10 +144,11 @@ OrderFit fit_order(std::span<const Level> given, Weighting weighting) {
   if (fit.invalid) return fit;
 
   fit.weighting = applicable(levels, weighting);
-  std::vector<Point> points = select(levels, fit);
-  weigh(points);
+  Selected used = select(levels, fit);
+  weigh(used);
+  const std::vector<FitPoint>& points = used.points;
   if (points.size() >= 2) {
-    const Line line = fit_line(points);
+    const StraightLine line = fit_line(points);
     fit.order = line.slope;
     fit.constant = std::exp(line.intercept);
     add_interval(line, points.size(), fit);

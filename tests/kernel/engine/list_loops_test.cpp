@@ -204,7 +204,8 @@ class Pair {
     }
   }
 
-  // Edges of domains, turned and sheared, some of them cut where they reach further than the support.
+  // Edges of domains, turned and sheared, some of them cut where they reach further than the support: by one edge, or by both
+  // together along one axis, xx + xy or yx + yy = 1.3 cells of 0.3 m.
   void shear_domains(scenes::Random& random) {
     body_.points.add(column::half_edges, dim * dim);
     for (int p = 0; p < body_.points.points(); ++p) {
@@ -212,7 +213,9 @@ class Pair {
                    short_edge = random(0.05, 0.1);
       const double edges[] = {long_edge * std::cos(angle), long_edge * std::sin(angle),
                               -short_edge * std::sin(angle + 0.5), short_edge * std::cos(angle + 0.5)};
-      for (int k = 0; k < dim * dim; ++k) body_.points(column::half_edges, k)[p] = edges[k];
+      const double along_x[] = {0.21, 0.03, -0.18, -0.06}, along_y[] = {-0.06, 0.18, 0.03, 0.21};
+      const double* chosen = p % 7 == 3 ? along_x : p % 7 == 5 ? along_y : edges;
+      for (int k = 0; k < dim * dim; ++k) body_.points(column::half_edges, k)[p] = chosen[k];
     }
   }
 

@@ -117,6 +117,45 @@ TEST(Compare, OtherLevelsAreComparedByWelchsTest) {
   EXPECT_EQ(changed(against(after), "order").at(0).change, Change::inconclusive);
 }
 
+// [Welch] Of six and of four levels, each +- t standard errors: s = 0.1/t(4) and 0.1/t(2) with (s1^2 + s2^2)^2/(s1^4/4 + s2^4/2)
+// degrees of freedom. t(0.975) of 4, 2 and 5.9585 by scipy.stats.t.ppf.
+TEST(Compare, WelchsTestCountsTheLevelsOfEachStudy) {
+  Synthetic after;
+  after.study.cells = {283, 566, 1131, 2262};
+  after.study.order = 1.5;
+  const double a = 0.1 / 2.7764451051977987, b = 0.1 / 4.302652729911275;
+  const double variance = a * a + b * b, degrees = variance * variance / (a * a * a * a / 4 + b * b * b * b / 2);
+  EXPECT_NEAR(degrees, 5.958480, 1e-4);
+  const auto orders = changed(against(after), "order");
+  ASSERT_EQ(orders.size(), 1u);
+  EXPECT_NEAR(orders[0].interval->second - *orders[0].size, 2.451050941 * std::sqrt(variance), 1e-6);
+  const auto back = changed(against({}, after), "order");
+  EXPECT_NEAR(back.at(0).interval->second - *back[0].size, 2.451050941 * std::sqrt(variance), 1e-6);
+}
+
+// Two studies of one key on one side, one on the other: those with most levels are a pair, and the other one is lone.
+TEST(Compare, TheStudyWithoutACounterpartIsNamed) {
+  for (const bool is_first : {true, false}) {
+    Synthetic longer, shorter, other;
+    longer.study.cells = {50, 70, 110, 150, 220};
+    shorter.study.cells = {60, 90, 130};
+    other.study.cells = {50, 70, 110, 150};
+    Snapshot one = other.snapshot(), two;
+    take_study((is_first ? longer : shorter).study.document(), "study-toy.h5", two);
+    take_study((is_first ? shorter : longer).study.document(), "study-toy.h5", two);
+    auto& pair = two.studies.begin()->second;
+    ASSERT_EQ(pair.size(), 2u);
+    for (StudyRecord& study : pair) study.id = study.levels.size() == 3 ? "shorter" : "longer";
+    const auto missing = changed(compare(two, one), "study"), added = changed(compare(one, two), "study");
+    ASSERT_EQ(missing.size(), 1u);
+    ASSERT_EQ(added.size(), 1u);
+    EXPECT_EQ(missing[0].study, "shorter");
+    EXPECT_EQ(missing[0].change, Change::missing);
+    EXPECT_EQ(added[0].study, "shorter");
+    EXPECT_EQ(added[0].change, Change::added);
+  }
+}
+
 TEST(Compare, AWorseConstantAtTheSameOrderIsWorse) {
   Synthetic after;
   after.study.constant = 1.05;

@@ -122,6 +122,20 @@ TEST(KnownLimits, OfParametersAsChosen) {
   }
 }
 
+// A result within 1e-4 of the list's smallest counts as that: limits of a list are not found more finely.
+TEST(SmallestKnown, IsAResultItselfWithinTheListsAccuracy) {
+  const StabilityProblem& edge = find_stability_problem("bar-edge");
+  KnownList list{{"usl", {}}, {}, limits_of({"usl", {}}, 1, problems({"bar-edge"}))};
+  Configuration result = examine(edge, "default", stability_settings(edge, "default", {{"integrator", "usl"}}), false);
+  const double least = smallest_of(list.rows)->comparable() / edge.fastest(result.settings);
+  for (const double factor : {0.5, 0.999, 1.0, 1.00005, 1.0002, 1.01, 3.0}) {
+    result.predicted.stable = {{0, factor * least}};
+    const SmallestKnown found = smallest_known(result, list);
+    EXPECT_EQ(found.is_this, factor < 1.0001) << factor;
+    EXPECT_NEAR(found.limit, least * edge.fastest(result.settings) * (found.is_this ? factor : 1), 1e-12) << factor;
+  }
+}
+
 // What a command finds beside the list may be smaller than all of it.
 TEST(SmallestKnown, IsAResultItselfWhereNoneIsSmaller) {
   const StabilityProblem &edge = find_stability_problem("bar-edge"), &bar = find_stability_problem("bar");

@@ -107,5 +107,31 @@ TEST(Limits, RunsBracketEveryLimit) {
   EXPECT_EQ(seen.growth.size(), 40U);
 }
 
+// An unstable interval that one step of the scan meets: each of its ends lies in a bracket of its own, which halving from two
+// neighbouring steps of the scan narrows as fast as it can.
+TEST(Limits, RunsBracketBothEndsOfAnIslandOfOneStep) {
+  const Scan scan{1, 16, 5};  // 1, 2, 4, 8, 16
+  Watch watch;
+  watch.width = 1e-3;
+  int runs = 0;
+  const auto run = [&](double dt) {
+    ++runs;
+    plumbline::Run result;
+    result.unstable = dt > 2.5 && dt < 5.3;
+    result.growth = result.unstable ? 1.1 : 0.9;
+    return result;
+  };
+  const Observation seen = observe(run, scan, watch);
+  ASSERT_EQ(seen.brackets.size(), 2U);
+  const double ends[] = {2.5, 5.3};
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_LE(seen.brackets[k].low, ends[k]);
+    EXPECT_GE(seen.brackets[k].high, ends[k]);
+    EXPECT_EQ(seen.brackets[k].stable_below, k == 0);
+  }
+  // (4 - 2)/2^n <= 1e-3 2.5 and (8 - 4)/2^n <= 1e-3 5.3
+  EXPECT_EQ(runs, 5 + 10 + 10);
+}
+
 }  // namespace
 }  // namespace plumbline::limits_test

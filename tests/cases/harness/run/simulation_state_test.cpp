@@ -7,6 +7,7 @@
 
 #include "cases/harness/description/case.hpp"
 #include "cases/harness/integrators/small_scenes.hpp"
+#include "kernel/points/column_registry.hpp"
 
 namespace plumbline::simulation_state_test {
 namespace {
@@ -94,6 +95,50 @@ TEST_F(Refused, ColumnsOfAnotherLength) {
   state = good;
   state.at("ledger").pop_back();
   expect_refused(state, "ledger");
+}
+
+// A state in which a column that the scene has is missing: each one is missed by name.
+TEST(SimulationState, AColumnThatIsNotThereIsMissed) {
+  const std::vector<ColumnId> known = registered_columns();
+  for (const char* name : {"plate", "gas-rings", "string"}) {
+    Simulation run(workable(with_some_maps(small_scene(name), "musl"), "musl"), "musl", {.dt = 0.05});
+    steps(run, 0, 2);
+    const Archive::Table good = state_of(run, "musl");
+    for (std::size_t k = 0; k < known.size(); ++k) {
+      Archive::Table state = good;
+      if (state.at("bodies/0/components")[k] == 0) continue;
+      state.at("bodies/0/components")[k] = 0;
+      state.erase("bodies/0/" + known[k].name());
+      try {
+        set_state(run, "musl", state);
+        ADD_FAILURE() << name << ": taken without " << known[k].name();
+      } catch (const ArchiveError& error) {
+        EXPECT_THAT(error.what(), HasSubstr(known[k].name()));
+      }
+    }
+  }
+}
+
+// Whatever columns points have, the state that was read is the one that was written, to the bit.
+TEST(SimulationState, HoldsEveryColumn) {
+  const Scene scene = workable(with_some_maps(small_scene("plate"), "musl"), "musl");
+  Simulation from(scene, "musl", {}), to(scene, "musl", {});
+  Checkpoint state = from.save();
+  Columns& points = state.points[0];
+  double value = 0;
+  for (const ColumnId& id : registered_columns()) {
+    if (!points.has(id)) points.add(id, 1);
+    if (id.name() == "position") continue;
+    for (double& number : points.values(id)) number = value += 0.125;
+  }
+  from.restore(state);
+  set_state(to, "musl", state_of(from, "musl"));
+  Columns read = to.save().points[0];
+  for (const ColumnId& id : registered_columns()) {
+    ASSERT_EQ(read.components(id), points.components(id)) << id.name();
+    const auto x = points.values(id), y = read.values(id);
+    EXPECT_TRUE(std::equal(x.begin(), x.end(), y.begin(), y.end())) << id.name();
+  }
 }
 
 TEST_F(Refused, PointsThatAreNoneOfTheScene) {
