@@ -59,6 +59,7 @@ StepMap step_of_rest(const Patch& patch, const IntegratorChoice& integrator, Pos
 Amplification::Amplification(const Patch& patch, const IntegratorChoice& integrator, Positions positions, double dt)
     : directions_(patch.directions) {
   StepMap map = step_of_rest(patch, integrator, positions, dt);
+  const std::vector<double> rest = map.state();
   // Large changes round least, small ones see least of what is not linear, and least often cross a switch.
   constexpr double good_enough = 1e-9;
   std::string stopped;
@@ -68,6 +69,7 @@ Amplification::Amplification(const Patch& patch, const IntegratorChoice& integra
     try {
       blocks = differentiate(patch, map, tried);
     } catch (const InadmissibleState& state) {  // where nodes are all but massless, a large change moves points too far
+      map.set_state(rest);
       stopped = state.what();
       continue;
     }
