@@ -22,6 +22,7 @@ struct ShearedSheet : SurfaceCase {
 
   explicit ShearedSheet(Parameters given = {}) : SurfaceCase(std::move(given)) {
     choice.law.one_way = true;
+    choose_weights();
     stretch = within("stretch", 1, "1", 0.5, 2, "of the sheet before it is sheared");
     shear = within("shear", 0.05, "1", 0, 0.5,
                    "stretches along x and y are those before times 1 + shear and 1 - shear");
@@ -186,18 +187,18 @@ const std::vector<double> meshes{6, 8, 10, 12, 16};
 
 std::vector<CaseGate> gates() {
   std::vector<CaseGate> all;
+  const Because swing = theory(
+      "a swing of a thousandth of half the side stretches lines by 3.1e-7 in the mean, 6e-6 of a strain of .05; "
+      "balanced "
+      "weights leave nothing of a uniform tension, in corners as elsewhere");
   for (const std::string study : {"default", "taut"}) {
     for (const std::string measure : {"start_along", "start_across", "start_mixed", "start_energy"}) {
       all.push_back(gate(study + "/" + measure, error_at(measure, 6), at_most(1e-11),
                          theory("closed form: rounding, of strains that are differences, and a hundred times the "
                                 "bound of the reference")));
     }
-    all.push_back(gate(study + "/along-6", error_at("along", 6), at_most(0.01),
-                       requirement("a hundredth of the tension; corners as wide as neighbours reach, where images are "
-                                   "missing, are a twentieth of the sheet")));
-    all.push_back(gate(study + "/along-order", fitted_order_of("along"), at_least(1.7),
-                       theory("corners of a few points are a share of h^2 of the sheet; 0.3 for their reach"))
-                      .in(Tier::full));
+    all.push_back(gate(study + "/along-6", error_at("along", 6), at_most(1e-5), swing));
+    all.push_back(gate(study + "/along-16", error_at("along", 16), at_most(1e-5), swing).in(Tier::full));
     all.push_back(gate(study + "/mixed-6", error_at("mixed", 6), at_most(1e-11), theory("by symmetry: rounding")));
     all.push_back(gate(study + "/period-6", period_error(6), at_most(0.03),
                        requirement("the smoothing by the maps lowers the frequency by .20 (k h)^2, as of a drum: .0275 "
@@ -206,9 +207,17 @@ std::vector<CaseGate> gates() {
                        theory("maps, neighbours and images are of second order; 0.1 for the coarsest mesh"))
                       .in(Tier::full));
   }
-  all.push_back(gate("default/across-6", error_at("across", 6), at_most(5e-4),
-                     requirement("what wrinkles stays without tension: a two-thousandth of the other")));
-  all.push_back(gate("taut/across-6", error_at("across", 6), at_most(0.01), requirement("as along")));
+  all.push_back(
+      gate("default/across-6", error_at("across", 6), at_most(1e-10),
+           theory("what wrinkles stays without tension, to rounding of what balanced weights had missed, 1e-13, "
+                  "a thousand times")));
+  all.push_back(gate("taut/across-6", error_at("across", 6), at_most(1e-5), swing));
+  all.push_back(
+      gate("fitted/along-6", error_at("along", 6), at_most(1e-5), swing)
+          .in(Tier::full)
+          .fails("in a corner the image behind both edges is missing, which would have to move as its partner "
+                 "does and not the other way: fitted weights leave forces of a uniform tension there",
+                 {5.6e-3, 7.5e-3}, "2026-11-27 7ca09df"));
   return all;
 }
 
@@ -225,7 +234,10 @@ Case sheared_sheet() {
                       study("taut", "so stretched that it is taut, though shorter along y than at rest",
                             "As a drum: order 2.", {6})
                           .with({{"stretch", 1.04}, {"shear", 0.045}})
-                          .in_full(meshes)},
+                          .in_full(meshes),
+                      study("fitted", "fitted weights of neighbours", "Corners give way.", {6})
+                          .with({{"weights", "fitted"}})
+                          .in(Tier::full)},
           .gates = gates(),
           .levels = meshes};
 }

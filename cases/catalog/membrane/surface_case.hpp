@@ -18,8 +18,8 @@ struct SurfaceCase : Parameters {
   Vec3 shift{0, 0, 0};  // of the grid, in cells
   explicit SurfaceCase(Parameters given, bool neo_hookean = false);
 
-  // Reads the key `weights`, of closed surfaces and of those whose points know their free edges. Not of those held by images behind
-  // a rim: their tension is uneven, and balanced weights made its errors three to eight times as large.
+  // Reads the key `weights`, of closed surfaces, of those whose points know their free edges, and of flat sheets of even tension held by
+  // images behind their edges. Where such a tension is uneven, balanced weights made its errors three to eight times as large.
   void choose_weights();
 
   double thickness() const { return choice.law.thickness; }
