@@ -44,11 +44,11 @@ std::vector<StudyPlan> studies(bool narrow) {
   const std::string one = "One mesh, York's.";
   return {study("default", "default, physical pressure", touch, quick_meshes(narrow))
               .in_full({18, 25, 36, 50})
-              .pictured(25, 25),
+              .pictured(25, quick_meshes(narrow).back()),
           study("york-pressure", "default, York's pressure", touch, {quick_meshes(narrow).back()})
               .with({{"pressure", "york"}})
               .in_full({18, 25, 36, 50})
-              .pictured(25, 25),
+              .pictured(25, quick_meshes(narrow).back()),
           study("tether-kept", "tether kept, physical pressure", one, {25}).with({{"tether", "kept"}}).in(Tier::full),
           study("york1997", "York's run, his pressure", one, {25})
               .of_york()

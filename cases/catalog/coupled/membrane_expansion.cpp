@@ -240,12 +240,13 @@ std::vector<StudyPlan> studies() {
             {4})
           .with({five_seconds})
           .in_full({4, 6, 8, 12, 16, 24, 32})
-          .pictured(every_tenth(5), 16),
+          .pictured(every_tenth(5), 4),
       study("viscous", "default, fifteen times York's viscosity, to 1.5 s",
             "The end does not depend on what brings it to rest: the bounds of default on its mesh of h = 0.1, "
             "a third as long.",
             {16})
-          .with({{"viscosity", 1.5}, {"t_end", 1.5}}),
+          .with({{"viscosity", 1.5}, {"t_end", 1.5}})
+          .pictured(every_tenth(1.5)),
       study("unfolding", "the first half second of default", "To look at: two levels, no order.", {8})
           .with({{"t_end", 0.5}})
           .in_full({8, 16})
@@ -253,7 +254,7 @@ std::vector<StudyPlan> studies() {
       study("york1997", "york1997, 64 points a cell: tables 5 and 6", "York's own four meshes.", {4})
           .of_york()
           .in_full({4, 8, 16, 32})
-          .pictured(every_tenth(8.5), 8),
+          .pictured(every_tenth(8.5), 4),
       york_to_look_at(16),
       york_to_look_at(32),
       first_second("york-connectivity", "York's run of Fig. 87, tangents by connectivity", "connectivity"),
