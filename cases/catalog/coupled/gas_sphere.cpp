@@ -73,19 +73,8 @@ class GasSphereRun final : public Problem {
 
   double end_time() const override { return at_.periods * 2 * std::numbers::pi / exact_.omega(at_.mode).value; }
 
-  Scene scene() const override {
-    Scene scene;
-    const double radius = exact_.radius().value, stretch = at_.problem.sheet.stretch, gamma = at_.problem.gamma;
-    scene.grid = surface_grid(at_, settings_, radius, radius);
-    const int count = surface_points_on(4 * std::numbers::pi * at_.size * at_.size, settings_, scene.grid.h);
-    scene.bodies.push_back(fill_ball("gas", chosen_gas(settings_, gamma), scene.grid, at_.gas_ppc, radius,
-                                     at_.problem.gas_density,
-                                     exact_.pressure().value / ((gamma - 1) * at_.problem.gas_density)));
-    scene.bodies.push_back(surface_body("sphere", at_.choice, sphere_points(count, at_.size, stretch), scene.grid.h));
-    apply_choices(settings_, scene);
-    start_mode(scene, mode_, velocity_);
-    return scene;
-  }
+  Scene scene() const override { return scene_of(at_.choice); }
+  Scene unprepared() const override { return scene_of(with_fitted_weights(at_.choice)); }
 
   void observe(const Simulation& simulation) override {
     const Scene& now = simulation.scene();
@@ -113,6 +102,20 @@ class GasSphereRun final : public Problem {
   }
 
  private:
+  Scene scene_of(const SurfaceChoice& choice) const {
+    Scene scene;
+    const double radius = exact_.radius().value, stretch = at_.problem.sheet.stretch, gamma = at_.problem.gamma;
+    scene.grid = surface_grid(at_, settings_, radius, radius);
+    const int count = surface_points_on(4 * std::numbers::pi * at_.size * at_.size, settings_, scene.grid.h);
+    scene.bodies.push_back(fill_ball("gas", chosen_gas(settings_, gamma), scene.grid, at_.gas_ppc, radius,
+                                     at_.problem.gas_density,
+                                     exact_.pressure().value / ((gamma - 1) * at_.problem.gas_density)));
+    scene.bodies.push_back(surface_body("sphere", choice, sphere_points(count, at_.size, stretch), scene.grid.h));
+    apply_choices(settings_, scene);
+    start_mode(scene, mode_, velocity_);
+    return scene;
+  }
+
   // How far the gas's pressure times the radius is from twice the mean resultant: its energy fills the sphere.
   double laplace(const Scene& scene) const {
     const Columns &gas = scene.bodies[0].points, &sheet = scene.bodies[1].points;

@@ -54,22 +54,8 @@ class BalloonRun final : public Problem {
 
   double end_time() const override { return at_.seconds(at_.end); }
 
-  Scene scene() const override {
-    Scene scene;
-    const double radius = at_.size * at_.stretch;
-    scene.grid = surface_grid(at_, settings_, radius, radius);
-    const double h = scene.grid.h;
-    const int count = surface_points_on(4 * std::numbers::pi * at_.size * at_.size, settings_, h);
-    std::vector<SurfacePoint> points = sphere_points(count, at_.size, at_.stretch + at_.excess);
-    if (at_.jitter > 0) move_at_random(points, at_.jitter);
-    if (at_.jitter > 0 && at_.areas == "swept") sweep_areas(points);
-    Body balloon = surface_body("balloon", at_.choice, std::move(points), h);
-    press(
-        balloon, at_, [this](double, const Columns& of) { return pressure(of); }, at_.drag * at_.speed() / at_.size);
-    scene.bodies.push_back(std::move(balloon));
-    apply_choices(settings_, scene);
-    return scene;
-  }
+  Scene scene() const override { return scene_of(at_.choice); }
+  Scene unprepared() const override { return scene_of(with_fitted_weights(at_.choice)); }
 
   void observe(const Simulation& simulation) override {
     const Columns& points = simulation.scene().bodies.front().points;
@@ -110,6 +96,23 @@ class BalloonRun final : public Problem {
   }
 
  private:
+  Scene scene_of(const SurfaceChoice& choice) const {
+    Scene scene;
+    const double radius = at_.size * at_.stretch;
+    scene.grid = surface_grid(at_, settings_, radius, radius);
+    const double h = scene.grid.h;
+    const int count = surface_points_on(4 * std::numbers::pi * at_.size * at_.size, settings_, h);
+    std::vector<SurfacePoint> points = sphere_points(count, at_.size, at_.stretch + at_.excess);
+    if (at_.jitter > 0) move_at_random(points, at_.jitter);
+    if (at_.jitter > 0 && at_.areas == "swept") sweep_areas(points);
+    Body balloon = surface_body("balloon", choice, std::move(points), h);
+    press(
+        balloon, at_, [this](double, const Columns& of) { return pressure(of); }, at_.drag * at_.speed() / at_.size);
+    scene.bodies.push_back(std::move(balloon));
+    apply_choices(settings_, scene);
+    return scene;
+  }
+
   // Of a gas of one temperature that holds the balloon at the start: steeper than the balloon's own at any stretch, so that
   // also beyond its highest pressure the balloon is at rest in one place only.
   double pressure(const Columns& points) const {

@@ -65,22 +65,8 @@ class BreathingSphereRun final : public Problem {
 
   double end_time() const override { return (at_.periods + 0.3) * period_.value; }  // the last zero is past it
 
-  Scene scene() const override {
-    Scene scene;
-    const double stretch = at_.stretch + at_.amplitude, radius = at_.size * stretch;
-    scene.grid = surface_grid(at_, settings_, radius, radius);
-    const double h = scene.grid.h;
-    const int count = surface_points_on(4 * std::numbers::pi * at_.size * at_.size, settings_, h);
-    const auto given = [&](const Columns& points) {
-      return at_.meshed ? neighbours_in_mesh(sphere_mesh(points), points.points(), at_.rings)
-                        : std::vector<std::vector<int>>();
-    };
-    Body sphere = surface_body("sphere", at_.choice, sphere_points(count, at_.size, stretch), h, {}, given);
-    press(sphere, at_, [p = exact_.pressure(at_.stretch).value](double, const Columns&) { return p; });
-    scene.bodies.push_back(std::move(sphere));
-    apply_choices(settings_, scene);
-    return scene;
-  }
+  Scene scene() const override { return scene_of(at_.choice); }
+  Scene unprepared() const override { return scene_of(with_fitted_weights(at_.choice)); }
 
   void observe(const Simulation& simulation) override {
     times_.push_back(simulation.time());
@@ -117,6 +103,23 @@ class BreathingSphereRun final : public Problem {
   }
 
  private:
+  Scene scene_of(const SurfaceChoice& choice) const {
+    Scene scene;
+    const double stretch = at_.stretch + at_.amplitude, radius = at_.size * stretch;
+    scene.grid = surface_grid(at_, settings_, radius, radius);
+    const double h = scene.grid.h;
+    const int count = surface_points_on(4 * std::numbers::pi * at_.size * at_.size, settings_, h);
+    const auto given = [&](const Columns& points) {
+      return at_.meshed ? neighbours_in_mesh(sphere_mesh(points), points.points(), at_.rings)
+                        : std::vector<std::vector<int>>();
+    };
+    Body sphere = surface_body("sphere", choice, sphere_points(count, at_.size, stretch), h, {}, given);
+    press(sphere, at_, [p = exact_.pressure(at_.stretch).value](double, const Columns&) { return p; });
+    scene.bodies.push_back(std::move(sphere));
+    apply_choices(settings_, scene);
+    return scene;
+  }
+
   // Mean over the whole periods between downward zeros.
   double measured_period() const {
     std::vector<double> zeros;

@@ -45,17 +45,8 @@ class PulledStripRun final : public Problem {
 
   double end_time() const override { return at_.end * at_.size / at_.speed(); }
 
-  Scene scene() const override {
-    Scene scene;
-    scene.grid = grid();
-    Body strip = surface_body("strip", at_.choice, points(), scene.grid.h,
-                              [this](const Columns& columns) { return images(columns); });
-    const auto none = [](double, const Columns&) { return 0.0; };
-    press(strip, at_, none, at_.drag * at_.speed() / at_.size);
-    scene.bodies.push_back(std::move(strip));
-    apply_choices(settings_, scene);
-    return scene;
-  }
+  Scene scene() const override { return scene_of(at_.choice); }
+  Scene unprepared() const override { return scene_of(with_fitted_weights(at_.choice)); }
 
   void observe(const Simulation& simulation) override {
     const Columns& points = simulation.scene().bodies.front().points;
@@ -82,6 +73,18 @@ class PulledStripRun final : public Problem {
   }
 
  private:
+  Scene scene_of(const SurfaceChoice& choice) const {
+    Scene scene;
+    scene.grid = grid();
+    Body strip = surface_body("strip", choice, points(), scene.grid.h,
+                              [this](const Columns& columns) { return images(columns); });
+    const auto none = [](double, const Columns&) { return 0.0; };
+    press(strip, at_, none, at_.drag * at_.speed() / at_.size);
+    scene.bodies.push_back(std::move(strip));
+    apply_choices(settings_, scene);
+    return scene;
+  }
+
   GridSpec grid() const { return surface_grid(at_, settings_, at_.size * at_.along(), 0); }
   int along_count() const {
     return whole(std::round(2 * settings_.number("cells") * std::sqrt(settings_.number("ppc"))));

@@ -38,23 +38,8 @@ class SpinningBandRun final : public Problem {
 
   double end_time() const override { return at_.turns * 2 * std::numbers::pi / at_.omega(); }
 
-  Scene scene() const override {
-    Scene scene;
-    const double far = std::hypot(at_.size * at_.around(), 0.5 * at_.height);
-    scene.grid = surface_grid(at_, settings_, far, far);
-    const double h = scene.grid.h, spacing = h / std::sqrt(settings_.number("ppc"));
-    std::vector<SurfacePoint> points = band_points(at_.size, at_.height, spacing, at_.around(), at_.along());
-    const double near = 0.5 * at_.height * at_.along() - at_.choice.reach * spacing * at_.along();
-    for (SurfacePoint& point : points) {
-      if (std::abs(point.place[2]) > near) point.outward = {0, 0, std::copysign(1.0, point.place[2])};
-    }
-    tilt(points, at_.tilted);
-    Body band = surface_body("band", at_.choice, std::move(points), h);
-    turn(band.points, at_.spin(), settings_.text("transfer") == "apic");
-    scene.bodies.push_back(std::move(band));
-    apply_choices(settings_, scene);
-    return scene;
-  }
+  Scene scene() const override { return scene_of(at_.choice); }
+  Scene unprepared() const override { return scene_of(with_fitted_weights(at_.choice)); }
 
   void observe(const Simulation& simulation) override {
     energy_.observe(simulation);
@@ -86,6 +71,24 @@ class SpinningBandRun final : public Problem {
   }
 
  private:
+  Scene scene_of(const SurfaceChoice& choice) const {
+    Scene scene;
+    const double far = std::hypot(at_.size * at_.around(), 0.5 * at_.height);
+    scene.grid = surface_grid(at_, settings_, far, far);
+    const double h = scene.grid.h, spacing = h / std::sqrt(settings_.number("ppc"));
+    std::vector<SurfacePoint> points = band_points(at_.size, at_.height, spacing, at_.around(), at_.along());
+    const double near = 0.5 * at_.height * at_.along() - at_.choice.reach * spacing * at_.along();
+    for (SurfacePoint& point : points) {
+      if (std::abs(point.place[2]) > near) point.outward = {0, 0, std::copysign(1.0, point.place[2])};
+    }
+    tilt(points, at_.tilted);
+    Body band = surface_body("band", choice, std::move(points), h);
+    turn(band.points, at_.spin(), settings_.text("transfer") == "apic");
+    scene.bodies.push_back(std::move(band));
+    apply_choices(settings_, scene);
+    return scene;
+  }
+
   // From the axis through the origin, over the radius of the ring that turns.
   double mean_distance(const Columns& points) const {
     const double c = std::cos(at_.tilted), s = std::sin(at_.tilted), ring = at_.size * at_.around();

@@ -68,6 +68,11 @@ double SurfaceCase::speed() const {
 
 double SurfaceCase::pressure(double load) const { return load * choice.law.youngs_modulus * thickness() / size; }
 
+SurfaceChoice with_fitted_weights(SurfaceChoice choice) {
+  choice.balanced = false;
+  return choice;
+}
+
 int surface_points_on(double area, const Settings& settings, double h) {
   return whole(std::round(settings.number("ppc") * area / (h * h)));
 }

@@ -27,6 +27,9 @@ struct SurfaceCase : Parameters {
   double pressure(double load) const;  // of q = p a / (E t), Pa
 };
 
+// For what is foreseen of a scene: without the factorisation that balanced weights take.
+SurfaceChoice with_fitted_weights(SurfaceChoice choice);
+
 // As many points as `ppc` says for each square of the cell size, on an area at rest, m^2.
 int surface_points_on(double area, const Settings& settings, double h);
 
