@@ -101,6 +101,17 @@ TEST(VerifyCase, RecordedValuesAreGatesOfTheirOwn) {
                                           "york/momentum", "york/ledger"}));
 }
 
+// Which integrators are registered is not for the case to say.
+TEST(VerifyCase, GatesOnIntegratorsNeedNoRecordedValue) {
+  Toy toy = described();
+  toy.any_integrator = true;
+  const Regressions recorded = recorded_of_described();
+  const Verification v = verified(toy_case(toy), Tier::quick, with(recorded));
+  EXPECT_EQ(v.unrecorded.size(), 6u);
+  for (const auto& [case_name, study, id, tier] : v.unrecorded)
+    EXPECT_EQ(study.find("integrator/"), std::string::npos) << id;
+}
+
 TEST(VerifyCase, OtherChoicesAndTiersAreNotComparedWithRecordedValues) {
   const Regressions recorded = recorded_of_described();
   EXPECT_EQ(verified(toy_case(described()), Tier::full, with(recorded)).regressions, 0);
