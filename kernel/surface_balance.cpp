@@ -42,7 +42,13 @@ double bend(const SurfaceLink* links, int count, const Columns& points) {
   Eigen::VectorXd height(count);
   for (int n = 0; n < count; ++n) {
     for (int k = 0; k < 5; ++k) terms(n, k) = links[n].terms[static_cast<std::size_t>(k)];
-    height[n] = normal.dot(place_of(points, links[n].on) - place_of(points, p));
+    const Vec away = place_of(points, links[n].on) - place_of(points, p);
+    height[n] = normal.dot(away);
+    if (links[n].image &&
+        std::abs(height[n]) > 1e-9 * away.norm()) {  // pulls next to a rim of odd images are not those of the curvature
+      throw std::invalid_argument("point " + std::to_string(p) +
+                                  " of a curved surface has images: balanced weights are of flat sheets with images");
+    }
   }
   const Eigen::VectorXd fit = terms.householderQr().solve(height);
   return fit[2] + fit[4];

@@ -29,7 +29,8 @@ struct SurfaceLink {
 //   points   with tangents and volumes
 //   reach    m at rest, > 0
 //   outward  for each point: of length 1 in the surface, out of the free edge that is no farther than the reach; none: 0
-// Throws std::invalid_argument where `outward` has not one vector for each point, or no such weights are found.
+// Throws std::invalid_argument where `outward` has not one vector for each point, a surface that is not flat has images, or no such
+// weights are found.
 void balance_weights(std::vector<SurfaceLink>& links, const Columns& points, double reach,
                      const std::vector<std::array<double, 3>>& outward);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "kernel/materials/surface_law.hpp"
@@ -140,6 +141,23 @@ TEST(SurfaceBalance, EachPointSaysWhereItsEdgeIs) {
   Sheet of = sheet();
   of.outward.pop_back();
   EXPECT_THROW(surface_neighbours(of.points, reach, {}, {}, of.outward), std::invalid_argument);
+}
+
+// Next to a rim of odd images a curved surface does not pull as its curvature asks.
+TEST(SurfaceBalance, ImagesAreOfFlatSheets) {
+  Sheet of = sheet();
+  std::vector<OddImage> images;
+  for (int p = 0; p < along * across; ++p) {
+    const double x = of.points(column::position, 0)[p], y = of.points(column::position, 1)[p];
+    of.points(column::position, 2)[p] = 0.3 * x * x;
+    if (y < 0.25) images.push_back({p, {x, -0.1 - y, 0.3 * x * x}});
+  }
+  try {
+    surface_neighbours(of.points, reach, images, {}, of.outward);
+    FAIL() << "weights of a curved surface with images";
+  } catch (const std::invalid_argument& refusal) {
+    EXPECT_NE(std::string(refusal.what()).find("curved surface has images"), std::string::npos) << refusal.what();
+  }
 }
 
 // Without free edges a sheet that ends cannot hold a tension: of all pulls the moment is that of the tension.

@@ -44,8 +44,8 @@ class Problem {
  public:
   virtual ~Problem() = default;
   virtual Scene scene() const = 0;
-  // What is foreseen without a step, where scene() computes its start by a run: the same grid, kinds of bodies and numbers of
-  // points in a state whose steps are about as long; and the time in s, >= 0, that scene() steps through.
+  // What is foreseen where scene() computes its start by a run or solves for it: without either, the same grid, kinds of bodies and
+  // numbers of points in a state whose steps are about as long; and the time in s, >= 0, that scene() steps through.
   virtual Scene unprepared() const { return scene(); }
   virtual double preparation() const { return 0; }
   virtual double end_time() const = 0;
