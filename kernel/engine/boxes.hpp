@@ -1,6 +1,9 @@
 // Boxes of points, of shapes that are averages over them, and other columns of shapes that follow the points.
 #pragma once
 
+#include <algorithm>
+#include <utility>
+
 #include "kernel/engine/discretisation.hpp"
 #include "kernel/ledger.hpp"
 #include "kernel/pack.hpp"
@@ -22,6 +25,18 @@ void add_boxes(Body& body, bool deforming) {
       if (deform) body.points(column::half_size_at_start, d)[p] = half;
     }
   }
+}
+
+// Of shapes whose weights are those of the start.
+inline void add_places_at_start(Columns& points) {
+  if (points.has(column::position_at_start)) return;
+  const auto keep = [&](const ColumnId& now, const ColumnId& at_start) {
+    points.add(at_start, points.components(now));
+    const auto values = std::as_const(points).values(now);
+    std::copy(values.begin(), values.end(), points.values(at_start).begin());
+  };
+  keep(column::position, column::position_at_start);
+  if (points.has(column::deformation)) keep(column::deformation, column::deformation_at_start);
 }
 
 // A box follows its point's deformation by its second moments: l_d^2 = sum_e F_de^2 l0_e^2, whatever the rotation. With

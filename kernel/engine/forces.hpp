@@ -87,6 +87,7 @@ class Forces {
     const StressMeasure measure = body.material->measure();
     const bool full = measure == StressMeasure::full;
     if (rotations == 0 || (!full && measure != StressMeasure::point_force)) return;
+    if (body.points.has(column::inverse_deformation)) return add_turn_at_start(body, at, turn);
     const Places<dim> places = at.places(body.points, false);
     const double* volume = body.points(column::volume);
     for (int k = 0; k < rotations; ++k) {
@@ -101,6 +102,30 @@ class Forces {
                        count);
         });
         return sum(sums);
+      });
+    }
+  }
+
+  // The same with nodes where they stand and weights of the points' places at the start: -sum_p V_p (T_ba - T_ab), T = sigma F^-T.
+  // [Lagrangian 3]
+  void add_turn_at_start(const Body& body, const Weights<dim>& at, Spin<dim>& turn) const {
+    const double* volume = body.points(column::volume);
+    for (int k = 0; k < rotations; ++k) {
+      const int a = rotation_axis<dim>(k, 0), b = rotation_axis<dim>(k, 1);
+      const double *stress[2][dim], *inverse[2][dim];
+      for (int c = 0; c < dim; ++c) {
+        stress[0][c] = body.points(column::stress, a * dim + c);
+        stress[1][c] = body.points(column::stress, b * dim + c);
+        inverse[0][c] = body.points(column::inverse_deformation, a * dim + c);
+        inverse[1][c] = body.points(column::inverse_deformation, b * dim + c);
+      }
+      turn[k] -= space_.template sum_over_chunks<double>(at, [&](const Chunk& chunk) {
+        double sum = 0;
+        for (int p = chunk.first; p < chunk.last; ++p) {
+          for (int c = 0; c < dim; ++c)
+            sum += volume[p] * (stress[1][c][p] * inverse[0][c][p] - stress[0][c][p] * inverse[1][c][p]);
+        }
+        return sum;
       });
     }
   }

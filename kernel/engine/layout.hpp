@@ -96,6 +96,27 @@ void refuse_other_geometry(const Body& body) {
   }
 }
 
+// What shapes cannot do whose weights are those of the points' places at the start.
+template <class Geometry>
+void refuse_weights_of_start(const Scene& scene) {
+  const auto refuse = [&](const std::string& why) {
+    throw std::invalid_argument("the shape " + scene.shape + " " + why);
+  };
+  if (Geometry::axisymmetric) refuse("works on a line, in the plane and in space, not about an axis");
+  if (scene.contact != "none" && scene.bodies.size() > 1) {
+    refuse("cannot work with the contact law " + scene.contact +
+           ": nodes are shared by points that stood beside each other "
+           "at the start");
+  }
+  if (!scene.pistons.empty()) refuse("cannot work with pistons, which find their nodes where they stand now");
+  for (const Body& body : scene.bodies) {
+    const Material& material = *body.material;
+    if (material.takes_heat() || material.has_density() || body.chain || material.surface()) {
+      refuse("is one of solids, which body " + body.name + " is not");
+    }
+  }
+}
+
 // What the parts of a scene want of each other. Throws std::invalid_argument.
 template <class Geometry>
 void refuse_what_cannot_work(const Scene& scene, const Discretisation<Geometry>& space) {
@@ -108,6 +129,7 @@ void refuse_what_cannot_work(const Scene& scene, const Discretisation<Geometry>&
     throw std::invalid_argument("chains cannot be relaxed with the shape " + scene.shape + " and the transfer " +
                                 scene.transfer + ": the affine inertia of points would change as they are moved");
   }
+  if (space.shape.at_start) refuse_weights_of_start<Geometry>(scene);
   for (const Body& body : scene.bodies) {
     refuse_other_geometry<Geometry>(body);
     if (body.enclosure && Geometry::dim != 2) {

@@ -48,6 +48,7 @@ class Mechanics final : public Engine {
       Body& body = scene.bodies[b];
       if (space_.transfer.affine) body.points.add(column::affine, dim * dim);
       if (space_.shape.boxes) add_boxes<Geometry>(body, shape_named(scene.shape).boxes_deform);
+      if (space_.shape.at_start) add_places_at_start(body.points);
       if (space_.filters_at_rate(scene) && body.material->takes_heat()) {
         if (momentum_.contact_changes_start()) {  // what the points keep would not be what the map put on the nodes
           throw std::invalid_argument("a filter at a rate cannot work with the contact law " + scene.contact +

@@ -28,10 +28,11 @@ const double* component(const std::vector<Vec>& nodes, int d) {
 
 // What a step asks of the shape by value.
 struct ShapeTraits {
-  int support;         // nodes per direction that a point reaches
-  double blur;         // theta of S(k) = 1 - theta k^2 h^2 + ... [Sharpening 1]
-  bool fixed_inertia;  // D_p is the same wherever a point stands
-  bool boxes;          // points have half sizes
+  int support;            // nodes per direction that a point reaches
+  double blur;            // theta of S(k) = 1 - theta k^2 h^2 + ... [Sharpening 1]
+  bool fixed_inertia;     // D_p is the same wherever a point stands
+  bool boxes;             // points have half sizes
+  bool at_start = false;  // weights are those of the places where the points stood at the start
 };
 
 // What a gas puts on the nodes beside its forces.

@@ -8,6 +8,7 @@
 #include "kernel/bins.hpp"
 #include "kernel/pack.hpp"
 #include "kernel/points/columns.hpp"
+#include "kernel/shapes/reference_columns.hpp"
 
 namespace plumbline {
 
@@ -48,7 +49,8 @@ struct Weights {
   Places<dim> places(const Columns& points, bool boxes) const {
     Places<dim> places;
     for (int d = 0; d < dim; ++d) {
-      places.x[d] = kept_ ? copies_[static_cast<std::size_t>(d)].data() : points(column::position, d);
+      const bool copied = kept_ && !points.has(column::position_at_start);
+      places.x[d] = copied ? copies_[static_cast<std::size_t>(d)].data() : place_of_weights(points, d);
       if (boxes) places.half_size[d] = points(column::half_size, d);
     }
     return places;

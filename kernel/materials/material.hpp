@@ -112,6 +112,9 @@ class Material {
   virtual double heat(const Columns&, PointRange) const { return 0; }
 
   virtual StepBounds step_bounds(const Columns& points, PointRange range, int dim) const = 0;
+  // Whether those of points whose weights are of the start (column position_at_start) are of waves among the places of the
+  // start; otherwise they are of waves in space, and such shapes allow for how much F shortens at most. [Lagrangian 4]
+  virtual bool bounds_at_start() const { return false; }
 
   // First inadmissible point: its index and what is wrong; -1 if all are admissible. field: a column's name.
   struct Fault {

@@ -9,6 +9,7 @@
 #include "kernel/materials/shared_dilatation.hpp"
 #include "kernel/points/pack_tensors.hpp"
 #include "kernel/register_part.hpp"
+#include "kernel/shapes/reference_columns.hpp"
 
 namespace plumbline {
 namespace {
@@ -47,18 +48,35 @@ struct Loops {
     }
     return p;
   }
-  // Along a principal stretch s waves run at sqrt((mu (s^2 + 1) + lambda (1 - ln J)) / rho_0) in space; no s^2 is larger
-  // than the largest row sum of F F^T. This is rho_0 times the square of the speed.
-  static Pack stiffness(const LameConstants& c, const Tensor& f) {
-    const Tensor left = f * f.transposed();
+  // The largest row sum of A A^T: no square of a principal stretch is larger.
+  static Pack largest_square(const Tensor& a) {
+    const Tensor left = a * a.transposed();
     Pack square = rings ? left.at[size - 1] : Pack(0.0);
     for (int row = 0; row < dim * dim; row += dim) {
       Pack sum = abs(left.at[row]);
       for (int k = 1; k < dim; ++k) sum += abs(left.at[row + k]);
       square = larger(square, sum);
     }
+    return square;
+  }
+  static Tensor inverse(const Tensor& f) {
+    Tensor back = f.cofactors().transposed();
+    const Pack share = 1.0 / f.determinant();
+    for (int k = 0; k < size; ++k) back.at[k] *= share;
+    return back;
+  }
+  // rho_0 times the square of the largest speed of waves. In space they run along n at
+  // sqrt((mu |F^T n|^2 + mu + lambda (1 - ln J)) / rho_0) ...
+  static Pack stiffness(const LameConstants& c, const Tensor& f) {
+    return c.mu * (largest_square(f) + 1.0) + bulk_stiffness(c, f);
+  }
+  // ... and among the places of a start with F_0, where n is (F F_0^-1)^-T N, so much slower or faster. [Lagrangian 4]
+  static Pack stiffness_at_start(const LameConstants& c, const Tensor& f, const Tensor& start) {
+    return c.mu * largest_square(start) + (c.mu + bulk_stiffness(c, f)) * largest_square(start * inverse(f));
+  }
+  static Pack bulk_stiffness(const LameConstants& c, const Tensor& f) {
     const Pack log_j = logarithm(f.determinant());
-    return c.mu * (square + 1.0) + c.lambda * choose(log_j < 1.0, 1.0 - log_j, Pack(0.0));
+    return c.lambda * choose(log_j < 1.0, 1.0 - log_j, Pack(0.0));
   }
 
   // What a step changes ln J by beyond dt div v: a step along straight lines widens what turns. [Dilatation 4]
@@ -148,6 +166,12 @@ struct Loops {
     const LameConstants c = m.constants();
     const Reading deformation(points, column::deformation);
     Largest largest;
+    if (points.has(column::position_at_start)) {
+      const Reading start(points, column::deformation_at_start);
+      for_packs(range.first, range.last,
+                [&](int p, int count) { largest.include(stiffness_at_start(c, deformation[p], start[p]), count); });
+      return std::sqrt(largest.value() / m.density);
+    }
     for_packs(
         range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
           largest.include(stiffness(c, deformation[p]), count);

@@ -18,6 +18,7 @@ struct NeoHookean final : Material {
 
   std::string name() const override { return "neo_hookean"; }
   StressMeasure measure() const override { return StressMeasure::full; }
+  bool bounds_at_start() const override { return true; }
   // Sets F = 1.
   void add_columns(Columns& points, int dim) const override;
   Store store() const override { return Store::elastic; }

@@ -26,6 +26,7 @@ struct ShapeEntry : Choice {
   bool boxes = false;  // points have half sizes
   bool boxes_deform = false;      // which follow the deformation
   bool domain_gradients = false;  // gradients are means over the points' domains, not derivatives of the values
+  bool at_start = false;          // weights are those of the places where the points stood at the start: of solids
   int lanes = 1;                  // how many values its loops read side by side
 };
 

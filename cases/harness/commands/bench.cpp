@@ -25,7 +25,7 @@ std::vector<BenchFlow> matrix(long points) {
   std::vector<BenchFlow> flows;
   for (const auto& [dimension, axisymmetric] : {std::pair{1, false}, {2, false}, {2, true}, {3, false}}) {
     for (const ShapeEntry& shape : shapes()) {
-      if (shape.boxes) continue;  // boxes are for solids
+      if (shape.boxes || shape.at_start) continue;  // for solids
       for (const char* transfer : {"apic", "flip", "pic"}) {
         BenchFlow flow{dimension, axisymmetric, shape.name, transfer, "leapfrog", points};
         if (!flow.is_possible()) flow.integrator = "musl";

@@ -63,7 +63,7 @@ template <class G>
 auto ListLoops<G>::reach(const Columns& points, PointRange range) const -> Reach {
   Places<dim> here;
   for (int d = 0; d < dim; ++d) {
-    here.x[d] = points(column::position, d);
+    here.x[d] = place_of_weights(points, d);
     if (traits_.boxes) here.half_size[d] = points(column::half_size, d);
   }
   return reach(points, here, range);

@@ -1,12 +1,30 @@
 // What the ledger, the step limit and the checks read off the points, along lists.
 #pragma once
 
+#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "kernel/engine/loops/list_loops.hpp"
 #include "kernel/engine/loops/survey.hpp"
+#include "kernel/points/components.hpp"
 
 namespace plumbline {
+
+// 1 / s^2 at most, of the principal stretches s of the points: waves are 1 / s as fast among the places of the start as in space.
+template <int dim>
+double largest_shortening(const Columns& points, PointRange range) {
+  if (!points.has(column::deformation)) return 1;
+  using Matrix = Eigen::Matrix<double, dim, dim>;
+  const Components<Matrix, const double> now(points, column::deformation),
+      at_start(points, column::deformation_at_start);
+  double largest = 0;
+  for (int p = range.first; p < range.last; ++p) {
+    const Matrix inverse = at_start[p] * now[p].inverse();
+    largest = std::max(largest, (inverse * inverse.transpose()).cwiseAbs().rowwise().sum().maxCoeff());
+  }
+  return largest;
+}
 
 template <class G>
 Survey ListLoops<G>::survey(const Body& body, PointRange range) const {
@@ -44,6 +62,8 @@ Survey ListLoops<G>::survey(const Body& body, PointRange range) const {
   }
   totals.angular_momentum = turn;
   survey_material(body, range, dim, inside, result);
+  if (points.has(column::position_at_start) && !body.material->bounds_at_start())
+    result.bounds.fastest *= std::sqrt(largest_shortening<dim>(points, range));  // [Lagrangian 4]
   return result;
 }
 

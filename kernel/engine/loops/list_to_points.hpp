@@ -218,9 +218,15 @@ MotionSums ListLoops<G>::gather_motion(Body& body, const At& at, const Chunk& ch
   Columns& points = body.points;
   const PointRange range{chunk.first, chunk.last};
   const Reach reached = reach(points, at.places(points, traits_.boxes), range);
+  const bool at_start = points.has(column::position_at_start);
   std::vector<Taken> all;
   MotionSums sums;
   for (int p = range.first; p < range.last; ++p) {
+    Vec before, away = Vec::Zero();  // of the place that its weights belong to
+    for (int d = 0; d < dim; ++d) {
+      before[d] = points(column::velocity, d)[p];
+      if (at_start) away[d] = points(column::position, d)[p] - points(column::position_at_start, d)[p];
+    }
     if (motion.straining) store_strain_rates(body, reached, p, *motion.straining);
     if (motion.exchange) exchange_heat(body, reached, p, field);
     const Taken taken = take(body, reached, p, field);
@@ -238,6 +244,7 @@ MotionSums ListLoops<G>::gather_motion(Body& body, const At& at, const Chunk& ch
     }
     const double m = points(column::mass)[p];
     add_turn(m, taken.moment, sums.torque);
+    if (at_start) add_turn(m, (before - taken.velocity) * away.transpose(), sums.torque);  // [Lagrangian 3]
     if (!motion.drift) add_turn(m * motion.dt, taken.velocity * carrying.transpose(), sums.moved);
     add_turn(m, taken.velocity * shift.transpose(), sums.moved);
     all.push_back(taken);

@@ -39,7 +39,7 @@ TEST(Density, AUniformGasIsUniformUpToTheWalls) {
   for (int dim : {1, 2, 3}) {
     for (Wall kind : {Wall::symmetry, Wall::no_slip}) {
       for (DensityMethod method : by_mass) {
-        for (const Choice& shape : shapes()) {
+        for (const Choice& shape : scenes::shapes_in_space()) {
           for (int per_cell : {1, 2, 3}) {
             const auto field = [](auto&) { return scenes::GasState{1.7, 1, {0, 0}}; };
             for (double rho : densities_of(gas_scene(walled(dim, kind), per_cell, shape.name, field), method)) {
@@ -74,7 +74,7 @@ TEST(Density, ARampAwayFromTheEdges) {
     const GridSpec grid = scenes::box(scenes::space_of(dim), {8, 8, 8}, 0.25);
     const auto ramp = [](const scenes::Place& x) { return 1 + x[0] + x[1] / 2 - x[2] / 4; };
     const auto places = scenes::lattice(grid, 2);
-    for (const Choice& shape : shapes()) {
+    for (const Choice& shape : scenes::shapes_in_space()) {
       for (DensityMethod method : by_mass) {
         const auto rho = densities_of(gas_scene(grid, 2, shape.name,
                                                 [&](const scenes::Place& x) {

@@ -48,7 +48,7 @@ void expect_adjoint(Scene scene) {
 }
 
 TEST_P(Adjoint, ForcesDoWhatStressesTake) {
-  for (const Choice& shape : shapes()) {
+  for (const Choice& shape : scenes::shapes_in_space()) {
     for (const IdealGas& gas : {scenes::rough_law(), scenes::inviscid_law()}) {
       for (const double sharpening : {0.0, 1.0}) {
         SCOPED_TRACE(testing::Message() << shape.name << ", sharpening " << sharpening);

@@ -78,7 +78,7 @@ TEST_P(Patch, AffineFieldsAreExactEverywhere) {
   const int dim = scenes::dim_of(space);
   const Vector v0 = in_space(Vector(0.3, -0.2, 0.5), dim);
   for (const IdealGas& gas : {scenes::rough_law(), scenes::inviscid_law()}) {
-    for (const Choice& shape : shapes()) {
+    for (const Choice& shape : scenes::shapes_in_space()) {
       for (const Matrix& l : gradients(dim)) {
         SCOPED_TRACE(shape.name);
         Scene scene = scenes::rough_gas_in_space(space, shape.name, "apic", scenes::no_gravity, gas);
@@ -254,7 +254,7 @@ TEST_P(Patch, UniformStressPushesNoInnerNode) {
   l << 0.05, -0.03, 0.02, 0.08, -0.07, -0.04, 0.01, 0.06, 0.03;
   for (const bool viscous : {false, true}) {
     if (viscous && rings) continue;  // uniform shear is no equilibrium of rings
-    for (const Choice& shape : shapes()) {
+    for (const Choice& shape : scenes::shapes_in_space()) {
       for (double shift : {0.0, 0.3}) {
         SCOPED_TRACE(shape.name);
         Scene scene = even_gas(space, per_cell, filled, shape.name, viscous ? thick : IdealGas(), shift);

@@ -159,7 +159,7 @@ TEST(UniaxialMembrane, RigidRotationStrainsNothing) {
   const double omega = 3;
   std::vector<scenes::Place> ring;
   for (int k = 0; k < 24; ++k) ring.push_back({0.5 + 0.2 * std::cos(pi * k / 12), 0.5 + 0.2 * std::sin(pi * k / 12)});
-  for (const Choice& shape : shapes()) {
+  for (const Choice& shape : scenes::shapes_in_space()) {
     Scene scene = scenes::scene_of(scenes::plane(10, 10, 0.1),
                                    {scenes::membrane_body(law(true, true), 2, ring, 1e-3,
                                                           [&](const scenes::Place& x) {

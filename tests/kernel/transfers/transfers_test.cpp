@@ -42,7 +42,7 @@ TEST(Transfers, OfTwoPoints) {
 TEST(Transfers, LossesAtWallsAreExact) {
   for (Wall kind : {Wall::symmetry, Wall::no_slip}) {
     for (scenes::Space space : scenes::spaces) {
-      for (const Choice& shape : shapes()) {
+      for (const Choice& shape : scenes::shapes_in_space()) {
         for (const Choice& transfer : transfers()) {
           if (transfer.name.rfind("test_", 0) == 0) continue;  // those that single tests register
           Scene scene = scenes::rough_gas(space, shape.name, transfer.name, scenes::no_gravity, {});
