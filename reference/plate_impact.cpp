@@ -27,10 +27,14 @@ void check_argument(const char* key, Bounded x) {
 PlateState beside(Bounded place, Bounded front, const PlateState& behind, const PlateState& ahead) {
   if (certainly_below(place, front)) return behind;
   if (certainly_below(front, place) || highest(front) <= 0) return ahead;
-  const PlateState &near = place.value < front.value ? behind : ahead, &far = place.value < front.value ? ahead : behind;
-  return {hull(near.stretch, far.stretch),     hull(near.stress, far.stress),
-          hull(near.lateral_stress, far.lateral_stress), hull(near.plastic_strain, far.plastic_strain),
-          hull(near.velocity, far.velocity),   hull(near.speed, far.speed)};
+  const PlateState &near = place.value < front.value ? behind : ahead,
+                   &far = place.value < front.value ? ahead : behind;
+  return {hull(near.stretch, far.stretch),
+          hull(near.stress, far.stress),
+          hull(near.lateral_stress, far.lateral_stress),
+          hull(near.plastic_strain, far.plastic_strain),
+          hull(near.velocity, far.velocity),
+          hull(near.speed, far.speed)};
 }
 
 }  // namespace

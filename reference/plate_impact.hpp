@@ -43,7 +43,7 @@ class PlateImpact {
   PlateState state(Bounded place, Bounded time) const;
 
  private:
-  Bounded pressure(Bounded strain) const;                       // p(e)
+  Bounded pressure(Bounded strain) const;                         // p(e)
   Bounded square(const PlateState& ahead, Bounded strain) const;  // of the jump of the velocity
   PlateState struck(const PlateState& ahead, Bounded strain) const;
   PlateState behind(const PlateState& ahead, double low, double loss) const;

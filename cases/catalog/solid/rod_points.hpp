@@ -29,10 +29,10 @@ class RodPoints {
  public:
   RodPoints(const Body& body, const RodLaw& law) : body_(body), points_(body.points), law_(law) {}
 
-  double beyond_yield(int p) const;             // (q - Y - H alpha)/Y
-  double volume_off(int p) const;               // |ln det F - tr e|
-  double axial_stress(int p) const;             // Cauchy's, without the viscous pressure, Pa
-  double stretch(int p) const;                  // of a line along the axis, by plastic flow: |exp(-e) F e_z|
+  double beyond_yield(int p) const;  // (q - Y - H alpha)/Y
+  double volume_off(int p) const;    // |ln det F - tr e|
+  double axial_stress(int p) const;  // Cauchy's, without the viscous pressure, Pa
+  double stretch(int p) const;       // of a line along the axis, by plastic flow: |exp(-e) F e_z|
   RodShape shape() const;
   RodSums sums() const;
   double largest_plastic_strain() const;

@@ -1,5 +1,7 @@
 #include "cases/catalog/solid/taylor_rod.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +10,7 @@
 
 #include "cases/catalog/solid/rod_points.hpp"
 #include "cases/harness/description/archive.hpp"
+#include "cases/harness/files/errors.hpp"
 #include "cases/harness/files/whole.hpp"
 #include "kernel/materials/j2_plasticity.hpp"
 #include "reference/plate_impact.hpp"
@@ -28,6 +31,11 @@ class TaylorRodProblem final : public Problem {
         rod_(rod),
         face_({rod.youngs_modulus, rod.poissons_ratio, rod.density, rod.yield_stress, rod.hardening_modulus,
                rod.velocity}) {
+    if (rod_.length < grid().h) {
+      throw UsageError(
+          "length", to_text(rod_.length), fmt::format("[{:g}, inf) m", grid().h), {},
+          fmt::format("length={:g} m: the rod is shorter than a cell, radius/cells = {:g} m", rod_.length, grid().h));
+    }
     const Body body = points();
     for (int p = 0; p < body.points.points(); ++p)
       start_.push_back({body.points(column::position, 0)[p], body.points(column::position, 1)[p]});
@@ -67,8 +75,8 @@ class TaylorRodProblem final : public Problem {
     heat_ = heat;
     energy_off_ = larger(energy_off_, std::abs(ledger.energy.residual()) / start);
     const Account& along = ledger.momentum[1];
-    momentum_off_ = larger(momentum_off_, std::abs((along.store() - along.initial() - along.flow(Flow::walls)) /
-                                                   along.initial()));
+    momentum_off_ = larger(momentum_off_,
+                           std::abs((along.store() - along.initial() - along.flow(Flow::walls)) / along.initial()));
     const RodShape shape = at.shape();
     rows_.push_back({simulation.time(), shape.length, shape.radius, ledger.stores.kinetic / start, heat / start});
   }
@@ -93,31 +101,32 @@ class TaylorRodProblem final : public Problem {
     const RodShape shape = at.shape();
     const RodSums sums = at.sums();
     const double start = ledger.initial_stores.total();
-    const double estimate = rod_.length * std::exp(-rod_.density * rod_.velocity * rod_.velocity / 2 / rod_.yield_stress);
-    std::vector<Measure> all{
-        scalar_measure("length", shape.length, length_then.value, length_then.bound, "m"),
-        scalar_measure("radius", shape.radius, radius_then.value, radius_then.bound, "m"),
-        scalar_measure("estimate", estimate, shape.length, 0, "m"),
-        share_measure("plastic_strain", at.largest_plastic_strain()),
-        share_measure("lines_kept", at.mean_of_lines() / least_of_lines(), 1),
-        share_measure("lines_excess", at.excess_of_lines()),
-        share_measure("yield_off", yield_off_),
-        share_measure("flow_back", flow_back_),
-        share_measure("volume_off", volume_off_),
-        share_measure("store_off", store_off_),
-        share_measure("heat_off", heat_off_),
-        share_measure("heat_fall", heat_fall_),
-        share_measure("energy_off", energy_off_),
-        share_measure("momentum_off", momentum_off_),
-        share_measure("wall_work", std::abs(ledger.energy.flow(Flow::walls)) / start),
-        share_measure("start", std::abs(ledger.initial_stores.kinetic / energy() - 1)),
-        share_measure("kinetic", ledger.stores.kinetic / start),
-        share_measure("elastic", sums.elastic / start),
-        share_measure("heat", ledger.stores.internal / start),
-        share_measure("hardening", sums.hardening / start),
-        share_measure("lost", 1 - ledger.stores.total() / start),
-        share_measure("plastic_work", (sums.heat + sums.hardening) / start),
-        share_measure("alternation", at.alternation(settings_.integer("cells") * settings_.integer("ppc")) / rod_.yield_stress)};
+    const int across = settings_.integer("cells") * settings_.integer("ppc");
+    const double estimate = rod_.length *
+                            std::exp(-rod_.density * rod_.velocity * rod_.velocity / 2 / rod_.yield_stress);
+    std::vector<Measure> all{scalar_measure("length", shape.length, length_then.value, length_then.bound, "m"),
+                             scalar_measure("radius", shape.radius, radius_then.value, radius_then.bound, "m"),
+                             scalar_measure("estimate", estimate, shape.length, 0, "m"),
+                             scalar_measure("plastic_strain", at.largest_plastic_strain(), 0, 0, "1"),
+                             share_measure("lines_kept", at.mean_of_lines() / least_of_lines(), 1),
+                             share_measure("lines_excess", at.excess_of_lines()),
+                             share_measure("yield_off", yield_off_),
+                             share_measure("flow_back", flow_back_),
+                             share_measure("volume_off", volume_off_),
+                             share_measure("store_off", store_off_),
+                             share_measure("heat_off", heat_off_),
+                             share_measure("heat_fall", heat_fall_),
+                             share_measure("energy_off", energy_off_),
+                             share_measure("momentum_off", momentum_off_),
+                             share_measure("wall_work", std::abs(ledger.energy.flow(Flow::walls)) / start),
+                             share_measure("start", std::abs(ledger.initial_stores.kinetic / energy() - 1)),
+                             share_measure("kinetic", ledger.stores.kinetic / start),
+                             share_measure("elastic", sums.elastic / start),
+                             share_measure("heat", ledger.stores.internal / start),
+                             share_measure("hardening", sums.hardening / start),
+                             share_measure("lost", 1 - ledger.stores.total() / start),
+                             share_measure("plastic_work", (sums.heat + sums.hardening) / start),
+                             scalar_measure("alternation", at.alternation(across) / rod_.yield_stress, 0, 0, "1")};
     add_face(body, simulation.time(), all);
     return all;
   }
@@ -148,7 +157,8 @@ class TaylorRodProblem final : public Problem {
   // Of all work that flow can be given, rho V^2/2 a volume, the mean strain is at most that of an even one, since Y a + H a^2/2 is
   // convex; and the mean stretch of lines is at least the exponential of the mean of its logarithm, >= -a.  [Taylor bar 1]
   double least_of_lines() const {
-    const double y = rod_.yield_stress, h = rod_.hardening_modulus, work = 0.5 * rod_.density * rod_.velocity * rod_.velocity;
+    const double y = rod_.yield_stress, h = rod_.hardening_modulus,
+                 work = 0.5 * rod_.density * rod_.velocity * rod_.velocity;
     return std::exp(-2 * work / (y + std::sqrt(y * y + 2 * h * work)));
   }
 
@@ -174,9 +184,10 @@ class TaylorRodProblem final : public Problem {
       sum += points(column::volume)[p] * at.axial_stress(p);
       volume += points(column::volume)[p];
     }
-    const auto add_norm = [&](const std::string& name, const std::string& unit, const std::vector<FieldSample>& samples) {
+    const auto add_norm = [&](const std::string& name, const std::string& unit,
+                              const std::vector<FieldSample>& samples) {
       Measure norm = field_norms(name, unit, samples).front();
-      if (!undisturbed) norm.error = norm.scale = std::nan("");
+      if (!undisturbed) norm.error = norm.scale = std::nan(""), norm.reference_bound = 0;
       all.push_back(norm);
     };
     add_norm("face_stress", "Pa", stress);
@@ -217,7 +228,8 @@ class TaylorRodProblem final : public Problem {
   reference::PlateImpact face_;
   std::vector<std::array<double, 2>> start_;  // r, z at rest by the point's number
   std::vector<double> plastic_;               // alpha after the last step, by the same
-  double yield_off_ = -1, flow_back_ = 0, volume_off_ = 0, store_off_ = 0, heat_ = 0, heat_off_ = 0, heat_fall_ = 0, energy_off_ = 0, momentum_off_ = 0;
+  double yield_off_ = -1, flow_back_ = 0, volume_off_ = 0, store_off_ = 0, heat_ = 0, heat_off_ = 0, heat_fall_ = 0,
+         energy_off_ = 0, momentum_off_ = 0;
   std::vector<std::array<double, 5>> rows_;
 };
 
