@@ -60,12 +60,12 @@ Bounded PlateImpact::pressure(Bounded strain) const {
   const Bounded trial = Bounded(2.0) * shear_ * strain, y(problem_.yield_stress), h(problem_.hardening_modulus);
   Bounded q = trial;
   if (strain.value > limit_.value) q = y + h * (trial - y) / (Bounded(3.0) * shear_ + h);
-  return (expm1(strain) + 1.0) * (bulk_ * strain + Bounded(2.0) / 3.0 * q);  // [Plate impact 1]
+  return (expm1(strain) + 1.0) * (bulk_ * strain + Bounded(2.0) / 3.0 * q);  // [Hencky 1]
 }
 
 Bounded PlateImpact::square(const PlateState& ahead, Bounded strain) const {
   const Bounded shorter = ahead.stretch - 1.0 - expm1(-strain);
-  return (pressure(strain) + ahead.stress) * shorter / Bounded(problem_.density);  // [Plate impact 2]
+  return (pressure(strain) + ahead.stress) * shorter / Bounded(problem_.density);  // [Hencky 2]
 }
 
 PlateState PlateImpact::struck(const PlateState& ahead, Bounded strain) const {
@@ -79,7 +79,7 @@ PlateState PlateImpact::struck(const PlateState& ahead, Bounded strain) const {
   s.lateral_stress = s.stress + q / s.stretch;
   const Bounded jump = sqrt(square(ahead, strain));
   s.velocity = ahead.velocity + jump;
-  s.speed = (ahead.stress - s.stress) / (Bounded(problem_.density) * jump);  // [Plate impact 2]
+  s.speed = (ahead.stress - s.stress) / (Bounded(problem_.density) * jump);  // [Hencky 2]
   return s;
 }
 

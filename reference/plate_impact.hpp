@@ -2,10 +2,10 @@
 // A thick plate of an elastoplastic solid strikes a rigid frictionless wall face on, at finite strains: Hencky's law, von Mises's yield
 // condition, linear isotropic hardening. With e = -ln of the axial stretch and m = e at the yield stress, m = Y/(2 G), the axial
 // stress -p of uniaxial strain that grows is
-//   p(e) = e^e (K e + 2/3 q),  q = 2 G e up to m, else Y + H alpha,  alpha = (2 G e - Y)/(3 G + H)       [Plate impact 1]
+//   p(e) = e^e (K e + 2/3 q),  q = 2 G e up to m, else Y + H alpha,  alpha = (2 G e - Y)/(3 G + H)       [Hencky 1]
 // (lateral stretches are 1: Cauchy's axial stress is the first Piola-Kirchhoff one). Along the stretch p is convex but at m, where it
 // gets softer: an elastic shock runs ahead, a slower plastic one behind it, and their jumps are, with U of the undeformed plate,
-//   rho U [v] = [p],  U [e^-e] = -[v], so rho [v]^2 = [p] [-e^-e]                                          [Plate impact 2]
+//   rho U [v] = [p],  U [e^-e] = -[v], so rho [v]^2 = [p] [-e^-e]                                          [Hencky 2]
 // Heat changes no stress. Sources: D. S. Wood, J. Appl. Mech. 19 (1952) 521, for small strains; the conditions at jumps: Wang Li-Li,
 // Foundations of Stress Waves, 2007; the law: J. C. Simo, doi 10.1016/0045-7825(92)90123-2.
 #include "reference/bounded.hpp"

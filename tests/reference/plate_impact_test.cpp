@@ -49,7 +49,7 @@ struct Followed {
   }
 };
 
-TEST(PlateImpact, StatesAreThoseOfTheLawFollowedInSmallSteps) {  // [Plate impact 1]
+TEST(PlateImpact, StatesAreThoseOfTheLawFollowedInSmallSteps) {  // [Hencky 1]
   for (const Problem& p : problems()) {
     const PlateImpact impact(p);
     for (const PlateState* state : {&impact.precursor(), &impact.plateau()}) {
@@ -65,7 +65,7 @@ TEST(PlateImpact, StatesAreThoseOfTheLawFollowedInSmallSteps) {  // [Plate impac
 }
 
 // rho U [v] = [p], U [stretch] = -[v]; and of energy what the jump dissipates beyond flow is never negative.
-TEST(PlateImpact, ShocksObeyTheirJumpConditions) {  // [Plate impact 2]
+TEST(PlateImpact, ShocksObeyTheirJumpConditions) {  // [Hencky 2]
   for (const Problem& p : problems()) {
     const PlateImpact impact(p);
     const bool yields = p.velocity > 20;

@@ -155,7 +155,7 @@ class TaylorRodProblem final : public Problem {
   }
 
   // Of all work that flow can be given, rho V^2/2 a volume, the mean strain is at most that of an even one, since Y a + H a^2/2 is
-  // convex; and the mean stretch of lines is at least the exponential of the mean of its logarithm, >= -a.  [Taylor bar 1]
+  // convex; and the mean stretch of lines is at least the exponential of the mean of its logarithm, >= -a.  [Taylor 1]
   double least_of_lines() const {
     const double y = rod_.yield_stress, h = rod_.hardening_modulus,
                  work = 0.5 * rod_.density * rod_.velocity * rod_.velocity;

@@ -21,8 +21,8 @@ struct TaylorRod {
 //   plastic_strain     the largest
 //   estimate           length that energy alone gives a rod without hardening, L exp(-rho V^2/(2 Y)), beside `length`
 //   lines_kept         mean stretch of the lines along the axis, without what elastic strains add, over the least one
-//                      that the energy at the start allows  [Taylor bar 1]
-//   lines_excess       largest over points of |ln stretch of such a line| - alpha, of which plastic flow allows none  [Taylor bar 2]
+//                      that the energy at the start allows  [Taylor 1]
+//   lines_excess       largest over points of |ln stretch of such a line| - alpha, of which plastic flow allows none  [Taylor 2]
 //   yield_violation    largest over points and steps of (q - Y - H alpha)/Y, of the strains that the columns hold
 //   volume_off         largest over points and steps of |ln det F - tr elastic strain|: flow keeps the volume
 //   heat_off           largest over the steps of the ledger's internal energy less Y alpha and the heat by viscosity

@@ -54,7 +54,7 @@ Body one_point() {
 }
 
 // A point that is squashed to half its height and as much wider as keeps its volume: plastic strain ln 2, all of it flow.
-TEST(TaylorRod, LinesAreStretchedByTheirFlow) {  // [Taylor bar 1], [Taylor bar 2]
+TEST(TaylorRod, LinesAreStretchedByTheirFlow) {  // [Taylor 1], [Taylor 2]
   Body body = one_point();
   Columns& points = body.points;
   points(column::deformation, 0)[0] = points(column::deformation, 4)[0] = std::sqrt(2.0);
@@ -81,7 +81,7 @@ TEST(TaylorRod, LinesAreStretchedByTheirFlow) {  // [Taylor bar 1], [Taylor bar 
   EXPECT_NEAR(shape.radius, 0.5e-3 + 0.5e-3 * std::sqrt(2.0), 1e-15);
 }
 
-TEST(TaylorRod, EnergyAtTheStartBoundsWhatLinesKeep) {  // [Taylor bar 1]
+TEST(TaylorRod, EnergyAtTheStartBoundsWhatLinesKeep) {  // [Taylor 1]
   const RunResult run = run_with({"cells=2", "t_end=1e-8", "hardening_modulus=0"});
   const double least = std::exp(-8930 * 227.0 * 227 / 2 / 400e6);
   EXPECT_NEAR(value(run, "lines_kept"), 1 / least, 1e-3 / least);
