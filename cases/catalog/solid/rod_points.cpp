@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -75,23 +76,42 @@ double RodPoints::axial_stress(int p) const {
 
 double RodPoints::stretch(int p) const { return (exponential(-elastic(p)) * deformation(p).col(1)).norm(); }
 
+double RodPoints::reach(int p, int d) const {
+  double sum = 0;
+  for (const int k : {0, 1}) {
+    double edge = 0;
+    for (const int j : {0, 1})
+      edge += points_(column::deformation, 2 * d + j)[p] * points_(column::half_edges_at_start, 2 * k + j)[p];
+    sum += std::abs(edge);
+  }
+  return sum;
+}
+
 RodShape RodPoints::shape() const {
   RodShape shape;
-  const auto reach = [&](int p, int d) {  // of the corners from the centre
-    double sum = 0;
-    for (const int k : {0, 1}) {
-      double edge = 0;
-      for (const int j : {0, 1})
-        edge += points_(column::deformation, 2 * d + j)[p] * points_(column::half_edges_at_start, 2 * k + j)[p];
-      sum += std::abs(edge);
-    }
-    return sum;
-  };
   for (int p = 0; p < points_.points(); ++p) {
     shape.radius = larger(shape.radius, points_(column::position, 0)[p] + reach(p, 0));
     shape.length = larger(shape.length, points_(column::position, 1)[p] + reach(p, 1));
   }
   return shape;
+}
+
+std::vector<RodSlice> RodPoints::slices(double thickness) const {
+  std::vector<RodSlice> all;
+  std::vector<double> nearest;  // distance from the axis of the point that `axis` is of; infinite where there is none
+  for (int p = 0; p < points_.points(); ++p) {
+    const double r = points_(column::position, 0)[p], plastic = points_(column::plastic_strain)[p];
+    const auto k = static_cast<std::size_t>(std::max(0.0, points_(column::position, 1)[p] / thickness));
+    while (all.size() <= k) {
+      all.push_back({.height = (static_cast<double>(all.size()) + 0.5) * thickness});
+      nearest.push_back(std::numeric_limits<double>::infinity());
+    }
+    all[k].radius = larger(all[k].radius, r + reach(p, 0));
+    all[k].largest = larger(all[k].largest, plastic);
+    if (r < nearest[k]) nearest[k] = r, all[k].axis = plastic;
+  }
+  std::erase_if(all, [](const RodSlice& slice) { return slice.radius == 0; });
+  return all;
 }
 
 RodSums RodPoints::sums() const {

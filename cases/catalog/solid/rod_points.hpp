@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <vector>
 
 #include "kernel/points/body.hpp"
 
@@ -15,6 +16,10 @@ Body rod_points(std::shared_ptr<const Material> material, double length, double 
 // m, at the corners of the points' domains, deformed with them: how high the rod reaches, and how wide.
 struct RodShape {
   double length = 0, radius = 0;
+};
+// At a height: how far the rod reaches, the plastic strain next to the axis, and the largest.
+struct RodSlice {
+  double height = 0, radius = 0, axis = 0, largest = 0;
 };
 // J per radian, of all points: Y alpha, H alpha^2/2 and K/2 (tr e)^2 + G |dev e|^2 times the undeformed volume.
 struct RodSums {
@@ -34,6 +39,7 @@ class RodPoints {
   double axial_stress(int p) const;  // Cauchy's, without the viscous pressure, Pa
   double stretch(int p) const;       // of a line along the axis, by plastic flow: |exp(-e) F e_z|
   RodShape shape() const;
+  std::vector<RodSlice> slices(double thickness) const;  // m; from the wall on, of those with a point
   RodSums sums() const;
   double largest_plastic_strain() const;
   double mean_of_lines() const;    // of the stretch, by undeformed volumes
@@ -45,6 +51,7 @@ class RodPoints {
  private:
   Eigen::Matrix3d elastic(int p) const;
   Eigen::Matrix3d deformation(int p) const;
+  double reach(int p, int d) const;  // of a domain's corners from its point
 
   const Body& body_;
   const Columns& points_;

@@ -14,10 +14,12 @@ struct TaylorRod {
   double yield_stress = 400e6, hardening_modulus = 100e6;  // Pa
   double viscosity_linear = 0;                             // c_L of the solid
   double end_time = 80e-6;                                 // s
+
+  bool operator==(const TaylorRod&) const = default;
 };
 
 // Measures, at the end if nothing else is said:
-//   length, radius     of the rod, at the corners of its points' domains, m; beside published ones
+//   length, radius     of the rod, at the corners of its points' domains, m; beside published ones, where the rod is that one
 //   plastic_strain     the largest
 //   estimate           length that energy alone gives a rod without hardening, L exp(-rho V^2/(2 Y)), beside `length`
 //   lines_kept         mean stretch of the lines along the axis, without what elastic strains add, over the least one

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cases/catalog/solid/rod_points.hpp"
@@ -100,6 +101,27 @@ TEST(TaylorRod, FaceIsJudgedWhileNothingHasComeFromTheSide) {
     EXPECT_TRUE(std::isfinite(soon.find(norm)->error)) << norm;
     EXPECT_TRUE(std::isnan(later.find(norm)->error)) << norm;
   }
+}
+
+// Published figures stand beside the published rod alone.
+TEST(TaylorRod, OtherRodsHaveNoPublishedLength) {
+  EXPECT_EQ(*run_with({"cells=2", "t_end=1e-8"}).find("length")->reference, 0);
+  EXPECT_EQ(*run_with({"cells=2", "velocity=1"}).find("radius")->reference, 0);
+  EXPECT_NEAR(*run_with({"cells=2", "viscosity_linear=0"}).find("length")->reference, 21.45e-3, 1e-12);
+}
+
+TEST(TaylorRod, SlicesFollowTheOutline) {
+  const RunResult run = run_with({"cells=2", "t_end=2e-5"});
+  const auto column = [&](const std::string& name) { return run.profile.find(name)->values; };
+  const std::vector<double> z = column("z"), radius = column("radius"), axis = column("plastic_strain_axis"),
+                            most = column("plastic_strain_largest");
+  ASSERT_GT(z.size(), 10u);
+  EXPECT_GT(radius.front(), 1.3 * radius.back());
+  EXPECT_NEAR(radius.back(), 3.2e-3, 1e-5);
+  for (std::size_t k = 0; k < z.size(); ++k) EXPECT_GE(most[k], axis[k]);
+  EXPECT_TRUE(std::is_sorted(z.begin(), z.end()));
+  EXPECT_EQ(axis.back(), 0);
+  EXPECT_NEAR(*run.find("radius")->value, *std::max_element(radius.begin(), radius.end()), 1e-15);
 }
 
 TEST(TaylorRod, PressureThatAlternatesIsMeasuredByItsAmplitude) {
