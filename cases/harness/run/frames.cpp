@@ -26,7 +26,7 @@ bool is_closed(const Material& material) {
 FrameSet::BodyInfo describe(const Body& body) {
   const Material& material = *body.material;
   const bool sheet = material.chain() || body.points.has(column::tangent) || body.points.has(column::tangents);
-  const char* kind = body.points.has(column::pressure) ? "gas" : sheet ? "membrane" : "solid";
+  const char* kind = material.isotropic() ? "gas" : sheet ? "membrane" : "solid";
   return {body.name, material.name(), kind, material.chain(), is_closed(material)};
 }
 

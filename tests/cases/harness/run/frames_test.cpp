@@ -96,6 +96,13 @@ TEST(Frames, HoldThePointsAsTheyAre) {
   }
 }
 
+// A solid whose material keeps its pressure in a column is no gas: it has a stress to be drawn.
+TEST(Frames, SolidsThatCarryAPressureAreSolids) {
+  const FrameSet set = run(find_case("elastic-plastic-impact"), {2, 0}, {{"cells", 10.0}}).frames;
+  EXPECT_EQ(set.bodies[0].kind, "solid");
+  EXPECT_GT(set.frames.back().stress[0], 0.1F);  // behind the plastic wave, in units of the yield stress
+}
+
 TEST(Frames, ThePressureOfGasIsThereFromTheStart) {
   const FrameSet set = run(find_case("gas-expansion"), {2, 0}, {{"cells", 40.0}}).frames;
   EXPECT_EQ(set.bodies[0].kind, "gas");
