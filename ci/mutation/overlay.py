@@ -223,6 +223,9 @@ class _Recipe:
     def compile(self, name, more=()):
         source, words = self.base.compile[name]
         output = self.folder / "objects" / name
+        if "-ffp-contract=fast" in words and "-include" in words:  # headers precompiled with fusing would bring it along
+            first = words.index("-include")
+            words = [*words[:first], *words[first + 2:]]
         # Products and sums fused at the compiler's choice would be other ones beside a switch; -O2 compiles faster.
         words = [{"-ffp-contract=fast": "-ffp-contract=off", "-O3": "-O2"}.get(word, word) for word in words]
         here = self.overlay / source if source in self.changed else self.base.root / source

@@ -230,15 +230,16 @@ struct Cut {
 Cut cut_scene(scenes::Space space) {
   const double h = 0.125;
   const int dim = scenes::dim_of(space), first = space == scenes::Space::axisymmetric ? 1 : 0;
-  GridSpec part = scenes::box(space, {6, 6, 6}, h);
+  // In space two cells are filled: every shape of a point in them reaches nodes beyond a wall, and those of the free side.
+  const int filled = dim == 3 ? 2 : 4, cells = filled + 2;
+  GridSpec part = scenes::box(space, {cells, cells, cells}, h);
   for (int d = 0; d < dim; ++d) part.walls[d][0] = Wall::symmetry;
   GridSpec whole = part;
   for (int d = first; d < dim; ++d) {
     whole.walls[d][0] = Wall::free;
-    whole.origin[d] = -6 * h;
-    whole.cells[d] = 12;
+    whole.origin[d] = -cells * h;
+    whole.cells[d] = 2 * cells;
   }
-  const int filled = dim == 3 ? 3 : 4;
   const auto places = scenes::jittered(scenes::lattice(part, 2, {0, 0, 0}, {filled, filled, filled}), 0.02, dim);
   std::vector<scenes::GasState> states;
   scenes::Random random(5);
