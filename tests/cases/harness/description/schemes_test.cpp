@@ -184,8 +184,8 @@ TEST(Schemes, EveryPartMayBeChosen) {
     return key == keys.end() ? std::vector<std::string>{} : key->choices;
   };
   EXPECT_EQ(choices(Kind::gas, "integrator").size(), integrators().size());
-  EXPECT_THAT(choices(Kind::gas, "shape"),
-              ElementsAre("contiguous-gimp", "cpdi", "cubic", "gimp", "linear", "quadratic"));
+  EXPECT_THAT(choices(Kind::gas, "shape"), ElementsAre("contiguous-gimp", "cpdi", "cubic", "gimp", "lagrangian-cubic",
+                                                       "lagrangian-quadratic", "linear", "quadratic"));
   EXPECT_THAT(choices(Kind::gas, "transfer"), ElementsAre("apic", "flip", "fmpm", "pic", "xpic"));
   EXPECT_THAT(choices(Kind::gas, "density"), ElementsAre("cell", "quadratic", "continuity", "grid"));
   EXPECT_THAT(choices(Kind::solid, "contact"), ElementsAre("none", "default", "york-9.7", "york-9.8", "york-9.9"));
