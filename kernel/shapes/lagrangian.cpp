@@ -37,7 +37,7 @@ class Lagrangian final : public ListedShape<dim> {
 
   bool follows() const override { return true; }
   void follow(Columns& points) const override {
-    if (!points.has(column::deformation)) return;  // of strains that are small
+    if (!points.has(column::deformation_at_start)) return;  // of strains that are small
     points.add(column::inverse_deformation, dim * dim);
     const Components<Matrix, const double> now(points, column::deformation),
         at_start(points, column::deformation_at_start);

@@ -14,7 +14,7 @@ namespace plumbline {
 // 1 / s^2 at most, of the principal stretches s of the points: waves are 1 / s as fast among the places of the start as in space.
 template <int dim>
 double largest_shortening(const Columns& points, PointRange range) {
-  if (!points.has(column::deformation)) return 1;
+  if (!points.has(column::deformation_at_start)) return 1;
   using Matrix = Eigen::Matrix<double, dim, dim>;
   const Components<Matrix, const double> now(points, column::deformation),
       at_start(points, column::deformation_at_start);

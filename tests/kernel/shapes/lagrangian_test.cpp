@@ -157,6 +157,22 @@ TEST(Lagrangian, StepsAreThoseOfWavesAmongThePlacesAtTheStart) {
   EXPECT_NEAR(largest_shortening<2>(points, all_points(points)), 4, 1e-14);
 }
 
+// The places of the start are those of the first step, not of where a run is taken up again.
+TEST(Lagrangian, ARestoredRunGoesOnToTheSameBits) {
+  const StepControl control{0.3, 0.02};
+  Simulation whole(block("lagrangian-quadratic", "apic"), "midpoint", control);
+  for (int k = 0; k < 10; ++k) whole.step(1);
+  Simulation resumed(block("lagrangian-quadratic", "apic"), "midpoint", control);
+  resumed.restore(whole.save());
+  for (int k = 0; k < 10; ++k) {
+    whole.step(1);
+    resumed.step(1);
+  }
+  for (const ColumnId* id : {&column::position, &column::velocity, &column::deformation, &column::position_at_start}) {
+    EXPECT_EQ(scenes::by_id(whole.scene().bodies[0], *id), scenes::by_id(resumed.scene().bodies[0], *id)) << id->name();
+  }
+}
+
 TEST(Lagrangian, WhatItCannotDoIsRefused) {
   const auto expect_refused = [](const Scene& scene, const std::string& because) {
     Scene own = scene;
