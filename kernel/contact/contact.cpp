@@ -35,10 +35,10 @@ void check_friction(const Scene& scene) {
     throw std::invalid_argument(given + ": the contact law " + scene.contact + " has no friction, it must be 0");
 }
 
-void add_part(ContactEntry entry) {
-  if (!std::apply([](auto... make) { return (make && ...); }, entry.make))
-    throw std::logic_error("contact " + entry.name + " cannot be made in one of the dimensions");
-  add_named(registered(), std::move(entry), ContactEntry::kind);
+void add_part(ContactEntry law) {
+  if (!std::apply([](auto... make) { return (make && ...); }, law.make))
+    throw std::logic_error("contact " + law.name + " cannot be made in one of the dimensions");
+  add_named(registered(), std::move(law), ContactEntry::kind);
 }
 
 }  // namespace plumbline

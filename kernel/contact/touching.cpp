@@ -119,7 +119,7 @@ void TouchingContact<dim>::find_candidates(std::size_t a, std::size_t b, const s
       if (p.touches) for_support(p.lowest, [&](int node) { nodes[node].touches[side] = true; });
     }
   }
-  std::erase_if(nodes, [](const auto& entry) { return !entry.second.touches[0] || !entry.second.touches[1]; });
+  std::erase_if(nodes, [](const auto& node) { return !node.second.touches[0] || !node.second.touches[1]; });
   for (std::size_t side = 0; side < 2; ++side) {
     for (const Near& p : *both[side]) {
       for_support(p.lowest, [&](int node) {

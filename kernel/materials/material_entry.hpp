@@ -82,7 +82,8 @@ MaterialEntry material_entry(std::string title, std::string source, std::vector<
   const auto make = [members](const std::map<std::string, double>& values) {
     auto made = std::make_shared<M>();
     for (const auto& [name, value] : values) {
-      const auto member = std::find_if(members.begin(), members.end(), [&](const auto& m) { return m.name == name; });
+      const auto member = std::find_if(members.begin(), members.end(),
+                                       [&name = name](const auto& m) { return m.name == name; });
       if (member == members.end()) {
         std::string known;
         for (const ParameterMember<M>& m : members) known += (known.empty() ? "" : ", ") + std::string(m.name);
