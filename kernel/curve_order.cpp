@@ -12,7 +12,7 @@ namespace {
 constexpr int nobody = -1;
 using Pair = std::array<int, 2>;
 
-struct Places {
+struct CurvePlaces {
   std::span<const double> x, y;
 
   int count() const { return static_cast<int>(x.size()); }
@@ -49,7 +49,7 @@ struct Places {
 };
 
 // What each point and another choose of each other. [Curve 1]
-std::vector<Pair> joined(const Places& places) {
+std::vector<Pair> joined(const CurvePlaces& places) {
   std::vector<Pair> chosen;
   for (int p = 0; p < places.count(); ++p) chosen.push_back(places.neighbours(p));
   std::vector<Pair> both = chosen;
@@ -68,7 +68,7 @@ int ends(const Pair& of) { return static_cast<int>(of[0] == nobody) + static_cas
 }  // namespace
 
 CurveOrder order_along_curve(std::span<const double> x, std::span<const double> y) {
-  const Places places{x, y};
+  const CurvePlaces places{x, y};
   if (x.size() != y.size() || x.size() < 2) {
     throw std::invalid_argument("a curve has two points at least, each with x and y; there are " +
                                 std::to_string(x.size()) + " and " + std::to_string(y.size()));

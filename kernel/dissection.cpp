@@ -7,13 +7,13 @@
 namespace plumbline {
 namespace {
 
-using Places = std::vector<Eigen::Vector3d>;
+using UnknownPlaces = std::vector<Eigen::Vector3d>;
 using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr std::size_t smallest_halved = 200;  // unknowns: a dense matrix of so many fits a cache
 
 // The coordinate in which the unknowns reach farthest.
-int longest_side(const std::vector<int>& unknowns, const Places& places) {
+int longest_side(const std::vector<int>& unknowns, const UnknownPlaces& places) {
   Eigen::Vector3d low = places[static_cast<std::size_t>(unknowns.front())], high = low;
   for (const int u : unknowns) {
     low = low.cwiseMin(places[static_cast<std::size_t>(u)]);
@@ -27,7 +27,7 @@ int longest_side(const std::vector<int>& unknowns, const Places& places) {
 struct Halves {
   std::vector<int> first, second, between;  // no unknown of `first` couples with one of `second`
 };
-Halves halved(std::vector<int> unknowns, const Sparse& matrix, const Places& places) {
+Halves halved(std::vector<int> unknowns, const Sparse& matrix, const UnknownPlaces& places) {
   const int side = longest_side(unknowns, places);
   std::stable_sort(unknowns.begin(), unknowns.end(), [&](int a, int b) {
     return places[static_cast<std::size_t>(a)][side] < places[static_cast<std::size_t>(b)][side];
@@ -50,7 +50,7 @@ std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
 }  // namespace
 
-DissectedCholesky::DissectedCholesky(const Sparse& matrix, const Places& places) : turn_(places.size()) {
+DissectedCholesky::DissectedCholesky(const Sparse& matrix, const UnknownPlaces& places) : turn_(places.size()) {
   if (matrix.rows() != matrix.cols() || matrix.rows() != static_cast<int>(places.size())) {
     throw std::invalid_argument("a matrix of " + std::to_string(matrix.rows()) + " rows and " +
                                 std::to_string(matrix.cols()) + " columns has " + std::to_string(places.size()) +
@@ -67,7 +67,7 @@ DissectedCholesky::DissectedCholesky(const Sparse& matrix, const Places& places)
 }
 
 // Returns the front eliminated last.
-int DissectedCholesky::dissect(std::vector<int> unknowns, const Sparse& matrix, const Places& places) {
+int DissectedCholesky::dissect(std::vector<int> unknowns, const Sparse& matrix, const UnknownPlaces& places) {
   Front front;
   if (unknowns.size() > smallest_halved) {
     Halves halves = halved(std::move(unknowns), matrix, places);

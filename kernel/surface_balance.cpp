@@ -19,10 +19,6 @@ Vec tangent(const Columns& points, int p, int a) {
           points(column::tangents, 3 * a + 2)[p]};
 }
 
-Vec place_of(const Columns& points, int p) {
-  return {points(column::position, 0)[p], points(column::position, 1)[p], points(column::position, 2)[p]};
-}
-
 Vec normal_of(const Columns& points, int p) { return tangent(points, p, 0).cross(tangent(points, p, 1)).normalized(); }
 
 // Directions at a point along which the pull is known: of the surface, where nothing may pull, all but out of a free edge; last the

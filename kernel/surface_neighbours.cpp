@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "kernel/materials/surface_law.hpp"
 #include "kernel/points/cubes.hpp"
 #include "kernel/surface_balance.hpp"
 
@@ -15,10 +16,6 @@ namespace {
 using Vec = Eigen::Vector3d;
 using Frame = Eigen::Matrix<double, 3, 2>;
 constexpr int terms = 5;  // of a quadratic without its constant
-
-Vec place_of(const Columns& points, int p) {
-  return {points(column::position, 0)[p], points(column::position, 1)[p], points(column::position, 2)[p]};
-}
 
 Frame frame_of(const Columns& points, int p) {
   Frame f;

@@ -14,7 +14,7 @@ namespace {
 
 using State = std::array<double, 2>;
 
-int rates(double /*time*/, const double* y, double* rate, void* parameters) {
+int oscillator_rates(double /*time*/, const double* y, double* rate, void* parameters) {
   const auto& problem = *static_cast<const SpringOscillatorProblem*>(parameters);
   rate[0] = y[1];
   rate[1] = spring_force(problem, y[0]) - 2 * problem.damping * y[1] + problem.gravity;
@@ -22,7 +22,7 @@ int rates(double /*time*/, const double* y, double* rate, void* parameters) {
 }
 
 State integrated(SpringOscillatorProblem problem, double time, int steps) {
-  gsl_odeiv2_system system{rates, nullptr, 2, &problem};
+  gsl_odeiv2_system system{oscillator_rates, nullptr, 2, &problem};
   const std::unique_ptr<gsl_odeiv2_step, decltype(&gsl_odeiv2_step_free)> stepper(
       gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 2), &gsl_odeiv2_step_free);
   State state{problem.displacement, problem.velocity}, error{};

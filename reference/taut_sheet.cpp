@@ -32,7 +32,7 @@ Shape shape_at(const SheetSettings& p, const double* y, double s) {
   return a;
 }
 
-int rates(double log_s, const double* y, double* rate, void* settings) {
+int sheet_rates(double log_s, const double* y, double* rate, void* settings) {
   const auto& p = *static_cast<const SheetSettings*>(settings);
   const double nu = p.poisson_ratio, s = std::exp(log_s), e2 = y[0], S1 = y[1], S2 = e2 + nu * S1;
   if (!(S1 > 0) || !(1 + 2 * e2 > 0)) return GSL_EBADFUNC;
@@ -116,7 +116,7 @@ TautSheet::State TautSheet::near_middle(double s) const {
 bool TautSheet::step(State& state, double from, double length) const {
   if (length == 0) return true;
   SheetSettings settings = settings_;
-  gsl_odeiv2_system system{rates, nullptr, 4, &settings};
+  gsl_odeiv2_system system{sheet_rates, nullptr, 4, &settings};
   const std::unique_ptr<gsl_odeiv2_step, decltype(&gsl_odeiv2_step_free)> stepper(
       gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 4), &gsl_odeiv2_step_free);
   State error{};

@@ -1,4 +1,4 @@
-# Writes the table of what the program is made of: the hash of each object, whether its source has a header of its own,
+# Writes the table of what the program is made of: the hash of the object of each source, whether its source has a header of its own,
 # and which folder of the catalog includes which. Results carry hashes of it, so that they are taken again only where no code
 # that could change them has changed. Called with -DLIST (a file with the objects' paths), -DSOURCE and -DOUTPUT.
 file(STRINGS ${LIST} objects)
@@ -6,21 +6,29 @@ list(FILTER objects EXCLUDE REGEX "/cmake_pch[^/]*$")
 list(SORT objects)
 set(lines "")
 foreach(object IN LISTS objects)
-  if(NOT object MATCHES "(kernel|reference|cases)/CMakeFiles/[^/]+\\.dir/(.*)\\.(o|obj)$")
+  if(NOT object MATCHES "((kernel|reference|cases)/CMakeFiles/[^/]+\\.dir)/(.*)\\.(o|obj)$")
     message(FATAL_ERROR "${object}: of no known part")
   endif()
-  string(REPLACE "/./" "/" source "${CMAKE_MATCH_1}/${CMAKE_MATCH_2}")
+  string(REPLACE "/./" "/" source "${CMAKE_MATCH_2}/${CMAKE_MATCH_3}")
   if(source STREQUAL "cases/harness/results/provenance.cpp")
     continue()  # holds the commit, which changes no number
   endif()
   file(SHA256 ${object} hash)
   string(SUBSTRING ${hash} 0 16 hash)
-  string(REGEX REPLACE "\\.cpp$" ".hpp" header "${SOURCE}/${source}")
-  set(has_header false)
-  if(EXISTS "${header}")
-    set(has_header true)
+  set(sources ${source})
+  if(source MATCHES "/Unity/")  # one object of several sources
+    string(REGEX REPLACE "\\.(o|obj)$" "" unit "${object}")
+    file(STRINGS ${unit} sources REGEX "^#include \"")
+    list(TRANSFORM sources REPLACE "^#include \"${SOURCE}/(.*)\"$" "\\1")
   endif()
-  string(APPEND lines "    {\"${source}\", \"${hash}\", ${has_header}},\n")
+  foreach(source IN LISTS sources)
+    string(REGEX REPLACE "\\.cpp$" ".hpp" header "${SOURCE}/${source}")
+    set(has_header false)
+    if(EXISTS "${header}")
+      set(has_header true)
+    endif()
+    string(APPEND lines "    {\"${source}\", \"${hash}\", ${has_header}},\n")
+  endforeach()
 endforeach()
 
 set(uses "")

@@ -98,7 +98,7 @@ class Base:
     def _take_units_apart(self):
         """Files of tests that are compiled several at a time have commands of their own, too: those of their unit."""
         for name, (unit, words) in list(self.compile.items()):
-            if "/Unity/unity_" not in name:
+            if "/Unity/unity_" not in name or not name.startswith("tests/"):
                 continue
             for file in re.findall(r'^#include "(.+)"$', (self.root / unit).read_text(encoding="utf-8"), re.M):
                 if file.endswith("_test.cpp"):
@@ -192,7 +192,7 @@ def build(base, folder, mutants, tests=(), evaluator=False, jobs=1, plain=False,
 def remove_stale(overlay, kept):
     """Copies of an earlier build, which would stand before the sources."""
     for path in [*overlay.rglob("*")]:
-        if path.is_file() and str(path.relative_to(overlay)) not in {HEADER, *kept}:
+        if path.is_file() and "/Unity/" not in str(path) and str(path.relative_to(overlay)) not in {HEADER, *kept}:
             path.unlink()
 
 
@@ -228,7 +228,7 @@ class _Recipe:
             words = [*words[:first], *words[first + 2:]]
         # Products and sums fused at the compiler's choice would be other ones beside a switch; -O2 compiles faster.
         words = [{"-ffp-contract=fast": "-ffp-contract=off", "-O3": "-O2"}.get(word, word) for word in words]
-        here = self.overlay / source if source in self.changed else self.base.root / source
+        here = self._copy(source) if source in self.changed or "/Unity/unity_" in name else self.base.root / source
         words[words.index("-c") + 1] = str(here)
         words[words.index("-o") + 1] = str(output)
         includes = [f"-I{self.overlay}", f"-I{self.base.root}", "-w", "-MD", "-MF", f"{output}.d", *more]
@@ -236,6 +236,15 @@ class _Recipe:
         launcher = shutil.which("ccache")
         self._edge(output, [*([launcher] if launcher else []), *words], [here], f"{output}.d")
         self.new[name] = output
+
+    def _copy(self, source):
+        """The changed copy of a source; of a unit of several sources one that includes the changed copies of these."""
+        if "/Unity/unity_" in source:
+            text = (self.base.root / source).read_text(encoding="utf-8")
+            for file in self.changed:
+                text = text.replace(f'"{self.base.root / file}"', f'"{self.overlay / file}"')
+            write(self.overlay / source, text)
+        return self.overlay / source
 
     def link(self, target, output, also=None, words=None, as_name=None):
         """Makes a library or executable again if any part of it is new; else it stays the one that is there."""

@@ -20,8 +20,8 @@ std::unique_ptr<Contact<dim>> nothing(const Grid<dim>&, int) {
   return nullptr;
 }
 
-const RegisterPart entry(ContactEntry{{"none", "velocity fields pass through each other", "-"},
-                                      {nothing<1>, nothing<2>, nothing<3>}});
+const RegisterPart contact_entry(ContactEntry{{"none", "velocity fields pass through each other", "-"},
+                                              {nothing<1>, nothing<2>, nothing<3>}});
 
 }  // namespace
 

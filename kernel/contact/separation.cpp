@@ -9,7 +9,7 @@ namespace {
 
 constexpr double penalty = 1e-4;  // lambda
 // Newton's steps end where one would change the function by less than rounding; from zero they are fewer than ten.
-constexpr double settled = 1e-14;
+constexpr double settled_plane = 1e-14;
 constexpr int most_steps = 50;
 
 // A point as the fit sees it: (xi, 1), with the sign of its side, and its share of that side's weights.
@@ -76,10 +76,10 @@ Eigen::Matrix<double, dim, 1> separating_direction(const Clouds<dim>& clouds, do
   Fit<dim> fit(samples, plane);
   for (int k = 0; k < most_steps; ++k) {
     const typename Fit<dim>::Plane step = fit.curvature.ldlt().solve(-fit.slope);
-    if (-step.dot(fit.slope) <= settled * fit.value) break;
+    if (-step.dot(fit.slope) <= settled_plane * fit.value) break;
     double part = 1;
     Fit<dim> next(samples, plane + step);
-    while (next.value > fit.value && part > settled) next = Fit<dim>(samples, plane + (part *= 0.5) * step);
+    while (next.value > fit.value && part > settled_plane) next = Fit<dim>(samples, plane + (part *= 0.5) * step);
     plane += part * step;
     fit = next;
   }

@@ -18,7 +18,7 @@ std::unique_ptr<Contact<dim>> make(const Grid<dim>& grid, int support) {
   return std::make_unique<TouchingContact<dim>>(grid, support);
 }
 
-const RegisterPart entry(ContactEntry{
+const RegisterPart touching_entry(ContactEntry{
     {"touching", "normal impulses and Coulomb friction where points touch and approach",
      "reports/docs/theory/contact-and-coupling.md"},
     {make<1>, make<2>, make<3>},

@@ -9,7 +9,7 @@ namespace {
 
 // Sweeps over the pairs of a node, and the share of the largest impulse below which a change is rounding.
 constexpr int most_sweeps = 200;
-constexpr double settled = 1e-14;
+constexpr double settled_friction = 1e-14;
 
 template <int dim>
 Eigen::Matrix<double, dim, 1> limited(const Eigen::Matrix<double, dim, 1>& impulse, double limit) {
@@ -47,7 +47,7 @@ void TouchingContact<dim>::rub(Fields& fields, const Pairs& pairs, const Velocit
       given[r] = impulse;
     }
     if (pairs.size() > 1) push_apart(fields, pairs, of);
-    if (changed <= settled * largest) break;
+    if (changed <= settled_friction * largest) break;
   }
 }
 

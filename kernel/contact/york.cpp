@@ -26,8 +26,8 @@ const RegisterPart against_other(law<YorkCriterion::against_other>(
 const RegisterPart against_centre(law<YorkCriterion::against_centre>("york-9.8",
                                                                      "the same, seen from the centre of mass",
                                                                      "York 1997, (9.8)"));
-const RegisterPart both(law<YorkCriterion::both>("york-9.9", "the same, release only if both bodies agree",
-                                                 "York 1997, (9.9)"));
+const RegisterPart if_both_agree(law<YorkCriterion::both>("york-9.9", "the same, release only if both bodies agree",
+                                                          "York 1997, (9.9)"));
 
 }  // namespace
 

@@ -12,7 +12,7 @@ namespace {
 
 using Frame = Eigen::Matrix<double, 3, 2>;
 
-const RegisterPart entry(material_entry<CarriedMembrane>(
+const RegisterPart carried_membrane_entry(material_entry<CarriedMembrane>(
     "a membrane in space whose tangents the velocity gradient carries", "reports/docs/theory/membranes.md",
     {{"youngs_modulus", "Pa", &CarriedMembrane::youngs_modulus},
      {"poissons_ratio", "1", &CarriedMembrane::poissons_ratio},

@@ -12,12 +12,12 @@
 namespace plumbline {
 namespace {
 
-const RegisterPart entry(material_entry<IdealGas>("ideal gas with energy equation, viscosity and artificial viscosity",
-                                                  "York 1997, chapter 4",
-                                                  {{"gamma", "1", &IdealGas::gamma},
-                                                   {"viscosity", "Pa s", &IdealGas::viscosity},
-                                                   {"viscosity_linear", "1", &IdealGas::viscosity_linear},
-                                                   {"viscosity_quadratic", "1", &IdealGas::viscosity_quadratic}}));
+const RegisterPart ideal_gas_entry(material_entry<IdealGas>(
+    "ideal gas with energy equation, viscosity and artificial viscosity", "York 1997, chapter 4",
+    {{"gamma", "1", &IdealGas::gamma},
+     {"viscosity", "Pa s", &IdealGas::viscosity},
+     {"viscosity_linear", "1", &IdealGas::viscosity_linear},
+     {"viscosity_quadratic", "1", &IdealGas::viscosity_quadratic}}));
 
 // Energies of points, which a cold gas may not take below zero by what of |v_p|^2 is lost in the sum of kinetic and internal
 // energy: there they become zero.

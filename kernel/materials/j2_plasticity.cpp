@@ -15,7 +15,7 @@ namespace {
 
 using Matrix = Eigen::Matrix3d;
 
-const RegisterPart entry(
+const RegisterPart j2_plasticity_entry(
     material_entry<J2Plasticity>("finite strains, von Mises plasticity with linear isotropic hardening",
                                  "Simo 1992, doi 10.1016/0045-7825(92)90123-2",
                                  {{"youngs_modulus", "Pa", &J2Plasticity::youngs_modulus},

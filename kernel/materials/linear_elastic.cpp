@@ -16,7 +16,7 @@ MaterialEntry::KnownFailure unturned(const std::string& geometry) {
   return {"frame/spin/" + geometry,
           "strains add up in fixed axes, so that a stress stays where its point turns; for small turns", 1.1, 1.45};
 }
-const RegisterPart entry(
+const RegisterPart linear_elastic_entry(
     material_entry<LinearElastic>("small strains, Hooke's law: line, plane strain or stress, rings, space",
                                   "L. D. Landau, E. M. Lifshitz, Theory of Elasticity, 3rd ed., section 4",
                                   {{"youngs_modulus", "Pa", &LinearElastic::youngs_modulus},

@@ -14,11 +14,11 @@
 namespace plumbline {
 namespace {
 
-const RegisterPart entry(material_entry<NeoHookean>("finite strains, compressible neo-Hookean",
-                                                    "Wallstedt, Guilkey 2008, doi 10.1016/j.jcp.2008.07.019",
-                                                    {{"youngs_modulus", "Pa", &NeoHookean::youngs_modulus},
-                                                     {"poissons_ratio", "1", &NeoHookean::poissons_ratio},
-                                                     {"density", "kg/m^3", &NeoHookean::density}}));
+const RegisterPart neo_hookean_entry(material_entry<NeoHookean>(
+    "finite strains, compressible neo-Hookean", "Wallstedt, Guilkey 2008, doi 10.1016/j.jcp.2008.07.019",
+    {{"youngs_modulus", "Pa", &NeoHookean::youngs_modulus},
+     {"poissons_ratio", "1", &NeoHookean::poissons_ratio},
+     {"density", "kg/m^3", &NeoHookean::density}}));
 
 // Loops over points of one geometry, packs of them at a time.
 template <int dim, bool rings>

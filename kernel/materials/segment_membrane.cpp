@@ -10,15 +10,16 @@
 namespace plumbline {
 namespace {
 
-const RegisterPart entry(material_entry<SegmentMembrane>("a chain strained by the stretch of its segments, one-way law",
-                                                         "Lian, Zhang, Liu 2014, doi 10.1007/s10999-014-9241-6",
-                                                         {{"youngs_modulus", "Pa", &SegmentMembrane::youngs_modulus},
-                                                          {"density", "kg/m^3", &SegmentMembrane::density},
-                                                          {"section", "m^2", &SegmentMembrane::section},
-                                                          {"one_way", &SegmentMembrane::one_way},
-                                                          {"closed", &SegmentMembrane::closed},
-                                                          {"revolved", &SegmentMembrane::revolved},
-                                                          {"poissons_ratio", "1", &SegmentMembrane::poissons_ratio}}));
+const RegisterPart segment_membrane_entry(
+    material_entry<SegmentMembrane>("a chain strained by the stretch of its segments, one-way law",
+                                    "Lian, Zhang, Liu 2014, doi 10.1007/s10999-014-9241-6",
+                                    {{"youngs_modulus", "Pa", &SegmentMembrane::youngs_modulus},
+                                     {"density", "kg/m^3", &SegmentMembrane::density},
+                                     {"section", "m^2", &SegmentMembrane::section},
+                                     {"one_way", &SegmentMembrane::one_way},
+                                     {"closed", &SegmentMembrane::closed},
+                                     {"revolved", &SegmentMembrane::revolved},
+                                     {"poissons_ratio", "1", &SegmentMembrane::poissons_ratio}}));
 
 }  // namespace
 

@@ -95,4 +95,8 @@ Metric metric_of(const Columns& points, int p) {
   return c;
 }
 
+Eigen::Vector3d place_of(const Columns& points, int p) {
+  return {points(column::position, 0)[p], points(column::position, 1)[p], points(column::position, 2)[p]};
+}
+
 }  // namespace plumbline

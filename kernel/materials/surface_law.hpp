@@ -1,6 +1,8 @@
 // What a membrane in space stores, and its stresses, by how its tangents are stretched.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "kernel/points/columns.hpp"
 
 namespace plumbline {
@@ -50,5 +52,8 @@ struct SurfaceLaw {
 
 // The metric of the tangents that point p holds.
 SurfaceLaw::Metric metric_of(const Columns& points, int p);
+
+// Where point p stands in space, m.
+Eigen::Vector3d place_of(const Columns& points, int p);
 
 }  // namespace plumbline

@@ -89,7 +89,7 @@ struct PairColumn {
   }
 };
 
-const RegisterPart entry(material_entry<SurfaceMembrane>(
+const RegisterPart surface_membrane_entry(material_entry<SurfaceMembrane>(
     "a membrane in space, strained as the surface through its points", "reports/docs/theory/membranes.md",
     {{"youngs_modulus", "Pa", &SurfaceMembrane::youngs_modulus},
      {"poissons_ratio", "1", &SurfaceMembrane::poissons_ratio},

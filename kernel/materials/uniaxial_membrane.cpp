@@ -9,12 +9,12 @@
 namespace plumbline {
 namespace {
 
-const RegisterPart entry(material_entry<UniaxialMembrane>("one layer of points, tension along the tangent, one-way law",
-                                                          "York 1997, chapter 5",
-                                                          {{"youngs_modulus", "Pa", &UniaxialMembrane::youngs_modulus},
-                                                           {"density", "kg/m^3", &UniaxialMembrane::density},
-                                                           {"one_way", &UniaxialMembrane::one_way},
-                                                           {"closed", &UniaxialMembrane::closed}}));
+const RegisterPart uniaxial_membrane_entry(material_entry<UniaxialMembrane>(
+    "one layer of points, tension along the tangent, one-way law", "York 1997, chapter 5",
+    {{"youngs_modulus", "Pa", &UniaxialMembrane::youngs_modulus},
+     {"density", "kg/m^3", &UniaxialMembrane::density},
+     {"one_way", &UniaxialMembrane::one_way},
+     {"closed", &UniaxialMembrane::closed}}));
 const RegisterPart plane_stress_entry(material_entry<PlaneStressMembrane>(
     "the same held out of the plane, with the modulus E / (1 - nu^2)", "York 1997, (5.12-5.15)",
     {{"youngs_modulus", "Pa", &PlaneStressMembrane::youngs_modulus},

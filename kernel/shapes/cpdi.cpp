@@ -24,7 +24,7 @@ ShapeEntry cpdi() {
   return entry;
 }
 
-const RegisterPart entry(cpdi());
+const RegisterPart cpdi_entry(cpdi());
 
 }  // namespace
 }  // namespace plumbline

@@ -5,8 +5,8 @@
 namespace plumbline {
 namespace {
 
-const RegisterPart entry(shape_entry<Cubic>("cubic", "cubic B-splines on the nodes",
-                                            "Steffen et al. 2008, doi 10.1002/nme.2360"));
+const RegisterPart cubic_entry(shape_entry<Cubic>("cubic", "cubic B-splines on the nodes",
+                                                  "Steffen et al. 2008, doi 10.1002/nme.2360"));
 
 }  // namespace
 }  // namespace plumbline

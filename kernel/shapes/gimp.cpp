@@ -12,8 +12,8 @@ ShapeEntry contiguous() {
   return entry;
 }
 
-const RegisterPart entry(shape_entry<Gimp>("gimp", "tents averaged over boxes that stay",
-                                           "Bardenhagen, Kober 2004, doi 10.3970/cmes.2004.005.477"));
+const RegisterPart gimp_entry(shape_entry<Gimp>("gimp", "tents averaged over boxes that stay",
+                                                "Bardenhagen, Kober 2004, doi 10.3970/cmes.2004.005.477"));
 const RegisterPart contiguous_entry(contiguous());
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace plumbline {
 namespace {
 
-const RegisterPart entry(shape_entry<Linear>("linear", "tent functions", "York 1997, A.3.1"));
+const RegisterPart linear_entry(shape_entry<Linear>("linear", "tent functions", "York 1997, A.3.1"));
 
 }  // namespace
 }  // namespace plumbline

@@ -5,8 +5,8 @@
 namespace plumbline {
 namespace {
 
-const RegisterPart entry(shape_entry<Quadratic>("quadratic", "quadratic B-splines on the nodes",
-                                                "York 1997, A.3.2; Steffen et al. 2008, doi 10.1002/nme.2360"));
+const RegisterPart quadratic_entry(shape_entry<Quadratic>(
+    "quadratic", "quadratic B-splines on the nodes", "York 1997, A.3.2; Steffen et al. 2008, doi 10.1002/nme.2360"));
 
 }  // namespace
 }  // namespace plumbline

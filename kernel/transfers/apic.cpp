@@ -5,12 +5,12 @@
 namespace plumbline {
 namespace {
 
-const RegisterPart entry(TransferEntry{{"apic",
-                                        "points take the grid's velocity and its affine part",
-                                        "Jiang et al. 2015, doi 10.1145/2766996",
-                                        {Trait::returnable_loss},
-                                        {Trait::forward_steps}},
-                                       {.affine = true}});
+const RegisterPart apic_entry(TransferEntry{{"apic",
+                                             "points take the grid's velocity and its affine part",
+                                             "Jiang et al. 2015, doi 10.1145/2766996",
+                                             {Trait::returnable_loss},
+                                             {Trait::forward_steps}},
+                                            {.affine = true}});
 
 }  // namespace
 }  // namespace plumbline

@@ -6,7 +6,7 @@
 namespace plumbline {
 namespace {
 
-const RegisterPart entry(TransferEntry{
+const RegisterPart fmpm_entry(TransferEntry{
     {"fmpm",
      "points take the grid's velocity through m terms of the full mass matrix's inverse",
      "Nairn, Hammerquist 2021, doi 10.1016/j.cma.2021.113667",

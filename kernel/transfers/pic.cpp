@@ -5,7 +5,7 @@
 namespace plumbline {
 namespace {
 
-const RegisterPart entry(TransferEntry{
+const RegisterPart pic_entry(TransferEntry{
     {"pic", "points take the grid's velocity", "Harlow 1964", {Trait::returnable_loss}, {Trait::forward_steps}}, {}});
 
 }  // namespace

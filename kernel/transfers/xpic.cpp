@@ -6,7 +6,7 @@
 namespace plumbline {
 namespace {
 
-const RegisterPart entry(TransferEntry{
+const RegisterPart xpic_entry(TransferEntry{
     {"xpic",
      "points take the grid's acceleration and lose only what m passes to the grid and back do not restore",
      "Hammerquist, Nairn 2017, doi 10.1016/j.cma.2017.01.035",

@@ -3,7 +3,7 @@
 
 #include "reference/catalog/flow_answer.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::affine_expansion {
 namespace {
 
 class AffineExpansionReference : public Reference {
@@ -45,4 +45,4 @@ class AffineExpansionReference : public Reference {
 const Registration registration{std::make_unique<AffineExpansionReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::affine_expansion

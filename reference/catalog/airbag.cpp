@@ -2,7 +2,7 @@
 #include "reference/airbag_lumped.hpp"
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::airbag {
 namespace {
 
 class AirbagReference : public Reference {
@@ -67,4 +67,4 @@ class AirbagReference : public Reference {
 const Registration registration{std::make_unique<AirbagReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::airbag

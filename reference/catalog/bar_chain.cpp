@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::bar_chain {
 namespace {
 
 class BarChainReference : public Reference {
@@ -64,4 +64,4 @@ class BarChainReference : public Reference {
 const Registration registration{std::make_unique<BarChainReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::bar_chain

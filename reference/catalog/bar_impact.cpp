@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::bar_impact {
 namespace {
 
 class BarImpactReference : public Reference {
@@ -63,4 +63,4 @@ class BarImpactReference : public Reference {
 const Registration registration{std::make_unique<BarImpactReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::bar_impact

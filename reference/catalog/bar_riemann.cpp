@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::bar_riemann {
 namespace {
 
 class BarRiemannReference : public Reference {
@@ -61,4 +61,4 @@ class BarRiemannReference : public Reference {
 const Registration registration{std::make_unique<BarRiemannReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::bar_riemann

@@ -4,7 +4,7 @@
 #include "reference/catalog/parameters.hpp"
 #include "reference/catalog/stability_parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::bar_stability {
 namespace {
 
 class BarStabilityReference : public Reference {
@@ -41,4 +41,4 @@ class BarStabilityReference : public Reference {
 const Registration registration{std::make_unique<BarStabilityReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::bar_stability

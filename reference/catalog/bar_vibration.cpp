@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::bar_vibration {
 namespace {
 
 class BarVibrationReference : public Reference {
@@ -51,4 +51,4 @@ class BarVibrationReference : public Reference {
 const Registration registration{std::make_unique<BarVibrationReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::bar_vibration

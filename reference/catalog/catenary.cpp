@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::catenary {
 namespace {
 
 class CatenaryReference : public Reference {
@@ -46,4 +46,4 @@ class CatenaryReference : public Reference {
 const Registration registration{std::make_unique<CatenaryReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::catenary

@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::circular_membrane {
 namespace {
 
 class AnyCircularMembrane : public Reference {
@@ -90,4 +90,4 @@ const Registration clamped{std::make_unique<CircularMembraneReference>()};
 const Registration balloon{std::make_unique<MylarBalloonReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::circular_membrane

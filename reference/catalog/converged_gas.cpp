@@ -6,7 +6,7 @@
 
 #include "reference/registry.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::converged_gas {
 namespace {
 
 const double infinity = rounding::infinity;
@@ -137,4 +137,4 @@ const Registration woodward_colella_entry{std::make_unique<WoodwardColellaRefere
 const Registration gas_expansion_entry{std::make_unique<GasExpansionReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::converged_gas

@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::cook_panel {
 namespace {
 
 class CookPanelReference : public Reference {
@@ -25,7 +25,7 @@ class CookPanelReference : public Reference {
  private:
   Answer solve(const std::map<std::string, double>& s, std::span<const double> at) const override {
     const CookPanelProblem problem{s.at("youngs_modulus"), s.at("poisson"), s.at("load")};
-    const CookPanel panel = cook_panel(problem);
+    const CookPanel panel = reference::cook_panel(problem);
     Answer answer;
     answer.add("corner", panel.corner);
     answer.add("work", panel.work);
@@ -40,4 +40,4 @@ class CookPanelReference : public Reference {
 const Registration registration{std::make_unique<CookPanelReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::cook_panel

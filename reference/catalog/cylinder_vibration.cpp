@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::cylinder_vibration {
 namespace {
 
 class CylinderVibrationReference : public Reference {
@@ -54,4 +54,4 @@ class CylinderVibrationReference : public Reference {
 const Registration registration{std::make_unique<CylinderVibrationReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::cylinder_vibration

@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::drum {
 namespace {
 
 Parameter around_parameter() { return {"around", 0, 0, 100, false, false, "1", "nodal diameters of the mode"}; }
@@ -80,4 +80,4 @@ const Registration drum{std::make_unique<DrumReference>()};
 const Registration prestretched{std::make_unique<PrestretchedDrumReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::drum

@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::elastic_pendulum {
 namespace {
 
 class ElasticPendulumReference : public Reference {
@@ -70,4 +70,4 @@ class ElasticPendulumReference : public Reference {
 const Registration registration{std::make_unique<ElasticPendulumReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::elastic_pendulum

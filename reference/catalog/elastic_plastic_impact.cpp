@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::elastic_plastic_impact {
 namespace {
 
 class ElasticPlasticImpactReference : public Reference {
@@ -60,4 +60,4 @@ class ElasticPlasticImpactReference : public Reference {
 const Registration registration{std::make_unique<ElasticPlasticImpactReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::elastic_plastic_impact

@@ -6,7 +6,7 @@
 
 #include "reference/registry.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::finite_volume {
 namespace {
 
 Bounded against(double value, Bounded exact) { return {value, std::abs(value - exact.value) + exact.bound}; }
@@ -79,4 +79,4 @@ class FiniteVolumeReference : public Reference {
 const Registration registration{std::make_unique<FiniteVolumeReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::finite_volume

@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::gas_ring {
 namespace {
 
 class GasRingReference : public Reference {
@@ -63,4 +63,4 @@ class GasRingReference : public Reference {
 const Registration registration{std::make_unique<GasRingReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::gas_ring

@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::gas_sphere {
 namespace {
 
 class GasSphereReference : public Reference {
@@ -62,4 +62,4 @@ class GasSphereReference : public Reference {
 const Registration registration{std::make_unique<GasSphereReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::gas_sphere

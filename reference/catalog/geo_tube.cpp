@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::geo_tube {
 namespace {
 
 class GeoTubeReference : public Reference {
@@ -58,4 +58,4 @@ class GeoTubeReference : public Reference {
 const Registration registration{std::make_unique<GeoTubeReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::geo_tube

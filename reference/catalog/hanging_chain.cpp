@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::hanging_chain {
 namespace {
 
 class HangingChainReference : public Reference {
@@ -52,4 +52,4 @@ class HangingChainReference : public Reference {
 const Registration registration{std::make_unique<HangingChainReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::hanging_chain

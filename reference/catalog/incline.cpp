@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::incline {
 namespace {
 
 class InclineReference : public Reference {
@@ -52,4 +52,4 @@ class InclineReference : public Reference {
 const Registration registration{std::make_unique<InclineReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::incline

@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::manufactured {
 namespace {
 
 using Settings = std::map<std::string, double>;
@@ -179,4 +179,4 @@ const Registration ring{std::make_unique<RingReference>()};
 const Registration vortex{std::make_unique<VortexReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::manufactured

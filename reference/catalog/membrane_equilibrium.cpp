@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::membrane_equilibrium {
 namespace {
 
 using Row = std::vector<std::pair<std::string, Bounded>>;
@@ -74,4 +74,4 @@ class MembraneEquilibriumReference : public Reference {
 const Registration registration{std::make_unique<MembraneEquilibriumReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::membrane_equilibrium

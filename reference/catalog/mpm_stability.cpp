@@ -3,7 +3,7 @@
 
 #include "reference/catalog/stability_parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::mpm_stability {
 namespace {
 
 class LatticeStability : public Reference {
@@ -78,4 +78,4 @@ const Registration lattice{std::make_unique<LatticeStability>()};
 const Registration edge{std::make_unique<EdgeStability>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::mpm_stability

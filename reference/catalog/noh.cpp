@@ -3,7 +3,7 @@
 
 #include "reference/catalog/flow_answer.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::noh {
 namespace {
 
 class NohReference : public Reference {
@@ -37,4 +37,4 @@ class NohReference : public Reference {
 const Registration registration{std::make_unique<NohReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::noh

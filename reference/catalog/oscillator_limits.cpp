@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::oscillator_limits {
 namespace {
 
 using Method = OscillatorMethod;
@@ -56,4 +56,4 @@ class OscillatorLimitsReference : public Reference {
 const Registration registration{std::make_unique<OscillatorLimitsReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::oscillator_limits

@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::piston_container {
 namespace {
 
 class PistonContainerReference : public Reference {
@@ -54,4 +54,4 @@ class PistonContainerReference : public Reference {
 const Registration registration{std::make_unique<PistonContainerReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::piston_container

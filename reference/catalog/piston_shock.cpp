@@ -3,7 +3,7 @@
 
 #include "reference/catalog/flow_answer.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::piston_shock {
 namespace {
 
 class PistonShockReference : public Reference {
@@ -41,4 +41,4 @@ class PistonShockReference : public Reference {
 const Registration registration{std::make_unique<PistonShockReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::piston_shock

@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::plate_impact {
 namespace {
 
 class PlateImpactReference : public Reference {
@@ -60,4 +60,4 @@ class PlateImpactReference : public Reference {
 const Registration registration{std::make_unique<PlateImpactReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::plate_impact

@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::pressurised_sphere {
 namespace {
 
 class PressurisedSphereReference : public Reference {
@@ -57,4 +57,4 @@ class PressurisedSphereReference : public Reference {
 const Registration registration{std::make_unique<PressurisedSphereReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::pressurised_sphere

@@ -2,7 +2,7 @@
 #include "reference/riemann.hpp"
 #include "reference/registry.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::riemann {
 namespace {
 
 class RiemannReference : public Reference {
@@ -56,4 +56,4 @@ class RiemannReference : public Reference {
 const Registration registration{std::make_unique<RiemannReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::riemann

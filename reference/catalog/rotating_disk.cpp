@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::rotating_disk {
 namespace {
 
 class RotatingDiskReference : public Reference {
@@ -51,4 +51,4 @@ class RotatingDiskReference : public Reference {
 const Registration registration{std::make_unique<RotatingDiskReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::rotating_disk

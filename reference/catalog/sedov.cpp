@@ -3,7 +3,7 @@
 
 #include "reference/catalog/flow_answer.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::sedov {
 namespace {
 
 class SedovReference : public Reference {
@@ -45,4 +45,4 @@ class SedovReference : public Reference {
 const Registration registration{std::make_unique<SedovReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::sedov

@@ -3,7 +3,7 @@
 
 #include "reference/catalog/flow_answer.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::shear_decay {
 namespace {
 
 class ShearDecayReference : public Reference {
@@ -48,4 +48,4 @@ class ShearDecayReference : public Reference {
 const Registration registration{std::make_unique<ShearDecayReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::shear_decay

@@ -3,7 +3,7 @@
 
 #include "reference/catalog/flow_answer.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::simple_wave {
 namespace {
 
 class SimpleWaveReference : public Reference {
@@ -42,4 +42,4 @@ class SimpleWaveReference : public Reference {
 const Registration registration{std::make_unique<SimpleWaveReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::simple_wave

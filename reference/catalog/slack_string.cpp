@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::slack_string {
 namespace {
 
 class SlackStringReference : public Reference {
@@ -47,4 +47,4 @@ class SlackStringReference : public Reference {
 const Registration registration{std::make_unique<SlackStringReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::slack_string

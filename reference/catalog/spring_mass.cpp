@@ -3,7 +3,7 @@
 #include "reference/registry.hpp"
 #include "reference/spring.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::spring_mass {
 namespace {
 
 class SpringMassReference : public Reference {
@@ -56,4 +56,4 @@ class SpringMassReference : public Reference {
 const Registration registration{std::make_unique<SpringMassReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::spring_mass

@@ -3,7 +3,7 @@
 
 #include "reference/catalog/flow_answer.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::standing_wave {
 namespace {
 
 class StandingWaveReference : public Reference {
@@ -40,4 +40,4 @@ class StandingWaveReference : public Reference {
 const Registration registration{std::make_unique<StandingWaveReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::standing_wave

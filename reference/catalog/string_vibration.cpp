@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::string_vibration {
 namespace {
 
 class StringVibrationReference : public Reference {
@@ -56,4 +56,4 @@ class StringVibrationReference : public Reference {
 const Registration registration{std::make_unique<StringVibrationReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::string_vibration

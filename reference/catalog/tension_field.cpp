@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::tension_field {
 namespace {
 
 class TensionFieldReference : public Reference {
@@ -56,4 +56,4 @@ class TensionFieldReference : public Reference {
 const Registration registration{std::make_unique<TensionFieldReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::tension_field

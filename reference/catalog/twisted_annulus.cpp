@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::twisted_annulus {
 namespace {
 
 class TwistedAnnulusReference : public Reference {
@@ -55,4 +55,4 @@ class TwistedAnnulusReference : public Reference {
 const Registration registration{std::make_unique<TwistedAnnulusReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::twisted_annulus

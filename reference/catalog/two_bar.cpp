@@ -5,7 +5,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::two_bar {
 namespace {
 
 class TwoBarReference : public Reference {
@@ -59,4 +59,4 @@ class TwoBarReference : public Reference {
 const Registration registration{std::make_unique<TwoBarReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::two_bar

@@ -3,7 +3,7 @@
 
 #include "reference/catalog/parameters.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::two_disks {
 namespace {
 
 class TwoDisksReference : public Reference {
@@ -53,4 +53,4 @@ class TwoDisksReference : public Reference {
 const Registration registration{std::make_unique<TwoDisksReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::two_disks

@@ -3,7 +3,7 @@
 
 #include "reference/catalog/flow_answer.hpp"
 
-namespace plumbline::reference {
+namespace plumbline::reference::catalog::uniform_compression {
 namespace {
 
 class UniformCompressionReference : public Reference {
@@ -46,4 +46,4 @@ class UniformCompressionReference : public Reference {
 const Registration registration{std::make_unique<UniformCompressionReference>()};
 
 }  // namespace
-}  // namespace plumbline::reference
+}  // namespace plumbline::reference::catalog::uniform_compression

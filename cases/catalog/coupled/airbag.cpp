@@ -10,7 +10,7 @@
 #include "cases/catalog/coupled/grid_convergence.hpp"
 #include "cases/harness/judge/gates.hpp"
 
-namespace plumbline {
+namespace plumbline::airbag {
 namespace {
 
 constexpr double narrow_crown = 0.318;  // m, of York's bag under the narrow probe York, A.4.8
@@ -217,4 +217,4 @@ std::vector<Case> airbags() {
 PLUMBLINE_CASE(airbags);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::airbag

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double probe_modulus = 5e7, probe_poisson = 0.3, probe_height = 0.08;  // York 6.3.1, A.4.8
 constexpr int probe_ppc = 2;                                                     // and direction
-constexpr double turn = 2 * std::numbers::pi;
+constexpr double whole_turn = 2 * std::numbers::pi;
 
 // Bounds from outside the run: what a bag as long along the meridian as this ever got does at most to the probe.
 struct Limits {
@@ -58,15 +58,15 @@ class AirbagRun final : public Problem {
 
   void observe(const Simulation& simulation) override {
     const auto& bodies = simulation.scene().bodies;
-    if (history_.empty()) start_elastic_ = turn * simulation.ledger().initial_stores.elastic;
+    if (history_.empty()) start_elastic_ = whole_turn * simulation.ledger().initial_stores.elastic;
     const BodyMotion probe = motion_of(bodies[2], 2);
     const EnergyStores& stores = simulation.ledger().stores;
     const double volume = enclosed_volume(bodies[1]);
     const double pressure = (bag_gamma - 1) * stores.internal / volume;  // [York 4.4]
     meridian_ = std::max(meridian_, length(outline(bodies[1], {})));
     history_.push_back({simulation.time(), start_height() + 0.5 * probe_height - probe.position[1], probe.velocity[1],
-                        pressure - at_.pressures.outside, turn * volume, turn * stores.kinetic, turn * stores.elastic,
-                        highest_point(bodies[1], 0)});
+                        pressure - at_.pressures.outside, whole_turn * volume, whole_turn * stores.kinetic,
+                        whole_turn * stores.elastic, highest_point(bodies[1], 0)});
   }
   void history(Archive& archive) override {
     archive("start_elastic", start_elastic_);
@@ -124,7 +124,7 @@ class AirbagRun final : public Problem {
 
  private:
   double start_height() const { return highest_point(blown_up().skin, 1); }  // of the pole, where the probe is first
-  double start_volume() const { return turn * enclosed_volume(blown_up().skin); }
+  double start_volume() const { return whole_turn * enclosed_volume(blown_up().skin); }
 
   Scene with_probe(const Bag& bag) const {
     Scene scene;

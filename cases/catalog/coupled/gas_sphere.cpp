@@ -17,7 +17,7 @@
 #include "cases/harness/verify/restart_gate.hpp"
 #include "reference/gas_sphere.hpp"
 
-namespace plumbline {
+namespace plumbline::gas_sphere {
 namespace {
 
 struct GasInSphere : SurfaceCase {
@@ -202,4 +202,4 @@ Case gas_sphere() {
 PLUMBLINE_CASE(gas_sphere);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::gas_sphere

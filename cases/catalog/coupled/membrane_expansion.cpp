@@ -19,7 +19,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "reference/membrane_equilibrium.hpp"
 
-namespace plumbline {
+namespace plumbline::membrane_expansion {
 namespace {
 
 constexpr double side = 1.6;             // m, of the quarter's domain
@@ -575,4 +575,4 @@ Case membrane_expansion() {
 PLUMBLINE_CASE(membrane_expansion);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::membrane_expansion

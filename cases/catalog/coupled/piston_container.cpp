@@ -19,7 +19,7 @@
 #include "kernel/materials/linear_elastic.hpp"
 #include "reference/piston_container.hpp"
 
-namespace plumbline {
+namespace plumbline::piston_container {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -323,4 +323,4 @@ Case piston_container() {
 PLUMBLINE_CASE(piston_container);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::piston_container

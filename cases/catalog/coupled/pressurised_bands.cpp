@@ -18,7 +18,7 @@
 #include "cases/harness/run/extremes.hpp"
 #include "kernel/materials/segment_membrane.hpp"
 
-namespace plumbline {
+namespace plumbline::pressurised_bands {
 namespace {
 
 constexpr int beyond = 3;  // cells of the grid outside the sphere: the kernel reaches two
@@ -258,4 +258,4 @@ Case pressurised_bands() {
 PLUMBLINE_CASE(pressurised_bands);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::pressurised_bands

@@ -10,7 +10,7 @@
 #include "cases/harness/description/case.hpp"
 #include "cases/harness/judge/gates.hpp"
 
-namespace plumbline {
+namespace plumbline::ring_at_rest {
 namespace {
 
 struct StillRing : RingParameters {
@@ -184,4 +184,4 @@ Case ring_at_rest() {
 PLUMBLINE_CASE(ring_at_rest);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::ring_at_rest

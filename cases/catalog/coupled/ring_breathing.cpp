@@ -11,7 +11,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "cases/harness/verify/restart_gate.hpp"
 
-namespace plumbline {
+namespace plumbline::ring_breathing {
 namespace {
 
 struct BreathingRing : RingParameters {
@@ -118,4 +118,4 @@ Case ring_breathing() {
 PLUMBLINE_CASE(ring_breathing);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::ring_breathing

@@ -6,7 +6,7 @@
 #include "cases/harness/files/errors.hpp"
 #include "reference/simple_wave.hpp"
 
-namespace plumbline {
+namespace plumbline::acoustic_pulse {
 namespace {
 
 struct Pulse : Parameters {
@@ -59,4 +59,4 @@ Case acoustic_pulse() {
 PLUMBLINE_CASE(acoustic_pulse);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::acoustic_pulse

@@ -11,7 +11,7 @@
 #include "cases/harness/verify/restart_gate.hpp"
 #include "reference/affine_expansion.hpp"
 
-namespace plumbline {
+namespace plumbline::affine_expansion {
 namespace {
 
 struct Expansion : Parameters {
@@ -110,4 +110,4 @@ Case affine_expansion() {
 PLUMBLINE_CASE(affine_expansion);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::affine_expansion

@@ -4,7 +4,7 @@
 #include "cases/catalog/gas/shock_tube.hpp"
 #include "reference/converged_gas.hpp"
 
-namespace plumbline {
+namespace plumbline::converged_tubes {
 namespace {
 
 using Solution = const reference::ConvergedGas& (*)();  // made when first asked for
@@ -59,4 +59,4 @@ std::vector<Case> converged_tubes() {
 PLUMBLINE_CASE(converged_tubes);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::converged_tubes

@@ -48,16 +48,10 @@ Body body_of(std::shared_ptr<const IdealGas> gas, const std::vector<Part>& parts
   return body;
 }
 
-// Gauss's rule of five points, as sums over places and weights.
-constexpr std::array<std::array<double, 2>, 5> gauss{{{-0.45308992296933199640, 0.11846344252809454376},
-                                                      {-0.26923465505284154552, 0.23931433524968323402},
-                                                      {0.0, 0.28444444444444444444},
-                                                      {0.26923465505284154552, 0.23931433524968323402},
-                                                      {0.45308992296933199640, 0.11846344252809454376}}};
-
+// The places and weights of Gauss's rule.
 template <class Visit>
 void over_interval(const Interval& over, Visit&& visit) {
-  for (const auto& [place, weight] : gauss) visit(over.middle() + place * over.length(), weight * over.length());
+  for (const auto& [place, weight] : gauss_points) visit(over.middle() + place * over.length(), weight * over.length());
 }
 
 // The part of the gas in a lattice cell: stations along all directions but the last, along that the exact interval.

@@ -11,7 +11,7 @@
 #include "cases/harness/verify/restart_gate.hpp"
 #include "reference/converged_gas.hpp"
 
-namespace plumbline {
+namespace plumbline::gas_expansion {
 namespace {
 
 constexpr double york_cells = 40;        // his mesh [York 4.2]
@@ -137,4 +137,4 @@ Case gas_expansion() {
 PLUMBLINE_CASE(gas_expansion);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::gas_expansion

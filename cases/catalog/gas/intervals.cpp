@@ -9,16 +9,6 @@
 namespace plumbline {
 namespace {
 
-struct GaussPoint {
-  double place, weight;  // on [-1/2, 1/2], weights sum to 1
-};
-// sqrt(5 -+ 2 sqrt(10/7))/6 and (322 +- 13 sqrt 70)/1800: Legendre's polynomial of degree five.
-constexpr std::array<GaussPoint, 5> gauss{{{-0.45308992296933199640, 0.11846344252809454376},
-                                           {-0.26923465505284154552, 0.23931433524968323402},
-                                           {0.0, 0.28444444444444444444},
-                                           {0.26923465505284154552, 0.23931433524968323402},
-                                           {0.45308992296933199640, 0.11846344252809454376}}};
-
 // Solves integral of `measure` from `in.from` to s = wanted, by Newton's method kept inside the interval.
 double invert(const std::function<double(double)>& measure, const Interval& in, double whole, double wanted) {
   double low = in.from, high = in.to, s = in.from + in.length() * wanted / whole;
@@ -37,7 +27,7 @@ double invert(const std::function<double(double)>& measure, const Interval& in, 
 
 double integral(const std::function<double(double)>& f, const Interval& over) {
   double mean = 0;
-  for (const GaussPoint& at : gauss) mean += at.weight * f(over.middle() + at.place * over.length());
+  for (const GaussPoint& at : gauss_points) mean += at.weight * f(over.middle() + at.place * over.length());
   return mean * over.length();
 }
 
@@ -45,7 +35,7 @@ double weighted_mean(const std::function<double(double)>& f, const std::function
                      const Interval& over) {
   const double middle = f(over.middle());
   double above = 0, total = 0;
-  for (const GaussPoint& at : gauss) {
+  for (const GaussPoint& at : gauss_points) {
     const double s = over.middle() + at.place * over.length(), weight = at.weight * w(s);
     above += weight * (f(s) - middle);
     total += weight;

@@ -1,6 +1,7 @@
 // Where points stand along one coordinate: intervals that share a measure equally.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -11,6 +12,16 @@ struct Interval {
   double middle() const { return 0.5 * (from + to); }
   double length() const { return to - from; }
 };
+
+struct GaussPoint {
+  double place, weight;  // on [-1/2, 1/2], weights sum to 1
+};
+// sqrt(5 -+ 2 sqrt(10/7))/6 and (322 +- 13 sqrt 70)/1800: Legendre's polynomial of degree five.
+inline constexpr std::array<GaussPoint, 5> gauss_points{{{-0.45308992296933199640, 0.11846344252809454376},
+                                                         {-0.26923465505284154552, 0.23931433524968323402},
+                                                         {0.0, 0.28444444444444444444},
+                                                         {0.26923465505284154552, 0.23931433524968323402},
+                                                         {0.45308992296933199640, 0.11846344252809454376}}};
 
 // The integral of f over the interval, by five Gauss points: exact for polynomials of degree nine.
 double integral(const std::function<double(double)>& f, const Interval& over);

@@ -1,7 +1,7 @@
 // Lax's shock tube.
 #include "cases/catalog/gas/tube_case.hpp"
 
-namespace plumbline {
+namespace plumbline::lax {
 namespace {
 
 Case lax() {
@@ -10,4 +10,4 @@ Case lax() {
 PLUMBLINE_CASE(lax);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::lax

@@ -1,7 +1,7 @@
 // LeBlanc's shock tube: a thousand to one in density, a thousand million to one in pressure.
 #include "cases/catalog/gas/tube_case.hpp"
 
-namespace plumbline {
+namespace plumbline::leblanc {
 namespace {
 
 Case leblanc() {
@@ -24,4 +24,4 @@ Case leblanc() {
 PLUMBLINE_CASE(leblanc);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::leblanc

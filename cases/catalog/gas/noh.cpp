@@ -9,7 +9,7 @@
 #include "cases/harness/description/parameters.hpp"
 #include "reference/noh.hpp"
 
-namespace plumbline {
+namespace plumbline::noh {
 namespace {
 
 constexpr double latest = 0.6;  // s; the shock then stands at 0.2 m
@@ -150,4 +150,4 @@ std::vector<Case> noh() { return {against_wall(), against_axis(), against_centre
 PLUMBLINE_CASE(noh);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::noh

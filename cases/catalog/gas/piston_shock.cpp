@@ -9,7 +9,7 @@
 #include "cases/harness/verify/restart_gate.hpp"
 #include "reference/piston_shock.hpp"
 
-namespace plumbline {
+namespace plumbline::piston_shock {
 namespace {
 
 struct Piston : Parameters {
@@ -130,4 +130,4 @@ Case piston_shock() {
 PLUMBLINE_CASE(piston_shock);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::piston_shock

@@ -9,7 +9,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "cases/harness/run/experiment.hpp"
 
-namespace plumbline {
+namespace plumbline::riemann_draws {
 namespace {
 
 // Chosen before any run; what other seeds give stands in riemann-draws.md.
@@ -202,4 +202,4 @@ Case riemann_draws() { return trial_case("riemann-draws", trials(), gates()); }
 PLUMBLINE_CASE(riemann_draws);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::riemann_draws

@@ -10,7 +10,7 @@
 #include "cases/harness/description/parameters.hpp"
 #include "reference/sedov.hpp"
 
-namespace plumbline {
+namespace plumbline::sedov {
 namespace {
 
 constexpr double domain = 1.2;  // m
@@ -141,4 +141,4 @@ std::vector<Case> sedov() {
 PLUMBLINE_CASE(sedov);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::sedov

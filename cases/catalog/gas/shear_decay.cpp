@@ -8,7 +8,7 @@
 #include "cases/harness/description/parameters.hpp"
 #include "reference/shear_decay.hpp"
 
-namespace plumbline {
+namespace plumbline::shear_decay {
 namespace {
 
 // Rigid ends at y = 0 and y = height hold the sliding gas up; what they send comes with the speed of sound, 1.19 m/s,
@@ -104,4 +104,4 @@ Case shear_decay() {
 PLUMBLINE_CASE(shear_decay);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::shear_decay

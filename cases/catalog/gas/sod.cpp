@@ -9,7 +9,7 @@
 #include "cases/harness/verify/restart_gate.hpp"
 #include "reference/riemann.hpp"
 
-namespace plumbline {
+namespace plumbline::sod {
 namespace {
 
 const std::string first_order =
@@ -310,4 +310,4 @@ Case sod() {
 PLUMBLINE_CASE(sod);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::sod

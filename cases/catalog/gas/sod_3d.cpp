@@ -3,7 +3,7 @@
 #include "cases/catalog/gas/sod_tube.hpp"
 #include "cases/harness/verify/restart_gate.hpp"
 
-namespace plumbline {
+namespace plumbline::sod_3d {
 namespace {
 
 std::vector<StudyPlan> studies() {
@@ -45,4 +45,4 @@ Case sod_3d() {
 PLUMBLINE_CASE(sod_3d);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::sod_3d

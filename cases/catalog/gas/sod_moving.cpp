@@ -5,7 +5,7 @@
 #include "cases/catalog/gas/sod_tube.hpp"
 #include "cases/harness/description/parameters.hpp"
 
-namespace plumbline {
+namespace plumbline::sod_moving {
 namespace {
 
 struct Train : Parameters {
@@ -81,4 +81,4 @@ Case sod_moving() {
 PLUMBLINE_CASE(sod_moving);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::sod_moving

@@ -8,7 +8,7 @@
 #include "cases/catalog/gas/sod_tube.hpp"
 #include "cases/harness/description/parameters.hpp"
 
-namespace plumbline {
+namespace plumbline::sod_rotated {
 namespace {
 
 // A square of gas, turned waves in its middle. Waves run from the sides with at most u* + c* = 2.19 m/s, by 0.313 m
@@ -105,4 +105,4 @@ Case sod_rotated() {
 PLUMBLINE_CASE(sod_rotated);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::sod_rotated

@@ -6,7 +6,7 @@
 #include "cases/harness/description/parameters.hpp"
 #include "reference/standing_wave.hpp"
 
-namespace plumbline {
+namespace plumbline::standing_wave {
 namespace {
 
 struct Wave : Parameters {
@@ -64,4 +64,4 @@ Case standing_wave() {
 PLUMBLINE_CASE(standing_wave);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::standing_wave

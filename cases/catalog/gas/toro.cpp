@@ -1,7 +1,7 @@
 // Toro's five tests of Riemann solvers. [Toro table 4.1, section 10.8]
 #include "cases/catalog/gas/tube_case.hpp"
 
-namespace plumbline {
+namespace plumbline::toro {
 namespace {
 
 std::vector<Case> toro() {
@@ -20,4 +20,4 @@ std::vector<Case> toro() {
 PLUMBLINE_CASE(toro);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::toro

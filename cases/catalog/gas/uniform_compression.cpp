@@ -9,7 +9,7 @@
 #include "cases/harness/files/errors.hpp"
 #include "reference/uniform_compression.hpp"
 
-namespace plumbline {
+namespace plumbline::uniform_compression {
 namespace {
 
 // The gas ends at `length`, where it is free: what starts there runs inwards with the speed of sound, 1.2 to 1.3 m/s, and
@@ -249,4 +249,4 @@ Case uniform_compression() {
 PLUMBLINE_CASE(uniform_compression);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::uniform_compression

@@ -10,7 +10,7 @@
 #include "cases/harness/verify/restart_gate.hpp"
 #include "reference/pressurised_sphere.hpp"
 
-namespace plumbline {
+namespace plumbline::balloon {
 namespace {
 
 // One struct for points and reference. Times are in radii at rest over sqrt(E / ((1 - nu^2) rho)), the speed of waves at rest.
@@ -256,4 +256,4 @@ Case balloon() {
 PLUMBLINE_CASE(balloon);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::balloon

@@ -14,7 +14,7 @@
 #include "cases/harness/verify/restart_gate.hpp"
 #include "reference/pressurised_sphere.hpp"
 
-namespace plumbline {
+namespace plumbline::breathing_sphere {
 namespace {
 
 // One struct for points and reference.
@@ -250,4 +250,4 @@ Case breathing_sphere() {
 PLUMBLINE_CASE(breathing_sphere);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::breathing_sphere

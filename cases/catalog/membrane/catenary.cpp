@@ -8,7 +8,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "reference/catenary.hpp"
 
-namespace plumbline {
+namespace plumbline::catenary {
 namespace {
 
 constexpr double below = 0.6, above = 0.4;  // m, of the grid under and over the supports
@@ -233,4 +233,4 @@ Case catenary() {
 PLUMBLINE_CASE(catenary);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::catenary

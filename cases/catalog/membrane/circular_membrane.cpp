@@ -8,7 +8,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "reference/circular_membrane.hpp"
 
-namespace plumbline {
+namespace plumbline::circular_membrane {
 namespace {
 
 // One struct for points and reference. Times are in radii over the speed of waves at rest.
@@ -158,4 +158,4 @@ Case circular_membrane() {
 PLUMBLINE_CASE(circular_membrane);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::circular_membrane

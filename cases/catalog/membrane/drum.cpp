@@ -11,7 +11,7 @@
 #include "kernel/materials/linear_elastic.hpp"
 #include "reference/drum.hpp"
 
-namespace plumbline {
+namespace plumbline::drum {
 namespace {
 
 // One struct for points and reference.
@@ -238,4 +238,4 @@ Case drum() {
 PLUMBLINE_CASE(drum);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::drum

@@ -13,7 +13,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "reference/geo_tube.hpp"
 
-namespace plumbline {
+namespace plumbline::geo_tube {
 namespace {
 
 constexpr double margin = 0.2;  // m, of the grid beside and above the tube
@@ -276,4 +276,4 @@ Case geo_tube() {
 PLUMBLINE_CASE(geo_tube);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::geo_tube

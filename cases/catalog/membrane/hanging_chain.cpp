@@ -7,7 +7,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "reference/hanging_chain.hpp"
 
-namespace plumbline {
+namespace plumbline::hanging_chain {
 namespace {
 
 // One struct for points and reference.
@@ -128,4 +128,4 @@ Case hanging_chain() {
 PLUMBLINE_CASE(hanging_chain);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::hanging_chain

@@ -11,7 +11,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "reference/circular_membrane.hpp"
 
-namespace plumbline {
+namespace plumbline::mylar_balloon {
 namespace {
 
 // One struct for points and reference. Times are in radii at rest over the speed of waves at rest.
@@ -241,4 +241,4 @@ Case mylar_balloon() {
 PLUMBLINE_CASE(mylar_balloon);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::mylar_balloon

@@ -3,7 +3,7 @@
 #include "cases/catalog/membrane/pendulum_gates.hpp"
 #include "cases/catalog/membrane/pendulum_run.hpp"
 
-namespace plumbline {
+namespace plumbline::pendulum {
 namespace {
 
 std::vector<StudyPlan> studies() {
@@ -65,4 +65,4 @@ Case pendulum() {
 PLUMBLINE_CASE(pendulum);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::pendulum

@@ -8,7 +8,7 @@
 #include "cases/harness/files/whole.hpp"
 #include "cases/harness/judge/gates.hpp"
 
-namespace plumbline {
+namespace plumbline::pulled_strip {
 namespace {
 
 // One struct for points and reference. Times are in half lengths over the speed of waves at rest.
@@ -209,4 +209,4 @@ Case pulled_strip() {
 PLUMBLINE_CASE(pulled_strip);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::pulled_strip

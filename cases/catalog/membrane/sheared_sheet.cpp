@@ -12,7 +12,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "reference/tension_field.hpp"
 
-namespace plumbline {
+namespace plumbline::sheared_sheet {
 namespace {
 
 // One struct for points and reference. Edges stand along the principal stretches.
@@ -244,4 +244,4 @@ Case sheared_sheet() {
 PLUMBLINE_CASE(sheared_sheet);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::sheared_sheet

@@ -8,7 +8,7 @@
 #include "cases/harness/description/schemes.hpp"
 #include "cases/harness/judge/gates.hpp"
 
-namespace plumbline {
+namespace plumbline::spinning_band {
 namespace {
 
 // One struct for points and reference.
@@ -159,4 +159,4 @@ Case spinning_band() {
 PLUMBLINE_CASE(spinning_band);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::spinning_band

@@ -13,7 +13,7 @@
 #include "kernel/materials/uniaxial_membrane.hpp"
 #include "reference/heavy_spring.hpp"
 
-namespace plumbline {
+namespace plumbline::spring_mass {
 namespace {
 
 // One struct for points and references.
@@ -220,4 +220,4 @@ Case spring_mass() {
 PLUMBLINE_CASE(spring_mass);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::spring_mass

@@ -11,7 +11,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "cases/harness/verify/restart_gate.hpp"
 
-namespace plumbline {
+namespace plumbline::square_airbag {
 namespace {
 
 // Lengths are over half an edge at rest, `size`; times over that and the speed of waves at rest.
@@ -139,4 +139,4 @@ Case square_airbag() {
 PLUMBLINE_CASE(square_airbag);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::square_airbag

@@ -12,7 +12,7 @@
 #include "cases/harness/run/extremes.hpp"
 #include "reference/slack_string.hpp"
 
-namespace plumbline {
+namespace plumbline::string_slack {
 namespace {
 
 // One struct for points and reference.
@@ -270,4 +270,4 @@ Case string_slack() {
 PLUMBLINE_CASE(string_slack);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::string_slack

@@ -9,7 +9,7 @@
 #include "cases/harness/verify/restart_gate.hpp"
 #include "reference/string_vibration.hpp"
 
-namespace plumbline {
+namespace plumbline::string_vibration {
 namespace {
 
 // One struct for points and reference.
@@ -131,4 +131,4 @@ Case string_vibration() {
 PLUMBLINE_CASE(string_vibration);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::string_vibration

@@ -12,8 +12,6 @@
 namespace plumbline {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
 Vec3 cross(const Vec3& a, const Vec3& b) {
@@ -59,13 +57,13 @@ std::shared_ptr<Material> material_of(const SurfaceChoice& choice) {
 }  // namespace
 
 std::vector<SurfacePoint> sphere_points(int count, double radius_at_rest, double stretch) {
-  const double golden = pi * (3 - std::sqrt(5.0)), radius = radius_at_rest * stretch;
+  const double golden = std::numbers::pi * (3 - std::sqrt(5.0)), radius = radius_at_rest * stretch;
   std::vector<SurfacePoint> all;
   for (int k = 0; k < count; ++k) {
     const double z = 1 - (2 * k + 1.0) / count, r = std::sqrt(1 - z * z);
     const Vec3 n{r * std::cos(golden * k), r * std::sin(golden * k), z}, first = across(n);
     all.push_back({times(radius, n), times(stretch, first), times(stretch, cross(n, first)),
-                   4 * pi * radius_at_rest * radius_at_rest / count});
+                   4 * std::numbers::pi * radius_at_rest * radius_at_rest / count});
   }
   return all;
 }
@@ -114,13 +112,13 @@ std::vector<SurfacePoint> disk_points(double radius, double spacing, double stre
   std::vector<SurfacePoint> all;
   for (int k = 0; k < rings; ++k) {
     const double r = (k + 0.5) * wide;
-    const int count = std::max(3, static_cast<int>(std::lround(2 * pi * (k + 0.5))));
+    const int count = std::max(3, static_cast<int>(std::lround(2 * std::numbers::pi * (k + 0.5))));
     for (int j = 0; j < count; ++j) {
-      const double angle = 2 * pi * (j + 0.5 * (k % 2)) / count;
+      const double angle = 2 * std::numbers::pi * (j + 0.5 * (k % 2)) / count;
       all.push_back({{r * std::cos(angle), r * std::sin(angle), 0},
                      {stretch, 0, 0},
                      {0, stretch, 0},
-                     2 * pi * r * wide / count / (stretch * stretch)});
+                     2 * std::numbers::pi * r * wide / count / (stretch * stretch)});
     }
   }
   return all;
@@ -129,16 +127,16 @@ std::vector<SurfacePoint> disk_points(double radius, double spacing, double stre
 std::vector<SurfacePoint> band_points(double radius_at_rest, double height, double spacing, double around,
                                       double along) {
   const int rows = std::max(3, static_cast<int>(std::lround(height / spacing)));
-  const int count = std::max(8, static_cast<int>(std::lround(2 * pi * radius_at_rest / spacing)));
+  const int count = std::max(8, static_cast<int>(std::lround(2 * std::numbers::pi * radius_at_rest / spacing)));
   std::vector<SurfacePoint> all;
   for (int k = 0; k < rows; ++k) {
     const double z = height * ((k + 0.5) / rows - 0.5);
     for (int j = 0; j < count; ++j) {
-      const double angle = 2 * pi * (j + 0.5 * (k % 2)) / count, c = std::cos(angle), s = std::sin(angle);
+      const double angle = 2 * std::numbers::pi * (j + 0.5 * (k % 2)) / count, c = std::cos(angle), s = std::sin(angle);
       all.push_back({{around * radius_at_rest * c, around * radius_at_rest * s, along * z},
                      {-around * s, around * c, 0},
                      {0, 0, along},
-                     2 * pi * radius_at_rest * height / rows / count});
+                     2 * std::numbers::pi * radius_at_rest * height / rows / count});
     }
   }
   return all;

@@ -11,7 +11,7 @@
 #include "cases/harness/description/schemes.hpp"
 #include "cases/harness/judge/gates.hpp"
 
-namespace plumbline {
+namespace plumbline::turning_cap {
 namespace {
 
 // One struct for points and the exact motion.
@@ -201,4 +201,4 @@ Case turning_cap() {
 PLUMBLINE_CASE(turning_cap);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::turning_cap

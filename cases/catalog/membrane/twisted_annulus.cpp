@@ -9,7 +9,7 @@
 #include "cases/harness/description/schemes.hpp"
 #include "cases/harness/judge/gates.hpp"
 
-namespace plumbline {
+namespace plumbline::twisted_annulus {
 namespace {
 
 class TwistedAnnulusRun final : public Problem {
@@ -200,4 +200,4 @@ Case twisted_annulus() {
 PLUMBLINE_CASE(twisted_annulus);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::twisted_annulus

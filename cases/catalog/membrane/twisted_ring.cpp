@@ -14,8 +14,6 @@
 namespace plumbline {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 // S_ab with the direction of its larger principal stress, in the tangents at rest.
 struct Principal {
   double larger, smaller, cosine, sine;
@@ -90,7 +88,7 @@ TwistedRing::TwistedRing(const TwistedAnnulus& at, double spacings)
   const double spacing = outer_ / spacings;
   const int rings = std::max(4, whole(std::round((outer_ - inner_) / spacing)));
   wide_ = (outer_ - inner_) / rings;
-  count_ = std::max(12, whole(std::round(pi * (inner_ + outer_) / spacing)));
+  count_ = std::max(12, whole(std::round(std::numbers::pi * (inner_ + outer_) / spacing)));
   for (int k = 0; k < rings; ++k) rings_.push_back(exact_.at(radius(k)));
 }
 
@@ -100,7 +98,7 @@ std::vector<SurfacePoint> TwistedRing::points() const {
     const reference::AnnulusPoint& exact = exact_at(k);
     const double along = exact.along.value, across = exact.across.value, rest = exact.rest.value;
     for (int j = 0; j < count_; ++j) {
-      const double angle = 2 * pi * j / count_ + exact.turned.value;
+      const double angle = 2 * std::numbers::pi * j / count_ + exact.turned.value;
       const double c = std::cos(angle + exact.now.value), s = std::sin(angle + exact.now.value);
       // l m n and l2 times the directions across, of the tangents along the radius at rest and around.
       const auto carried = [&](double n, double other) {
@@ -109,7 +107,7 @@ std::vector<SurfacePoint> TwistedRing::points() const {
       all.push_back({{exact.radius.value * std::cos(angle), exact.radius.value * std::sin(angle), 0},
                      carried(std::cos(rest), -std::sin(rest)),
                      carried(std::sin(rest), std::cos(rest)),
-                     2 * pi * radius(k) * wide_ / count_});
+                     2 * std::numbers::pi * radius(k) * wide_ / count_});
     }
   }
   return all;
@@ -158,7 +156,7 @@ RingForces ring_forces(const Columns& points, const std::vector<int>& ring, cons
     const SurfaceLaw::State s = law.state(metric_of(points, p));
     const Principal stress(s);
     // The traction on what is within a ring is S_1b f_b: f_1 stood along the radius at rest.
-    const double torque = 2 * pi * law.thickness * R * moment(points, p, s.first, s.mixed) / whole_torque;
+    const double torque = 2 * std::numbers::pi * law.thickness * R * moment(points, p, s.first, s.mixed) / whole_torque;
     rings[own].torque += weight * torque;
     rings[own].weight += weight;
     all.torque += weight * torque;

@@ -15,7 +15,7 @@
 #include "kernel/materials/segment_membrane.hpp"
 #include "reference/released_ring.hpp"
 
-namespace plumbline {
+namespace plumbline::cylinder {
 namespace {
 
 constexpr int york_cells = 10;
@@ -48,7 +48,7 @@ Curve quarter_circle(double radius, int chords) {
 }
 
 // Mean distance from the axis of the points at 0, 45 and 90 degrees. [York section 7.5.2, his footnote]
-double mean_radius(const Columns& points) {
+double radius_of_three(const Columns& points) {
   const double *x = points(column::position), *y = points(column::position, 1);
   const int last = points.points() - 1;
   const auto radius = [&](int p) { return std::hypot(x[p], y[p]); };
@@ -79,7 +79,7 @@ class CylinderRun final : public Problem {
       : settings_(settings),
         at_(settings),
         exact_(at_.ring),
-        start_(mean_radius(membrane().points)) {}
+        start_(radius_of_three(membrane().points)) {}
 
   double end_time() const override { return at_.end_time; }
 
@@ -103,7 +103,7 @@ class CylinderRun final : public Problem {
 
   void observe(const Simulation& simulation) override {
     if (rows_.empty()) rows_.push_back({0, 0, exact_.radius_change(0).value});
-    const double change = mean_radius(simulation.scene().bodies[1].points) - start_;
+    const double change = radius_of_three(simulation.scene().bodies[1].points) - start_;
     rows_.push_back({simulation.time(), change, exact_.radius_change(simulation.time()).value});
   }
   void history(Archive& archive) override { archive("rows", rows_); }
@@ -303,4 +303,4 @@ Case normals_cylinder() {
 PLUMBLINE_CASE(normals_cylinder);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::cylinder

@@ -8,7 +8,7 @@
 #include "cases/catalog/normals/marked_points.hpp"
 #include "cases/harness/files/whole.hpp"
 
-namespace plumbline {
+namespace plumbline::first_step {
 namespace {
 
 constexpr int york_points = 179, york_cells = 10;
@@ -199,4 +199,4 @@ Case normals_first_step() {
 PLUMBLINE_CASE(normals_first_step);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::first_step

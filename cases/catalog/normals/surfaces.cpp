@@ -10,7 +10,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "kernel/normals/surface_fit.hpp"
 
-namespace plumbline {
+namespace plumbline::surfaces {
 namespace {
 
 using Vec = Eigen::Vector3d;
@@ -295,4 +295,4 @@ Case normals_surface() {
 PLUMBLINE_CASE(normals_surface);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::surfaces

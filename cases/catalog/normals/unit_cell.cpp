@@ -8,7 +8,7 @@
 
 #include "cases/catalog/normals/marked_points.hpp"
 
-namespace plumbline {
+namespace plumbline::unit_cell {
 namespace {
 
 // Cells along a side of the grid, of 1 m; York's cell is the middle one, from (0, 0) to (1, 1).
@@ -175,4 +175,4 @@ Case normals_cell() {
 PLUMBLINE_CASE(normals_cell);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::unit_cell

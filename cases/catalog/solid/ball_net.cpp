@@ -19,7 +19,7 @@
 #include "kernel/materials/segment_membrane.hpp"
 #include "kernel/materials/uniaxial_membrane.hpp"
 
-namespace plumbline {
+namespace plumbline::ball_net {
 namespace {
 
 // York, section 5.9, Table 2; A.1.6, Table 11; his input files
@@ -308,4 +308,4 @@ Case ball_net() {
 PLUMBLINE_CASE(ball_net);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::ball_net

@@ -9,7 +9,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "reference/bar_riemann.hpp"
 
-namespace plumbline {
+namespace plumbline::bar_riemann {
 namespace {
 
 struct FreeBar : BarParameters<reference::BarRiemannProblem> {
@@ -62,4 +62,4 @@ Case bar_riemann() {
 PLUMBLINE_CASE(bar_riemann);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::bar_riemann

@@ -12,7 +12,7 @@
 #include "cases/harness/verify/restart_gate.hpp"
 #include "reference/bar_vibration.hpp"
 
-namespace plumbline {
+namespace plumbline::bar_vibration {
 namespace {
 
 struct FixedBar : BarParameters<reference::BarVibrationProblem> {
@@ -89,4 +89,4 @@ Case bar_vibration() {
 PLUMBLINE_CASE(bar_vibration);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::bar_vibration

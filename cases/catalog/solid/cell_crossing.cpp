@@ -16,7 +16,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "kernel/materials/linear_elastic.hpp"
 
-namespace plumbline {
+namespace plumbline::cell_crossing {
 namespace {
 
 struct Choices : Parameters {
@@ -433,4 +433,4 @@ Case cell_crossing() {
 PLUMBLINE_CASE(cell_crossing);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::cell_crossing

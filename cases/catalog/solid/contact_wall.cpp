@@ -12,7 +12,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "kernel/materials/linear_elastic.hpp"
 
-namespace plumbline {
+namespace plumbline::contact_wall {
 namespace {
 
 constexpr double height = 1, density = 1, youngs_modulus = 1;  // c = 1 m/s
@@ -163,4 +163,4 @@ Case contact_wall() {
 PLUMBLINE_CASE(contact_wall);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::contact_wall

@@ -18,7 +18,7 @@
 #include "kernel/shapes/domain_columns.hpp"
 #include "reference/cook_panel.hpp"
 
-namespace plumbline {
+namespace plumbline::cook_panel {
 namespace {
 
 constexpr double width = 48, left = 44, right = 16, top = 60;  // m; the lower left corner is the origin
@@ -223,4 +223,4 @@ Case cook_panel() {
 PLUMBLINE_CASE(cook_panel);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::cook_panel

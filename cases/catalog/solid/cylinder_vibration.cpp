@@ -17,7 +17,7 @@
 #include "kernel/materials/linear_elastic.hpp"
 #include "reference/cylinder_vibration.hpp"
 
-namespace plumbline {
+namespace plumbline::cylinder_vibration {
 namespace {
 
 // One struct for points and reference.
@@ -212,4 +212,4 @@ Case cylinder_vibration() {
 PLUMBLINE_CASE(cylinder_vibration);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::cylinder_vibration

@@ -9,7 +9,7 @@
 #include "cases/harness/description/parameters.hpp"
 #include "cases/harness/judge/gates.hpp"
 
-namespace plumbline {
+namespace plumbline::elastic_plastic_impact {
 namespace {
 
 struct Impact : Parameters {
@@ -171,4 +171,4 @@ Case elastic_plastic_impact() {
 PLUMBLINE_CASE(elastic_plastic_impact);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::elastic_plastic_impact

@@ -17,7 +17,7 @@
 #include "kernel/materials/linear_elastic.hpp"
 #include "reference/incline.hpp"
 
-namespace plumbline {
+namespace plumbline::incline_block {
 namespace {
 
 constexpr double length = 1, height = 0.5, floor_height = 0.125, density = 1, poisson = 0.3;
@@ -206,4 +206,4 @@ Case incline_block() {
 PLUMBLINE_CASE(incline_block);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::incline_block

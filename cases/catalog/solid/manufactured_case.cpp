@@ -39,16 +39,17 @@ Key poisson_key(double value) {
 }
 
 namespace {
-const std::string worst = "displacement.worst";
+const std::string worst_displacement = "displacement.worst";
 }
 
 std::vector<CaseGate> displacement_orders(const std::vector<std::string>& studies, double order,
                                           const std::string& reason, Tier tier) {
   std::vector<CaseGate> all;
   for (const std::string& study : studies) {
-    all.push_back(gate(study + "/order", fitted_order_of(worst), at_least(order), requirement(reason)).in(tier));
     all.push_back(
-        gate(study + "/order-interval", order_of(worst), at_least(order - 0.1),
+        gate(study + "/order", fitted_order_of(worst_displacement), at_least(order), requirement(reason)).in(tier));
+    all.push_back(
+        gate(study + "/order-interval", order_of(worst_displacement), at_least(order - 0.1),
              requirement("the low end of the 95 % interval of the fit, 0.1 below what the estimate must reach"))
             .in(tier));
   }
@@ -56,7 +57,8 @@ std::vector<CaseGate> displacement_orders(const std::vector<std::string>& studie
 }
 
 Number relative_error_at(double level) {
-  return number_at(fmt::format("{} over the largest norm of the motion, at {} cells", worst, level), worst, level,
+  return number_at(fmt::format("{} over the largest norm of the motion, at {} cells", worst_displacement, level),
+                   worst_displacement, level,
                    [](const RunResult&, const Measure& m) { return Measured::of(m.error / m.scale); });
 }
 
@@ -79,7 +81,7 @@ CaseGate missed_order(const std::string& study, const std::vector<double>& level
     std::vector<Level> fitted;
     for (const double level : levels) {
       const StudyLevel* at = s.level(level);
-      const Measure* m = at ? at->run.find(worst) : nullptr;
+      const Measure* m = at ? at->run.find(worst_displacement) : nullptr;
       fitted.push_back({.h = at ? at->h : level,
                         .error = m ? m->error : std::nan(""),
                         .reference_bound = m ? m->reference_bound : 0,
@@ -89,7 +91,8 @@ CaseGate missed_order(const std::string& study, const std::vector<double>& level
     return measured_order(fit_order(fitted, Weighting::equal));
   };
   return gate(study + "/order",
-              number_of(fmt::format("fitted order of {} from {} to {} cells", worst, levels.front(), levels.back()),
+              number_of(fmt::format("fitted order of {} from {} to {} cells", worst_displacement, levels.front(),
+                                    levels.back()),
                         fit, levels),
               at_least(order),
               requirement("second order, as with points that stay in their cells; what is missing to 2 allows for "

@@ -7,7 +7,7 @@
 #include "cases/catalog/solid/manufactured_case.hpp"
 #include "cases/harness/description/parameters.hpp"
 
-namespace plumbline {
+namespace plumbline::mms_axis_aligned {
 namespace {
 
 struct SquareOrCube : Parameters {
@@ -51,4 +51,4 @@ Case mms_axis_aligned() {
 PLUMBLINE_CASE(mms_axis_aligned);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::mms_axis_aligned

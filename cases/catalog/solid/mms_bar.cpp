@@ -8,7 +8,7 @@
 #include "cases/harness/description/parameters.hpp"
 #include "cases/harness/judge/gates.hpp"
 
-namespace plumbline {
+namespace plumbline::mms_bar {
 namespace {
 
 constexpr double period = 0.02;  // s, of the motion
@@ -137,4 +137,4 @@ Case mms_bar() {
 PLUMBLINE_CASE(mms_bar);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::mms_bar

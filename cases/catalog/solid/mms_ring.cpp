@@ -11,7 +11,7 @@
 #include "cases/harness/files/whole.hpp"
 #include "cases/harness/verify/restart_gate.hpp"
 
-namespace plumbline {
+namespace plumbline::mms_ring {
 namespace {
 
 const std::vector<double> coarse{8, 10, 12, 16, 20, 24}, fine{16, 24, 32, 48, 64};
@@ -129,4 +129,4 @@ Case mms_ring() {
 PLUMBLINE_CASE(mms_ring);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::mms_ring

@@ -11,7 +11,7 @@
 #include "cases/harness/description/parameters.hpp"
 #include "cases/harness/files/whole.hpp"
 
-namespace plumbline {
+namespace plumbline::mms_vortex {
 namespace {
 
 const std::vector<double> levels{16, 20, 24, 32, 40}, coarsest{16, 23};
@@ -198,4 +198,4 @@ Case mms_vortex() {
 PLUMBLINE_CASE(mms_vortex);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::mms_vortex

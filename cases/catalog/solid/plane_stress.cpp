@@ -19,7 +19,7 @@
 #include "kernel/materials/uniaxial_membrane.hpp"
 #include "reference/bar_vibration.hpp"
 
-namespace plumbline {
+namespace plumbline::plane_stress {
 namespace {
 
 // One struct for points and reference.
@@ -206,4 +206,4 @@ Case plane_stress() {
 PLUMBLINE_CASE(plane_stress);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::plane_stress

@@ -19,7 +19,7 @@
 #include "reference/incline.hpp"
 #include "reference/line_contact.hpp"
 
-namespace plumbline {
+namespace plumbline::rolling_disk {
 namespace {
 
 // Of the floor, m: its height, and its length behind the disk's centre and before it.
@@ -301,4 +301,4 @@ Case rolling_disk() {
 PLUMBLINE_CASE(rolling_disk);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::rolling_disk

@@ -16,7 +16,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "reference/rotating_disk.hpp"
 
-namespace plumbline {
+namespace plumbline::spinning_disk {
 namespace {
 
 // One struct for points and reference.
@@ -243,4 +243,4 @@ Case spinning_disk() {
 PLUMBLINE_CASE(spinning_disk);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::spinning_disk

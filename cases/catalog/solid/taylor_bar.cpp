@@ -10,7 +10,7 @@
 #include "cases/harness/description/parameters.hpp"
 #include "cases/harness/judge/gates.hpp"
 
-namespace plumbline {
+namespace plumbline::taylor_bar {
 namespace {
 
 struct Bar : Parameters {
@@ -189,4 +189,4 @@ Case taylor_bar() {
 PLUMBLINE_CASE(taylor_bar);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::taylor_bar

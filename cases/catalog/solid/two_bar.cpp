@@ -17,7 +17,7 @@
 #include "kernel/materials/linear_elastic.hpp"
 #include "reference/two_bar.hpp"
 
-namespace plumbline {
+namespace plumbline::two_bar {
 namespace {
 
 // York's layout: the left bar from 1.0 to 2.25, the right one from 2.75 to 4.0, both from 0.25 to 4.75. [York A.1.5]
@@ -362,4 +362,4 @@ Case two_bar() {
 PLUMBLINE_CASE(two_bar);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::two_bar

@@ -13,7 +13,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "kernel/materials/linear_elastic.hpp"
 
-namespace plumbline {
+namespace plumbline::two_disks {
 namespace {
 
 constexpr double radius = 0.2, density = 1000, youngs_modulus = 1000, poisson = 0.3, speed = 0.1;
@@ -142,4 +142,4 @@ Case two_disks() {
 PLUMBLINE_CASE(two_disks);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::two_disks

@@ -31,8 +31,8 @@ const std::vector<std::string> shapes{"linear", "gimp", "quadratic", "cubic"},
 
 // Waves of eight, four and two and a half cells, and a step far below every limit.
 const std::vector<double> waves{0.25 * std::numbers::pi, 0.5 * std::numbers::pi, 0.8 * std::numbers::pi};
-constexpr double step = 0.5, place = 0.3;
-constexpr int per_cell = 2;
+constexpr double small_step = 0.5, bar_end = 0.3;
+constexpr int points_per_cell = 2;
 
 // Of the wave that runs to one side, 0 where all of it only decays.
 Complex running(const Eigen::MatrixXcd& matrix) {
@@ -46,7 +46,7 @@ Complex running(const Eigen::MatrixXcd& matrix) {
 
 Eigen::MatrixXcd by_linear_algebra(const reference::MapScheme& scheme, double theta) {
   const reference::ComplexMatrix matrix = reference::amplification_matrix(
-      scheme, reference::regular_points(per_cell, (place - 0.5) / per_cell), theta, step);
+      scheme, reference::regular_points(points_per_cell, (bar_end - 0.5) / points_per_cell), theta, small_step);
   return Eigen::Map<const Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
       matrix.entries.data(), matrix.size, matrix.size);
 }
@@ -81,16 +81,16 @@ Findings dispersion(const Maps& with) {
                                                     {"transfer", with.transfer},
                                                     {"transfer_order", static_cast<double>(with.order)},
                                                     {"shape", shape},
-                                                    {"ppc", static_cast<double>(per_cell)},
-                                                    {"N", place}});
-      const Amplification found(bar.patch(settings, {1, 10}), {integrator, {}}, Positions::frozen, step);
+                                                    {"ppc", static_cast<double>(points_per_cell)},
+                                                    {"N", bar_end}});
+      const Amplification found(bar.patch(settings, {1, 10}), {integrator, {}}, Positions::frozen, small_step);
       for (const double theta : waves) {
         const Eigen::MatrixXcd matrix = found.at({theta, 0}),
                                reference = by_linear_algebra(*map_scheme(settings), theta);
         worst = larger(worst, departure(matrix, reference));
         const Complex here = running(matrix), exact = running(reference);
-        const double row[] = {static_cast<double>(table[0].size() + 1), theta, std::arg(here) / (theta * step),
-                              std::arg(exact) / (theta * step), 1 - std::abs(here)};
+        const double row[] = {static_cast<double>(table[0].size() + 1), theta, std::arg(here) / (theta * small_step),
+                              std::arg(exact) / (theta * small_step), 1 - std::abs(here)};
         for (std::size_t k = 0; k < table.size(); ++k) table[k].push_back(row[k]);
       }
     }

@@ -88,12 +88,12 @@ Settings settings_at(const StabilityProblem& bar, const TableColumn& column, con
                              {"N", place}});
 }
 
-struct Pair {
+struct LimitPair {
   double laboratory, reference;
   double departure() const { return std::abs(laboratory / reference - 1); }
 };
 
-Pair limits_at(const StabilityProblem& bar, const TableColumn& column, const Row& row, double place) {
+LimitPair limits_at(const StabilityProblem& bar, const TableColumn& column, const Row& row, double place) {
   const Settings settings = settings_at(bar, column, row, place);
   const auto scheme = map_scheme(settings);
   const auto points = reference::regular_points(row.ppc, (place - 0.5) / row.ppc);
@@ -101,10 +101,10 @@ Pair limits_at(const StabilityProblem& bar, const TableColumn& column, const Row
 }
 
 // Evenly spread over a share of a cell; the first as near to its side as makes no difference.
-Pair worst_of_places(const StabilityProblem& bar, const TableColumn& column, const Row& row) {
-  Pair worst{1e300, 1e300};
+LimitPair worst_of_places(const StabilityProblem& bar, const TableColumn& column, const Row& row) {
+  LimitPair worst{1e300, 1e300};
   for (int k = 0; k < places; ++k) {
-    const Pair here = limits_at(bar, column, row, k == 0 ? 1e-5 : static_cast<double>(k) / places);
+    const LimitPair here = limits_at(bar, column, row, k == 0 ? 1e-5 : static_cast<double>(k) / places);
     worst = {std::min(worst.laboratory, here.laboratory), std::min(worst.reference, here.reference)};
   }
   return worst;
@@ -125,7 +125,7 @@ Findings table_column(const TableColumn& column) {
   double regular = 0, worst = 0, older = 0, older_worst = 0;
   std::vector<std::vector<double>> table(6);
   for (const Row& row : rows()) {
-    const Pair at_regular = limits_at(bar, column, row, 0.5), at_worst = worst_of_places(bar, column, row);
+    const LimitPair at_regular = limits_at(bar, column, row, 0.5), at_worst = worst_of_places(bar, column, row);
     const auto scheme = map_scheme(settings_at(bar, column, row, 0.5));
     const double worst_of_all = reference::worst_rigid_offset(*scheme, row.ppc).limit.value;
     const Entry& entry = row.older[which];

@@ -6,7 +6,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "cases/harness/laboratory/problem.hpp"
 
-namespace plumbline {
+namespace plumbline::stability_axisymmetric {
 namespace {
 
 struct Seen {
@@ -69,4 +69,4 @@ Case stability_axisymmetric() { return trial_case("stability-axisymmetric", tria
 PLUMBLINE_CASE(stability_axisymmetric);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::stability_axisymmetric

@@ -7,7 +7,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "cases/harness/laboratory/problem.hpp"
 
-namespace plumbline {
+namespace plumbline::stability_bar {
 namespace {
 
 constexpr int places = 50;
@@ -90,4 +90,4 @@ Case stability_bar() { return trial_case("stability-bar", trials(), gates()); }
 PLUMBLINE_CASE(stability_bar);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::stability_bar

@@ -5,7 +5,7 @@
 #include "cases/catalog/stability/trial_case.hpp"
 #include "cases/harness/laboratory/problem.hpp"
 
-namespace plumbline {
+namespace plumbline::stability_bar_edge {
 namespace {
 
 // Largest stable steps at two points a cell, as computed before this program was written: a bar of eight cells with two
@@ -145,4 +145,4 @@ Case stability_bar_edge() { return trial_case("stability-bar-edge", trials(), ga
 PLUMBLINE_CASE(stability_bar_edge);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::stability_bar_edge

@@ -8,7 +8,7 @@
 #include "cases/harness/laboratory/scene_limit.hpp"
 #include "cases/harness/run/experiment.hpp"
 
-namespace plumbline {
+namespace plumbline::stability_catalog {
 namespace {
 
 // What became of the energy in a run: the largest store over that at the start (and what flowed in); infinite if the run
@@ -100,4 +100,4 @@ Case stability_catalog() { return trial_case("stability-catalog", trials(), gate
 PLUMBLINE_CASE(stability_catalog);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::stability_catalog

@@ -5,7 +5,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "cases/harness/laboratory/problem.hpp"
 
-namespace plumbline {
+namespace plumbline::stability_contact {
 namespace {
 
 const std::vector<double>& interfaces() {
@@ -74,4 +74,4 @@ Case stability_contact() { return trial_case("stability-contact", trials(), gate
 PLUMBLINE_CASE(stability_contact);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::stability_contact

@@ -9,7 +9,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "cases/harness/laboratory/problem.hpp"
 
-namespace plumbline {
+namespace plumbline::stability_coupled {
 namespace {
 
 constexpr double width = 1e-4;  // relative, of predicted limits
@@ -177,4 +177,4 @@ Case stability_coupled() { return trial_case("stability-coupled", trials(), gate
 PLUMBLINE_CASE(stability_coupled);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::stability_coupled

@@ -10,7 +10,7 @@
 #include "cases/harness/laboratory/matrices.hpp"
 #include "cases/harness/laboratory/problem.hpp"
 
-namespace plumbline {
+namespace plumbline::stability_gas {
 namespace {
 
 constexpr double quick_width = 1e-4;  // relative, of predicted limits that are compared with runs
@@ -354,4 +354,4 @@ Case stability_gas() { return trial_case("stability-gas", trials(), gates()); }
 PLUMBLINE_CASE(stability_gas);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::stability_gas

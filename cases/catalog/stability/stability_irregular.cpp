@@ -5,7 +5,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "cases/harness/laboratory/problem.hpp"
 
-namespace plumbline {
+namespace plumbline::stability_irregular {
 namespace {
 
 const std::vector<std::string> transfers{"pic", "flip", "apic"};
@@ -64,4 +64,4 @@ Case stability_irregular() { return trial_case("stability-irregular", trials(), 
 PLUMBLINE_CASE(stability_irregular);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::stability_irregular

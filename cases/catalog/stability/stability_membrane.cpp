@@ -5,7 +5,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "cases/harness/laboratory/problem.hpp"
 
-namespace plumbline {
+namespace plumbline::stability_membrane {
 namespace {
 
 Findings limits_at(const std::string& scheme, double slope) {
@@ -92,4 +92,4 @@ Case stability_membrane() { return trial_case("stability-membrane", trials(), ga
 PLUMBLINE_CASE(stability_membrane);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::stability_membrane

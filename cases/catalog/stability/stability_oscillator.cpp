@@ -9,7 +9,7 @@
 #include "cases/harness/laboratory/problem.hpp"
 #include "reference/oscillator_limits.hpp"
 
-namespace plumbline {
+namespace plumbline::stability_oscillator {
 namespace {
 
 using reference::OscillatorMethod;
@@ -205,4 +205,4 @@ Case stability_oscillator() { return trial_case("stability-oscillator", trials()
 PLUMBLINE_CASE(stability_oscillator);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::stability_oscillator

@@ -7,7 +7,7 @@
 #include "cases/harness/judge/gates.hpp"
 #include "cases/harness/laboratory/problem.hpp"
 
-namespace plumbline {
+namespace plumbline::stability_plane {
 namespace {
 
 Findings against_waves(const std::string& integrator) {
@@ -109,4 +109,4 @@ Case stability_plane() { return trial_case("stability-plane", trials(), gates())
 PLUMBLINE_CASE(stability_plane);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::stability_plane

@@ -5,7 +5,7 @@
 #include "cases/harness/laboratory/problem.hpp"
 #include "cases/harness/laboratory/wave.hpp"
 
-namespace plumbline {
+namespace plumbline::stability_wave {
 namespace {
 
 // Orders are those of textbooks. FLIP changes them where points strain with velocities of nodes that their own do not map to.
@@ -81,4 +81,4 @@ Case stability_wave() {
 PLUMBLINE_CASE(stability_wave);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::stability_wave

@@ -8,7 +8,7 @@
 #include "cases/harness/laboratory/problem.hpp"
 #include "reference/mpm_amplification.hpp"
 
-namespace plumbline {
+namespace plumbline::stability_york {
 namespace {
 
 // The steps of Fig. 91, and two more, for a list that has no unstable one.
@@ -143,4 +143,4 @@ Case stability_york() { return trial_case("stability-york", trials(), gates()); 
 PLUMBLINE_CASE(stability_york);
 
 }  // namespace
-}  // namespace plumbline
+}  // namespace plumbline::stability_york

@@ -9,7 +9,7 @@
 namespace plumbline {
 namespace {
 
-constexpr int cells = 4;
+constexpr int wave_cells = 4;
 
 MapChoice maps_of(const Settings& settings) {
   return {settings.text("shape"), settings.text("transfer"), settings.integer("transfer_order")};
@@ -52,7 +52,9 @@ class Wave final : public StabilityProblem {
   }
 
  private:
-  static StandingWave wave(const Settings& settings) { return {maps_of(settings), cells, settings.integer("ppc")}; }
+  static StandingWave wave(const Settings& settings) {
+    return {maps_of(settings), wave_cells, settings.integer("ppc")};
+  }
 };
 
 PLUMBLINE_STABILITY_PROBLEM(Wave);

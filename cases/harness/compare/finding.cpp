@@ -42,6 +42,11 @@ std::string size_words(const Finding& f) {
 
 std::string_view name(Change change) { return names[static_cast<std::size_t>(change)]; }
 
+Json range_json(const Range& range) {
+  const auto end = [](const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); };
+  return {{"low", end(range.low)}, {"high", end(range.high)}};
+}
+
 Json to_json(const Finding& f) {
   Json json{{"change", name(f.change)}, {"kind", f.kind},   {"case", f.case_name},
             {"scheme", f.scheme},       {"study", f.study}, {"quantity", f.quantity},

@@ -36,6 +36,9 @@ struct Finding {
 
 Json to_json(const Finding& finding);
 
+// {"low", "high"}, null for an end that is absent.
+Json range_json(const Range& range);
+
 // `before`, `after` and size in a few words for people.
 std::string words(const Finding& finding);
 

@@ -50,11 +50,6 @@ Finding verdict_finding(const GateRecord& before, const GateRecord& after) {
   return f;
 }
 
-Json range_json(const Range& range) {
-  const auto end = [](const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); };
-  return {{"low", end(range.low)}, {"high", end(range.high)}};
-}
-
 void compare_bounds(const GateRecord& before, const GateRecord& after, std::vector<Finding>& findings) {
   std::string why;
   const Shift found = shift(before.bounds, after.bounds, &why);

@@ -37,7 +37,7 @@ double total(const LimitRecord& record) {
   return sum;
 }
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json("every step"); }
+Json step_json(double value) { return std::isfinite(value) ? Json(value) : Json("every step"); }
 
 Change larger_is_better(double before, double after, double share) {
   if (before == after) return Change::same;
@@ -56,8 +56,8 @@ Finding predicted_finding(const LimitRecord& before, const LimitRecord& after) {
     return f;
   }
   const double a = limit(before), b = limit(after);
-  f.before = number(a);
-  f.after = number(b);
+  f.before = step_json(a);
+  f.after = step_json(b);
   f.change = larger_is_better(a, b, limit_share);
   if (std::isfinite(a) && std::isfinite(b) && a > 0) f.size = b / a - 1;
   f.equal = a == b || std::abs(b - a) <= equal_share * a;
@@ -66,11 +66,6 @@ Finding predicted_finding(const LimitRecord& before, const LimitRecord& after) {
   f.note = fmt::format("stable steps in {} and {} intervals, {:.6g} and {:.6g} in all", before.predicted.size(),
                        after.predicted.size(), total(before), total(after));
   return f;
-}
-
-Json range_json(const Range& range) {
-  return {{"low", range.low ? Json(*range.low) : Json(nullptr)},
-          {"high", range.high ? Json(*range.high) : Json(nullptr)}};
 }
 
 Finding observed_finding(const LimitRecord& before, const LimitRecord& after) {

@@ -23,7 +23,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 enum class Question : char { open, has, members, text, number, numbers };
-enum class Kind : char { answer, refused, no_memory };
+enum class Reply : char { answer, refused, no_memory };
 
 // One end of a stream between two processes; what is sent are values, counts before what they count.
 class End {
@@ -66,7 +66,7 @@ class End {
 
 // Writes and reads values, as `send` and `receive` move bytes.
 template <class Send>
-struct Writer {
+struct Sender {
   Send send;
   template <class Value>
   void put(const Value& value) const {
@@ -82,7 +82,7 @@ struct Writer {
 };
 
 template <class Receive>
-struct Reader {
+struct Receiver {
   Receive receive;
   template <class Value>
   Value get() const {
@@ -106,8 +106,8 @@ void answer_questions(const std::string& path, const End& end) try {
   const auto require = [](bool done) {
     if (!done) throw OtherEndGone();
   };
-  const Writer writer{[&](const void* data, std::size_t bytes) { require(end.send(data, bytes)); }};
-  const Reader reader{[&](void* data, std::size_t bytes) {
+  const Sender writer{[&](const void* data, std::size_t bytes) { require(end.send(data, bytes)); }};
+  const Receiver reader{[&](void* data, std::size_t bytes) {
     for (char* to = static_cast<char*>(data); bytes > 0;) {
       const std::size_t count = end.receive_some(to, bytes);
       require(count > 0);
@@ -115,7 +115,7 @@ void answer_questions(const std::string& path, const End& end) try {
       bytes -= count;
     }
   }};
-  const auto begin = [&] { writer.put(Kind::answer); };
+  const auto begin = [&] { writer.put(Reply::answer); };
   const auto put_optional = [&](const auto& value, const auto& put) {
     begin();
     writer.put(value.has_value());
@@ -149,10 +149,10 @@ void answer_questions(const std::string& path, const End& end) try {
         writer.put_all(table.values.data(), table.values.size());
       }
     } catch (const FileError& error) {
-      writer.put(Kind::refused);
+      writer.put(Reply::refused);
       writer.put_text(error.what());
     } catch (const std::bad_alloc&) {
-      writer.put(Kind::no_memory);
+      writer.put(Reply::no_memory);
     }
   }
 } catch (const OtherEndGone&) {}
@@ -176,14 +176,14 @@ class ForeignFile::Reading {
   // Asks, and leaves the answer to be got.
   void ask(Question question, const std::string& name) {
     until_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(patience_));
-    const Writer writer{[&](const void* data, std::size_t bytes) {
+    const Sender writer{[&](const void* data, std::size_t bytes) {
       if (!here_.send(data, bytes)) refuse_as_dead();
     }};
     writer.put(question);
     writer.put_text(name);
-    const auto kind = get<Kind>();
-    if (kind == Kind::no_memory) throw std::bad_alloc();
-    if (kind == Kind::refused) throw FileError(path_, get_all<std::string>());
+    const auto kind = get<Reply>();
+    if (kind == Reply::no_memory) throw std::bad_alloc();
+    if (kind == Reply::refused) throw FileError(path_, get_all<std::string>());
   }
 
   template <class Value>
@@ -209,7 +209,7 @@ class ForeignFile::Reading {
   }
 
   auto reader() {
-    return Reader{[this](void* data, std::size_t bytes) { receive(static_cast<char*>(data), bytes); }};
+    return Receiver{[this](void* data, std::size_t bytes) { receive(static_cast<char*>(data), bytes); }};
   }
 
   void receive(char* to, std::size_t bytes) {

@@ -18,8 +18,8 @@ namespace plumbline {
 namespace {
 
 constexpr int periods = 100;
-constexpr double rounding = 1e-10;      // of the energy in a period, relative
-constexpr double least_energy = 1e-30;  // below this an oscillation is gone
+constexpr double energy_rounding = 1e-10;  // of the energy in a period, relative
+constexpr double least_energy = 1e-30;     // below this an oscillation is gone
 
 // The logarithm of the largest energy of each period, over that of the start.
 using Peaks = std::vector<double>;
@@ -93,7 +93,7 @@ const Peaks& peaks_on_oscillator(const Subject& subject) {
 Measured growth(const Peaks& peaks) {
   const StraightLine trend = trend_of(peaks);
   return plain(
-      trend.slope / std::max(10 * trend.slope_error, rounding),
+      trend.slope / std::max(10 * trend.slope_error, energy_rounding),
       fmt::format("slope {:.3g} of the energy a period, standard error {:.2g}", trend.slope, trend.slope_error));
 }
 
@@ -135,11 +135,11 @@ IntegratorGate growth_row(const std::string& problem, const std::string& what,
 // How far the peaks are from what was claimed: 1 is the most that scatter and rounding make of it.
 Measured off_claim(EnergyBehaviour claim, const Peaks& peaks) {
   const StraightLine trend = trend_of(peaks);
-  const double slope = trend.slope / std::max(10 * trend.slope_error, rounding);
+  const double slope = trend.slope / std::max(10 * trend.slope_error, energy_rounding);
   if (claim == EnergyBehaviour::bounded) return plain(std::abs(slope));
   if (claim == EnergyBehaviour::decaying) return plain(slope + 2);  // a slope of -1 or less is told from none
   double off = 0;
-  for (const double peak : peaks) off = std::max(off, std::abs(peak) / (periods * rounding));
+  for (const double peak : peaks) off = std::max(off, std::abs(peak) / (periods * energy_rounding));
   return plain(off);
 }
 

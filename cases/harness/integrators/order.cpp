@@ -16,7 +16,7 @@ namespace {
 using Orders = std::map<std::string, MeasuredOrder>;
 
 constexpr double least_order = 0.9;  // 1, and 0.1 for steps that are not yet small
-constexpr const char* usual_causes =
+constexpr const char* causes_of_lost_order =
     "a force, strain or motion that is not dt times its rate (order 0), or one that is taken at another instant than "
     "assumed (an order less than expected)";
 
@@ -78,7 +78,7 @@ Measured order_of_difference(const Subject& subject) {
 
 IntegratorGate order_row(const std::string& name, const std::string& quantity, double least, const std::string& why,
                          std::function<Measured(const Subject&)> measure, Effort effort) {
-  IntegratorGate row{"order", gate_row("order", name, quantity, {least, {}}, Origin::theory, why), usual_causes,
+  IntegratorGate row{"order", gate_row("order", name, quantity, {least, {}}, Origin::theory, why), causes_of_lost_order,
                      std::move(measure), effort};
   row.gate.order = true;
   return row;

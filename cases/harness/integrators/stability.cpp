@@ -13,7 +13,7 @@
 namespace plumbline {
 namespace {
 
-constexpr const char* usual_causes =
+constexpr const char* causes_of_growth =
     "energy comes in at every step, however small: forces of the step's start with motion of its end or the like. "
     "Consistent methods whose growth falls with a power of dt (Heun's, Adams-Bashforth's of order 2) are weakly "
     "unstable";
@@ -31,7 +31,7 @@ IntegratorGate growth_row(const std::string& problem, double most, const std::st
       "stability",
       gate_row("stability", problem + "/growth", "logarithm of the spectral radius of a step of 1/32 of York's limit",
                {{}, most}, Origin::theory, why),
-      usual_causes, [find](const Subject& s) { return growth_of_smallest(find(s)); }, Effort::core};
+      causes_of_growth, [find](const Subject& s) { return growth_of_smallest(find(s)); }, Effort::core};
 }
 
 // The first row of a problem in the list of known limits.

@@ -19,13 +19,6 @@ std::optional<Measured> stop_of(const RunResult& run) {
 
 namespace {
 
-Measured failed(std::string note) {
-  Measured measured;
-  measured.invalid = true;
-  measured.note = std::move(note);
-  return measured;
-}
-
 // What to say of a study whose run at some level stopped.
 std::optional<Measured> stopped_level(const StudyResult& study) {
   for (const StudyLevel& at : study.levels) {
@@ -38,10 +31,10 @@ std::optional<Measured> stopped_level(const StudyResult& study) {
 template <class Read>
 Measured at_level(const StudyResult& study, const std::string& measure, double level, Read&& read) {
   const StudyLevel* at = study.level(level);
-  if (!at) return failed(fmt::format("the study has no level {}", level));
+  if (!at) return Measured::failed(fmt::format("the study has no level {}", level));
   if (const std::optional<Measured> stop = stop_of(at->run)) return *stop;
   const Measure* found = at->run.find(measure);
-  if (!found) return failed(fmt::format("the run has no measure {}", measure));
+  if (!found) return Measured::failed(fmt::format("the run has no measure {}", measure));
   return read(at->run, *found);
 }
 
@@ -121,7 +114,7 @@ Number error_at(const std::string& measure, double level) {
 Number value_at(const std::string& measure, double level) {
   return number_at(fmt::format("value of {} at {}", measure, level), measure, level,
                    [measure](const RunResult&, const Measure& m) {
-                     if (!m.value) return failed(measure + " has no value");
+                     if (!m.value) return Measured::failed(measure + " has no value");
                      Measured measured;
                      measured.value = *m.value;
                      measured.scale = m.scale;
@@ -149,7 +142,7 @@ Number order_of(const std::string& measure) {
   Number number = number_of("order of " + measure, [=](const StudyResult& s) {
     if (const auto stopped = stopped_level(s)) return *stopped;
     const OrderFit* fit = s.fit(measure);
-    return fit ? measured_order(*fit) : failed("no fit of " + measure);
+    return fit ? measured_order(*fit) : Measured::failed("no fit of " + measure);
   });
   number.interval = true;
   return number;
@@ -159,7 +152,7 @@ Number fitted_order_of(const std::string& measure) {
   return number_of("fitted order of " + measure, [=](const StudyResult& s) {
     if (const auto stopped = stopped_level(s)) return *stopped;
     const OrderFit* fit = s.fit(measure);
-    if (!fit || fit->invalid) return failed("no fit of " + measure);
+    if (!fit || fit->invalid) return Measured::failed("no fit of " + measure);
     Measured measured = measured_order(*fit);
     measured.inconclusive = !fit->usable;
     return measured;
@@ -168,7 +161,7 @@ Number fitted_order_of(const std::string& measure) {
 
 Number energy_drift() {
   return number_of("relative drift of energy", [](const StudyResult& s) {
-    if (s.levels.empty()) return failed("the study has no runs");
+    if (s.levels.empty()) return Measured::failed("the study has no runs");
     Measured measured;
     double largest = 0;
     for (const StudyLevel& at : s.levels) largest = larger(largest, at.run.ledger.energy.relative_drift(false));
@@ -198,7 +191,7 @@ namespace {
 template <class Read>
 std::function<Measured(const StudyResult&)> largest_over_runs(Read read) {
   return [read](const StudyResult& s) {
-    if (s.levels.empty()) return failed("the study has no runs");
+    if (s.levels.empty()) return Measured::failed("the study has no runs");
     Measured measured;
     double largest = 0;
     const auto take = [&](const RunResult& run) { largest = larger(largest, read(run)); };
@@ -227,7 +220,7 @@ std::string undefined_measure(const Case& entry, const RunResult& run) {
 
 // How many runs of a study stopped; the note says where and why, and which measure is no number.
 Measured stopped_runs(const StudyResult& s) {
-  if (s.levels.empty()) return failed("the study has no runs");
+  if (s.levels.empty()) return Measured::failed("the study has no runs");
   Measured measured = Measured::of(0);
   const auto look = [&](const RunResult& run) {
     *measured.value += run.finished ? 0 : 1;
@@ -306,9 +299,9 @@ std::vector<JudgedGate> judge_gates(const std::vector<CaseGate>& gates, const St
     result.scheme = study.scheme;
     result.study = study.plan.id;
     try {
-      result.measured = study.failure.empty() ? declared.measure(study) : failed(study.failure);
+      result.measured = study.failure.empty() ? declared.measure(study) : Measured::failed(study.failure);
     } catch (const std::exception& error) {
-      result.measured = failed(error.what());
+      result.measured = Measured::failed(error.what());
     }
     result.judgement = judge(declared.gate, result.measured);
     for (const StudyLevel& at : study.levels) {

@@ -13,13 +13,6 @@
 namespace plumbline {
 namespace {
 
-Measured failed(const std::string& note) {
-  Measured measured;
-  measured.invalid = true;
-  measured.note = note;
-  return measured;
-}
-
 GateOutcome outcome_of(const std::string& kind, const std::string& name, const MeasuredGate& row,
                        const SideBySide& how) {
   JudgedGate judged;
@@ -39,7 +32,7 @@ GateOutcome outcome_of(const std::string& kind, const std::string& name, const M
     judged.measured.stopped = Measured::Stop{state.step, state.field};
     judged.measured.note = state.what();
   } catch (const std::exception& error) {
-    judged.measured = failed(error.what());
+    judged.measured = Measured::failed(error.what());
   }
   judged.judgement = judge(row.gate, judged.measured);
   if (how.is_red(judged)) judged.explanation = row.explanation;

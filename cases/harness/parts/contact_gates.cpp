@@ -6,14 +6,14 @@
 #include <tuple>
 
 #include "cases/harness/parts/encounter.hpp"
+#include "cases/harness/parts/parts.hpp"
 
 namespace plumbline {
 namespace {
 
 constexpr int encounters = 20;
-constexpr unsigned long seed = 50;
-constexpr double rounding = 1e-12;  // of speeds and masses of order one: a few thousand roundings
-constexpr double slowed = 1e-6;     // of the approach speed, the least that has to be taken
+constexpr unsigned long contact_seed = 50;
+constexpr double slowed = 1e-6;  // of the approach speed, the least that has to be taken
 
 template <int dim>
 using NodeVelocities = std::vector<Eigen::Matrix<double, dim, 1>> VelocityField<dim>::*;
@@ -36,12 +36,10 @@ double momentum_off(const typename Encounter<dim>::Pass& pass, NodeVelocities<di
 }
 
 // The larger; what is no number stays.
-double worse(double a, double b) { return std::isnan(a) || a > b ? a : b; }
-
 template <int dim>
 double momentum(const ContactEntry& law) {
   Encounter<dim> all(law);
-  ProbeRandom random(seed);
+  ProbeRandom random(contact_seed);
   double worst = 0;
   for (int k = 0; k < encounters; ++k) {
     const auto first = all.meet(Motion::any, random), again = all.meet_again(Motion::any, random),
@@ -74,7 +72,7 @@ double energy_gained(const std::vector<ContactChange<dim>>& told, bool keep) {
 template <int dim>
 double energy(const ContactEntry& law) {
   Encounter<dim> all(law);
-  ProbeRandom random(seed);
+  ProbeRandom random(contact_seed);
   double worst = -1;
   for (int k = 0; k < encounters; ++k) {
     const auto first = all.meet(Motion::approaching, random), again = all.meet_again(Motion::approaching, random);
@@ -99,7 +97,7 @@ double energy(const ContactEntry& law) {
 template <int dim>
 double tension(const ContactEntry& law) {
   Encounter<dim> all(law);
-  ProbeRandom random(seed);
+  ProbeRandom random(contact_seed);
   double worst = -1;
   for (int k = 0; k < encounters; ++k) {
     const auto pass = all.meet(Motion::approaching, random);
@@ -117,7 +115,7 @@ double tension(const ContactEntry& law) {
 template <int dim>
 double release(const ContactEntry& law) {
   Encounter<dim> all(law);
-  ProbeRandom random(seed);
+  ProbeRandom random(contact_seed);
   double worst = 0;
   for (int k = 0; k < encounters; ++k) {
     const auto pass = all.meet(Motion::parting, random);
@@ -137,7 +135,7 @@ double release(const ContactEntry& law) {
 template <int dim>
 double approach(const ContactEntry& law) {
   Encounter<dim> all(law);
-  ProbeRandom random(seed);
+  ProbeRandom random(contact_seed);
   double worst = -1;
   for (int k = 0; k < encounters; ++k) {
     const auto pass = all.meet(Motion::approaching, random);
@@ -156,7 +154,7 @@ double approach(const ContactEntry& law) {
 template <int dim>
 double untold(const ContactEntry& law) {
   Encounter<dim> all(law);
-  ProbeRandom random(seed);
+  ProbeRandom random(contact_seed);
   double worst = 0;
   for (int k = 0; k < encounters; ++k) {
     const auto first = all.meet(Motion::any, random), again = all.meet_again(Motion::any, random);
@@ -184,7 +182,7 @@ double untold(const ContactEntry& law) {
 template <int dim>
 double other_nodes(const ContactEntry& law) {
   Encounter<dim> all(law);
-  ProbeRandom random(seed);
+  ProbeRandom random(contact_seed);
   std::size_t count = 0;
   for (int k = 0; k < encounters; ++k) {
     std::set<int> nodes[2];
@@ -206,20 +204,21 @@ void add_gates(const ContactEntry& law, const std::string& where, std::vector<Me
                    [&law, measure] { return plain(measure(law)); }});
   };
   const std::string of_random = ", of random velocities";
-  row("momentum", "largest change of momentum at a node over its mass" + of_random, rounding, Origin::identity,
+  row("momentum", "largest change of momentum at a node over its mass" + of_random, rounding_of_parts, Origin::identity,
       "what one body gets the other gives, node by node; a few thousand roundings",
       "impulses on two bodies are not opposite, or weighted with other masses", momentum<dim>);
   row("energy", "energy gained beyond the work of the other forces, over that of the nodes, where bodies approach",
-      rounding, Origin::theory, "contact without a store of its own may only take energy; a few thousand roundings",
+      rounding_of_parts, Origin::theory,
+      "contact without a store of its own may only take energy; a few thousand roundings",
       "a restitution, an impulse that is too strong, or another instant's velocity", energy<dim>);
-  row("tension", "strongest pull on a body that approaches the other, as a change of speed", rounding, Origin::theory,
-      "contact pushes bodies apart and never together; a few thousand roundings",
+  row("tension", "strongest pull on a body that approaches the other, as a change of speed", rounding_of_parts,
+      Origin::theory, "contact pushes bodies apart and never together; a few thousand roundings",
       "normals that point the wrong way, or an impulse without a sign", tension<dim>);
   row("release", "largest change of a velocity where bodies part, at the start of the step and at its end", 0,
       Origin::theory, "bodies that part are let go",
       "contact is decided by where bodies are alone, or by the wrong velocity", release<dim>);
   row("told", "difference of changes and what is told of them, and of the midpoint and the mean of start and end",
-      rounding, Origin::identity, "the ledger books what is told; a few thousand roundings",
+      rounding_of_parts, Origin::identity, "the ledger books what is told; a few thousand roundings",
       "a change that is not told", untold<dim>);
   row("again", "nodes where contact acts in one force pass of a step and not in the other", 0, Origin::identity,
       "nodes are chosen once a step, or the passes do not converge", "a later pass chooses anew", other_nodes<dim>);

@@ -7,26 +7,22 @@
 
 #include "cases/harness/parts/material_change.hpp"
 #include "cases/harness/parts/material_waves.hpp"
+#include "cases/harness/parts/parts.hpp"
 #include "cases/harness/parts/shape_probe.hpp"
 
 namespace plumbline {
 namespace {
 
 constexpr int states = 5;  // strained at random, all points each
-constexpr unsigned long seed = 70;
+constexpr unsigned long materials_seed = 70;
 constexpr double strain = 0.2;
-// Differences from -dt to dt have errors of dt^2 and of roundings over dt, of rates and strains of order one.
-constexpr double dt = step_of_difference, of_difference = 1e-7;
-constexpr double rounding = 1e-12;
 constexpr double most_excess = 1;
 constexpr double speeds_agree = 1e-2;  // at small strains moduli differ by a few of them from those at rest
-
-double worse(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
 // The largest of what `measure` finds of points strained at random.
 double of_states(const MaterialSubject& subject, std::size_t geometry,
                  const std::function<double(const MaterialProbe&, ProbeRandom&)>& measure, double by = strain) {
-  ProbeRandom random(seed);
+  ProbeRandom random(materials_seed);
   double worst = 0;
   for (const auto& material : subject.made) {
     for (int k = 0; k < states; ++k) {
@@ -88,14 +84,16 @@ double off_rates(const MaterialProbe& probe, ProbeRandom& random) {
 // Under a spin w a stress turns with the material, d sigma = w sigma - sigma w, and nothing is stored.
 double off_spin(const MaterialProbe& probe, ProbeRandom& random) {
   const Eigen::MatrixXd any = probe.random_rate(random).gradient, spin = any - any.transpose();
-  const MaterialProbe after = probe.strained({spin, 0}, dt), before = probe.strained({spin, 0}, -dt);
+  const MaterialProbe after = probe.strained({spin, 0}, step_of_difference),
+                      before = probe.strained({spin, 0}, -step_of_difference);
   double worst = 0;
   for (int p = 0; p < probe.count(); ++p) {
-    const Eigen::MatrixXd sigma = probe.stress(p), change = (after.stress(p) - before.stress(p)) / (2 * dt);
+    const Eigen::MatrixXd sigma = probe.stress(p),
+                          change = (after.stress(p) - before.stress(p)) / (2 * step_of_difference);
     const double scale = sigma.norm() * spin.norm();
     if (scale == 0) continue;
     worst = worse((change - (spin * sigma - sigma * spin)).norm() / scale, worst);
-    const double stored = (after.energy(p) - before.energy(p)) / (2 * dt);
+    const double stored = (after.energy(p) - before.energy(p)) / (2 * step_of_difference);
     worst = worse(std::abs(stored) / (probe.volume(p) * scale), worst);
   }
   return worst;
@@ -209,7 +207,7 @@ std::vector<MeasuredGate> gates_of(const std::shared_ptr<const MaterialSubject>&
              Origin::theory, "the stress is the derivative of the energy" + by_difference,
              "a modulus or a term of the stress that is not the energy's, or the volume of another state", off_power);
     rows.add("energy", "told", "energy that advance() tells it stored less the change of what is stored, relative",
-             rounding, Origin::identity, "the ledger books what is told; roundings",
+             rounding_of_parts, Origin::identity, "the ledger books what is told; roundings",
              "what is stored is of another state", off_told);
   }
   rows.add("rates", "advance", "rates of the internal variables less what advance() makes of them, relative",
@@ -238,17 +236,18 @@ std::vector<MeasuredGate> gates_of(const std::shared_ptr<const MaterialSubject>&
              "step_bounds() forgets how strains change the tangent", overtaken);
   }
   rows.add("speed", "motion", "what a velocity adds to the speed that the step is made for, less it, relative",
-           rounding, Origin::identity, "waves are carried along by the points; roundings",
+           rounding_of_parts, Origin::identity, "waves are carried along by the points; roundings",
            "step_bounds() forgets velocities", off_motion);
   rows.add("entropy", "production", "power that what rates add to the stress would give, relative, at random rates",
-           rounding, Origin::theory, "viscous stresses only take; roundings",
+           rounding_of_parts, Origin::theory, "viscous stresses only take; roundings",
            "a viscosity with the wrong sign, or of bulk too small", entropy_taken);
   rows.add("entropy", "told",
-           "heat by viscosity, as it is told, less the power of what rates add to the stress, relative", rounding,
-           Origin::identity, "the ledger tells it apart; roundings", "another part of the stress is told", off_heat);
+           "heat by viscosity, as it is told, less the power of what rates add to the stress, relative",
+           rounding_of_parts, Origin::identity, "the ledger tells it apart; roundings",
+           "another part of the stress is told", off_heat);
   if (first.dissipates()) {
     rows.add("entropy", "heat", "heat that straining at random rates takes back, over the energy of the point",
-             rounding, Origin::theory, "dissipation is never negative; roundings",
+             rounding_of_parts, Origin::theory, "dissipation is never negative; roundings",
              "plastic flow against the stress, or a sign of the heat", cooled);
   }
   rows.add("faults", "named", "inadmissible states that are not named as the point's, and good ones that are", 0,

@@ -8,7 +8,7 @@
 namespace plumbline {
 namespace {
 
-constexpr int points_tried = 7;  // no whole pack
+constexpr int material_points = 7;  // no whole pack
 
 // Where the shear of directions d and e stands behind the normal components.
 int shear_at(int dim, int d, int e) { return dim == 2 ? 0 : 3 - d - e; }
@@ -21,7 +21,7 @@ MaterialProbe::MaterialProbe(std::shared_ptr<const Material> material, std::size
   context_.dim = geometry == 0 ? 1 : geometry == 3 ? 3 : 2;
   context_.continuity_density = true;  // densities follow the strain, point by point
   context_.tangents_given = true;
-  body_ = make_body("points", material_, points_tried, dim(), rings());
+  body_ = make_body("points", material_, material_points, dim(), rings());
   for (int p = 0; p < count(); ++p) {
     points()(column::volume)[p] = 0.3 + 0.1 * p;
     points()(column::mass)[p] = density * points()(column::volume)[p];

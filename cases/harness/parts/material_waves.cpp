@@ -6,12 +6,12 @@
 #include <limits>
 #include <utility>
 
+#include "cases/harness/parts/parts.hpp"
+
 namespace plumbline {
 namespace {
 
-constexpr double small_strain = 1e-3, dt = step_of_difference;
-
-double worse(double a, double b) { return std::isnan(a) || a > b ? a : b; }
+constexpr double small_strain = 1e-3;
 
 // The acoustic tensor of waves along n, m^2/s^2: Q a is the change of the stress on n under the gradient a n^T. (The traction on a
 // material surface changes by that alone.)
@@ -19,8 +19,9 @@ Eigen::MatrixXd acoustic_tensor(const MaterialProbe& probe, const Eigen::VectorX
   Eigen::MatrixXd q(probe.dim(), probe.dim());
   for (int d = 0; d < probe.dim(); ++d) {
     const Straining rate{Eigen::VectorXd::Unit(probe.dim(), d) * n.transpose(), 0};
-    const Eigen::MatrixXd change = probe.strained(rate, dt).stress(p) - probe.strained(rate, -dt).stress(p);
-    q.col(d) = change * n / (2 * dt * probe.density(p));
+    const Eigen::MatrixXd change = probe.strained(rate, step_of_difference).stress(p) -
+                                   probe.strained(rate, -step_of_difference).stress(p);
+    q.col(d) = change * n / (2 * step_of_difference * probe.density(p));
   }
   return 0.5 * (q + q.transpose());
 }

@@ -5,7 +5,8 @@
 
 namespace plumbline {
 
-inline constexpr double step_of_difference = 1e-5;  // from -dt to dt, at rates of order one, s
+// Differences from -dt to dt, s, have errors of dt^2 and of roundings over dt, of rates and strains of order one.
+inline constexpr double step_of_difference = 1e-5, of_difference = 1e-7;
 
 // Points pulled alike in all directions, by 0.001, so that what only pulls does: how much the step's speed is below that of the
 // fastest wave, and above it, relative.

@@ -1,6 +1,7 @@
 // Parts of a scheme that are chosen by name and judged by gates of their own kind, which need nothing from their authors.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -30,6 +31,11 @@ struct PartJudging {
   JudgingProgress progress = {};
   std::string shape = Scene().shape;  // with which transfers are judged
 };
+
+// Of sums of a few hundred terms of order one: a few thousand roundings.
+inline constexpr double rounding_of_parts = 1e-12;
+// The larger of what two probes missed, NaN before all.
+inline double worse(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
 // Throws UsageError for an unknown name, and Interrupted; what the part throws is a failure of the gate that asked it.
 JudgedPart judge_part(const PartKind& kind, const std::string& name, const PartJudging& how = {});

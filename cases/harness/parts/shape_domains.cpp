@@ -10,15 +10,15 @@
 namespace plumbline {
 namespace {
 
-constexpr int points_tried = 200;
-constexpr unsigned long seed = 50;
+constexpr int domains_points = 200;
+constexpr unsigned long domains_seed = 50;
 
 // The largest |U(x + 2 l e_d) - U(x) - l (U'(x) + U'(x + 2 l e_d))| of a random field, for points whose neighbour stands on
 // the grid.
 double off_trapezoids(const ShapeProbe& probe) {
   const GridSpec& grid = probe.grid();
-  const std::vector<ProbePoint> from = probe_points(grid, points_tried, seed);
-  const Eigen::MatrixXd u = random_field(probe, seed + 1);
+  const std::vector<ProbePoint> from = probe_points(grid, domains_points, domains_seed);
+  const Eigen::MatrixXd u = random_field(probe, domains_seed + 1);
   const Interpolated here = probe.interpolated(from, u);
   double worst = 0;
   for (std::size_t d = 0; d < static_cast<std::size_t>(grid.dim); ++d) {

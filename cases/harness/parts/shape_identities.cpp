@@ -8,14 +8,16 @@
 namespace plumbline {
 namespace {
 
-constexpr int points_tried = 200;
-constexpr unsigned long seed = 20;
+constexpr int identities_points = 200;
+constexpr unsigned long identities_seed = 20;
 
 double largest(const Eigen::MatrixXd& off) {
   return off.hasNaN() ? std::numeric_limits<double>::quiet_NaN() : off.cwiseAbs().maxCoeff();
 }
 
-std::vector<ProbePoint> anywhere(const ShapeProbe& probe) { return probe_points(probe.grid(), points_tried, seed); }
+std::vector<ProbePoint> anywhere(const ShapeProbe& probe) {
+  return probe_points(probe.grid(), identities_points, identities_seed);
+}
 
 // Row by row the points, or nodes, m.
 Eigen::MatrixXd places(const ShapeProbe& probe, const std::vector<ProbePoint>& points) {
@@ -97,14 +99,14 @@ double off_affine(const ShapeProbe& probe) {
 }
 
 Eigen::VectorXd amounts() {
-  ProbeRandom random(seed + 1);
-  return Eigen::VectorXd::NullaryExpr(points_tried, [&] { return random(0.5, 2); });
+  ProbeRandom random(identities_seed + 1);
+  return Eigen::VectorXd::NullaryExpr(identities_points, [&] { return random(0.5, 2); });
 }
 
 // What points put on nodes is the transpose of what they take: q . N u = u . N^T q, whatever q and u.
 double off_adjoint(const ShapeProbe& probe) {
   const std::vector<ProbePoint> points = anywhere(probe);
-  const Eigen::VectorXd q = amounts(), u = random_field(probe, seed + 2).col(0);
+  const Eigen::VectorXd q = amounts(), u = random_field(probe, identities_seed + 2).col(0);
   const Eigen::VectorXd taken = probe.interpolated(points, u.replicate(1, probe.grid().dim)).value.col(0);
   const double work = q.dot(taken), scale = q.dot(taken.cwiseAbs());
   const double spread = u.dot(probe.spread(points, q)), mass = u.dot(probe.mapped_mass(points, q));
@@ -113,12 +115,12 @@ double off_adjoint(const ShapeProbe& probe) {
 
 // The power of stresses over the points is that of their forces over the nodes: u . f = -sum_p V_p sigma : grad u.
 double off_power(const ShapeProbe& probe) {
-  const std::vector<ProbePoint> points = probe_points(probe.grid(), points_tried, seed, true);
+  const std::vector<ProbePoint> points = probe_points(probe.grid(), identities_points, identities_seed, true);
   const GridSpec& grid = probe.grid();
   const Eigen::VectorXd volume = amounts();
   const Eigen::Matrix3d sigma = (Eigen::Matrix3d() << 1.2, 0.5, -0.4, 0.5, -0.8, 0.7, -0.4, 0.7, 0.9).finished();
   const double hoop = grid.axisymmetric ? 0.6 : 0;
-  const Eigen::MatrixXd u = random_field(probe, seed + 3);
+  const Eigen::MatrixXd u = random_field(probe, identities_seed + 3);
   const Interpolated taken = probe.interpolated(points, u);
   Eigen::VectorXd power = Eigen::VectorXd::Zero(volume.size());
   for (int c = 0; c < grid.dim; ++c) {

@@ -7,7 +7,7 @@
 namespace plumbline {
 namespace {
 
-constexpr int points_tried = 500;
+constexpr int order_points = 500;
 constexpr int levels[] = {4, 8, 16, 32, 64};  // cells along the first direction, of length 1
 constexpr double within = 0.1;                // what of an order may be left to coarse meshes
 
@@ -27,7 +27,7 @@ GridSpec unit_box(std::size_t geometry, int cells) {
 // Points that fill the box evenly and fall anywhere in their cells: multiples of three irrational numbers.
 std::vector<ProbePoint> evenly(const GridSpec& grid) {
   const double irrational[] = {std::sqrt(2.0), std::sqrt(3.0), std::sqrt(5.0)};
-  std::vector<ProbePoint> points(points_tried);
+  std::vector<ProbePoint> points(order_points);
   for (std::size_t p = 0; p < points.size(); ++p) {
     for (std::size_t d = 0; d < static_cast<std::size_t>(grid.dim); ++d) {
       const double x = static_cast<double>(p + 1) * irrational[d];
@@ -53,7 +53,7 @@ std::pair<double, double> errors(const ShapeSubject& subject, int cells) {
     values += std::pow(found.value(row, 0) - smooth(x), 2);
     gradients += std::pow(found.gradient[0](row, 0) - slope(x), 2);
   }
-  return {std::sqrt(values / points_tried), std::sqrt(gradients / points_tried)};
+  return {std::sqrt(values / order_points), std::sqrt(gradients / order_points)};
 }
 
 Measured order(const ShapeSubject& subject, bool of_gradient) {

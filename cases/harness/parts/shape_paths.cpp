@@ -12,7 +12,7 @@
 namespace plumbline {
 namespace {
 
-constexpr unsigned long seed = 40;
+constexpr unsigned long paths_seed = 40;
 constexpr double agreed = 1e-13;            // difference on a piece that is rounding
 constexpr double shortest = 0x1p-36;        // of pieces, in cells
 constexpr double close = 0x1p-20;           // pieces that short show jumps, cells
@@ -51,14 +51,14 @@ class Path {
         derivatives_(derivatives),
         from_(from),
         to_(to),
-        field_(random_field(probe, seed)) {
+        field_(random_field(probe, paths_seed)) {
     for (std::size_t d = 0; d < static_cast<std::size_t>(probe.grid().dim); ++d) way_.push_back(to.x[d] - from.x[d]);
     for (const double w : way_) cells_ += w * w / (probe.grid().h * probe.grid().h);
     cells_ = std::sqrt(cells_);
   }
 
   PathFindings walk() {
-    ProbeRandom random(seed + 1);
+    ProbeRandom random(paths_seed + 1);
     std::vector<double> cuts{0, 1};
     for (int k = 0; k < (derivatives_ ? pieces_a_cell : pieces_of_domains) * cells_; ++k) cuts.push_back(random(0, 1));
     std::sort(cuts.begin(), cuts.end());
@@ -133,7 +133,7 @@ class Path {
 // Across the grid along each direction: slanted from side to side, and along the sides themselves.
 PathFindings across(const ShapeProbe& probe, bool derivatives) {
   const GridSpec& grid = probe.grid();
-  ProbeRandom random(seed + 2);
+  ProbeRandom random(paths_seed + 2);
   PathFindings worst;
   for (std::size_t along = 0; along < static_cast<std::size_t>(grid.dim); ++along) {
     for (const bool on_side : {false, true}) {

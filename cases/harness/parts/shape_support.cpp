@@ -9,8 +9,8 @@
 namespace plumbline {
 namespace {
 
-constexpr int points_tried = 40;
-constexpr unsigned long seed = 30;
+constexpr int support_points = 40;
+constexpr unsigned long support_seed = 30;
 
 // Whether a node is one of those that a point says it reaches.
 bool reached(const std::array<int, 3>& node, const std::array<int, 3>& lowest, int support, int dim) {
@@ -22,7 +22,7 @@ bool reached(const std::array<int, 3>& node, const std::array<int, 3>& lowest, i
 
 // The largest weight, or gradient times h, of a node beyond those.
 double beyond_reach(const ShapeProbe& probe) {
-  const std::vector<ProbePoint> points = probe_points(probe.grid(), points_tried, seed);
+  const std::vector<ProbePoint> points = probe_points(probe.grid(), support_points, support_seed);
   const std::vector<std::array<int, 3>> lowest = probe.lowest(points);
   const int dim = probe.grid().dim;
   double worst = 0;

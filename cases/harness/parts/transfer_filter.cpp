@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/harness/parts/parts.hpp"
 #include "cases/harness/parts/shape_probe.hpp"
 #include "cases/harness/parts/transfer_gates.hpp"
 #include "cases/harness/parts/transfer_probe.hpp"
@@ -12,20 +13,19 @@
 namespace plumbline {
 namespace {
 
-constexpr int cells = 64;
+constexpr int line_cells = 64;
 constexpr double within = 0.2;  // what of an order may be left to short waves
-constexpr double rounding = 1e-12;
 
 // Share of a wave with `halves` half waves between the walls that is left after one pass.
 double left_over(const TransferEntry& transfer, const ShapeEntry& shape, int halves) {
   Scene scene;
-  scene.grid.cells = {cells, 1, 1};
+  scene.grid.cells = {line_cells, 1, 1};
   scene.grid.walls[0] = {Wall::symmetry, Wall::symmetry};
   scene.shape = shape.name;
   scene.transfer = transfer.name;
-  const double k = std::numbers::pi * halves / cells;
+  const double k = std::numbers::pi * halves / line_cells;
   std::vector<Eigen::VectorXd> places;
-  for (int p = 0; p < 2 * cells; ++p) places.push_back(Eigen::VectorXd::Constant(1, 0.25 + 0.5 * p));
+  for (int p = 0; p < 2 * line_cells; ++p) places.push_back(Eigen::VectorXd::Constant(1, 0.25 + 0.5 * p));
   TransferProbe probe(scene, places, std::vector<double>(places.size(), 0.5), [&](const Eigen::VectorXd& x) {
     return PointMotion{Eigen::VectorXd::Constant(1, std::sin(k * x[0])),
                        Eigen::MatrixXd::Constant(1, 1, k * std::cos(k * x[0]))};
@@ -42,7 +42,7 @@ Measured order(const TransferEntry& transfer, const ShapeEntry& shape) {
     Level level;
     level.h = halves;
     level.error = std::abs(1 - left_over(transfer, shape, halves));
-    level.rounding = rounding / 100;
+    level.rounding = rounding_of_parts / 100;
     levels.push_back(level);
   }
   return measured_order(fit_order(levels, Weighting::equal));
@@ -51,12 +51,12 @@ Measured order(const TransferEntry& transfer, const ShapeEntry& shape) {
 // By how much what is left of a wave is beyond 0 and 1: the most, of waves of 64 to 2 cells.
 Measured beyond_all_and_nothing(const TransferEntry& transfer, const ShapeEntry& shape) {
   double worst = -1;
-  for (int halves = 2; halves <= cells; halves += 2) {
+  for (int halves = 2; halves <= line_cells; halves += 2) {
     const double left = left_over(transfer, shape, halves);
     const double beyond = std::max(left - 1, -left);
     if (!(beyond <= worst)) worst = beyond;
   }
-  const double eight = left_over(transfer, shape, cells / 4);
+  const double eight = left_over(transfer, shape, line_cells / 4);
   return plain(worst,
                fmt::format("of a wave of 8 cells a pass leaves {:.6f}, two, in which sound crosses a cell at half "
                            "the Courant limit, {:.6f}",
@@ -76,8 +76,9 @@ std::vector<MeasuredGate> transfer_filter_gates(const TransferEntry& transfer, c
   std::vector<MeasuredGate> all{
       {"filter",
        gate_row("filter", "range/line",
-                "how far what a pass leaves of a wave is below 0 or above 1, of waves of 64 to 2 cells", {{}, rounding},
-                Origin::theory, "a filter takes from each wave between nothing and all; rounding"),
+                "how far what a pass leaves of a wave is below 0 or above 1, of waves of 64 to 2 cells",
+                {{}, rounding_of_parts}, Origin::theory,
+                "a filter takes from each wave between nothing and all; rounding"),
        "a filter that overshoots", [&] { return beyond_all_and_nothing(transfer, shape); }}};
   if (transfer.offers.count(Trait::unfiltered_velocities) > 0) return all;
   const double claimed = order_of_filter(transfer, shape);

@@ -5,16 +5,16 @@
 #include <limits>
 #include <string>
 
+#include "cases/harness/parts/parts.hpp"
 #include "cases/harness/parts/shape_probe.hpp"
 #include "cases/harness/parts/transfer_probe.hpp"
 
 namespace plumbline {
 namespace {
 
-constexpr int points_tried = 300;
+constexpr int transfers_points = 300;
 constexpr int passes = 3;
-constexpr unsigned long seed = 60;
-constexpr double rounding = 1e-12;  // of sums of a few hundred points, relative
+constexpr unsigned long transfers_seed = 60;
 
 // A transfer under a shape in one geometry.
 struct Subject {
@@ -22,8 +22,6 @@ struct Subject {
   const ShapeEntry* shape;
   std::size_t geometry;
 };
-
-double worse(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
 bool offers(const Choice& part, Trait trait) { return part.offers.count(trait) > 0; }
 
@@ -46,22 +44,22 @@ std::array<std::array<Wall, 2>, 3> on_all_sides(Wall wall) {
 // At random, those of rings a tenth of a cell off the axis.
 std::vector<Eigen::VectorXd> anywhere(const GridSpec& grid) {
   std::vector<Eigen::VectorXd> places;
-  for (const ProbePoint& point : probe_points(grid, points_tried, seed, true)) {
+  for (const ProbePoint& point : probe_points(grid, transfers_points, transfers_seed, true)) {
     places.push_back(Eigen::Map<const Eigen::VectorXd>(point.x.data(), grid.dim));
   }
   return places;
 }
 
 std::vector<double> masses() {
-  ProbeRandom random(seed + 1);
-  std::vector<double> all(points_tried);
+  ProbeRandom random(transfers_seed + 1);
+  std::vector<double> all(transfers_points);
   for (double& m : all) m = random(0.5, 2);
   return all;
 }
 
 // Velocities within 1, and C_p that adds as much a cell.
 MotionAt at_random(const GridSpec& grid) {
-  auto random = std::make_shared<ProbeRandom>(seed + 2);
+  auto random = std::make_shared<ProbeRandom>(transfers_seed + 2);
   return [grid, random](const Eigen::VectorXd&) {
     const auto any = [&] { return (*random)(-1, 1); };
     return PointMotion{Eigen::VectorXd::NullaryExpr(grid.dim, any),
@@ -232,7 +230,7 @@ void add_gates(const Subject& subject, std::vector<MeasuredGate>& all) {
   const auto row = [&](const std::string& family, const std::string& name, const std::string& quantity, Origin origin,
                        const std::string& reason, const char* cause, double (*measure)(const Subject&)) {
     all.push_back({family,
-                   gate_row(family, name + "/" + where, quantity, {{}, rounding}, origin,
+                   gate_row(family, name + "/" + where, quantity, {{}, rounding_of_parts}, origin,
                             reason + "; roundings of a few hundred points"),
                    cause, [subject, measure] { return plain(measure(subject)); }});
   };

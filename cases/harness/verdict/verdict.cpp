@@ -186,6 +186,13 @@ Measured Measured::of(double value) {
   return measured;
 }
 
+Measured Measured::failed(std::string note) {
+  Measured measured;
+  measured.invalid = true;
+  measured.note = std::move(note);
+  return measured;
+}
+
 Measured measured_order(const OrderFit& fit) {
   Measured measured;
   measured.invalid = fit.invalid;

@@ -83,7 +83,8 @@ struct Measured {
   std::string note;
   std::optional<Stop> stopped;  // the run ended early
 
-  static Measured of(double value);  // a number without more
+  static Measured of(double value);          // a number without more
+  static Measured failed(std::string note);  // the measurement itself
 };
 
 struct Judgement {
