@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "kernel/materials/material_entry.hpp"
+#include "kernel/materials/shared_dilatation.hpp"
 #include "kernel/register_part.hpp"
 
 namespace plumbline {
@@ -103,9 +104,34 @@ struct View {
 using Reading = View<const double, const Columns>;
 using Writing = View<double, Columns>;
 
-double stored(const J2Law& law, const J2State& state) {
-  return elastic_energy(law, state.elastic) + 0.5 * law.hardening * state.plastic * state.plastic;  // [J2 1]
-}
+// Of the bulk modulus what stays a point's own where cells share the rest. None would leave motions within a cell without a force.
+constexpr double own_share = 0.02;
+
+// The law of points of which cells may share the dilatation.
+class SharedLaw {
+ public:
+  SharedLaw(const J2Law& law, const Columns& points)
+      : law_(law),
+        bulk_(BulkModuli{law.bulk, own_share * law.bulk}, points) {}
+
+  // J/m^3 at rest.
+  double energy(const J2State& state, double theta) const {
+    const double own = state.elastic.trace();
+    const double beside = bulk_.energy(own, theta) - 0.5 * law_.bulk * own * own;  // [J2 7]
+    return elastic_energy(law_, state.elastic) + beside +
+           0.5 * law_.hardening * state.plastic * state.plastic;  // [J2 1]
+  }
+  // tau, Pa, with the mean dilatation of the cell `ahead` seconds later.
+  Matrix stress(const Matrix& elastic, int p, double ahead) const {
+    const double own = elastic.trace();
+    return kirchhoff_stress(law_, elastic) + (bulk_.tension(own, p, ahead) - law_.bulk * own) * Matrix::Identity();
+  }
+  double dilatation(int p, double dt = 0) const { return bulk_.dilatation(p, dt); }
+
+ private:
+  J2Law law_;
+  Bulk<double> bulk_;
+};
 
 double wave_modulus(const J2Law& law) { return law.bulk + 4.0 / 3.0 * law.shear; }
 
@@ -142,6 +168,13 @@ void J2Plasticity::add_columns(Columns& points, int dim) const {
   }
 }
 
+void J2Plasticity::share_dilatation(Columns& points) const {
+  if (points.components(column::stress) == 1) return;  // what moves along a line alone does not lock
+  points.add(column::dilatation);
+  const Reading at(points);
+  for (int p = 0; p < points.points(); ++p) points(column::dilatation)[p] = at.elastic[p].trace();
+}
+
 std::vector<const ColumnId*> J2Plasticity::internal_variables(const MaterialContext&) const {
   return {&column::deformation, &column::elastic_strain, &column::plastic_strain, &column::heat};
 }
@@ -170,10 +203,13 @@ std::vector<double> J2Plasticity::rates(const Columns& points, const MaterialCon
 
 double J2Plasticity::advance(Columns& points, PointRange range, const MaterialContext&, double dt) const {
   const J2Law own = law();
+  const SharedLaw shared(own, points);
   const Writing at(points);
+  double* dilatation = points.has(column::dilatation) ? points(column::dilatation) : nullptr;
   double gained = 0;
   for (int p = range.first; p < range.last; ++p) {
     const J2State before = at.state(p);
+    const double theta_before = shared.dilatation(p);
     const Matrix increment = dt * at.rate[p];
     const J2State now = returned(own, {strained(before.elastic, increment), before.plastic});
     at.deformation.set(p, at.deformation[p] + increment * at.deformation[p]);
@@ -182,7 +218,12 @@ double J2Plasticity::advance(Columns& points, PointRange range, const MaterialCo
     const double heat_before = at.heat[p];
     at.heat[p] += own.yield * (now.plastic - before.plastic) / density +
                   dt * at.viscous_power(p) / at.mass[p];  // [J2 5]
-    const double kept = (stored(own, at.state(p)) - stored(own, before)) / density;
+    double theta = theta_before;
+    if (dilatation) {  // what the step changes tr eps by beyond dt div v, a point keeps [Dilatation 4]
+      theta = shared.dilatation(p, dt) + (now.elastic.trace() - before.elastic.trace()) - increment.trace();
+      dilatation[p] = theta;
+    }
+    const double kept = (shared.energy(at.state(p), theta) - shared.energy(before, theta_before)) / density;
     gained += at.mass[p] * (kept + (at.heat[p] - heat_before));
   }
   return gained;
@@ -190,6 +231,7 @@ double J2Plasticity::advance(Columns& points, PointRange range, const MaterialCo
 
 void J2Plasticity::evaluate_stress(Columns& points, PointRange range, const MaterialContext& context) const {
   const J2Law own = law();
+  const SharedLaw shared(own, points);
   const Writing at(points);
   const Tensors<double> stress(points, column::stress, places_of_full(points.components(column::stress)));
   double* pressure = points(column::pressure);
@@ -199,7 +241,7 @@ void J2Plasticity::evaluate_stress(Columns& points, PointRange range, const Mate
     J2State then = at.state(p);
     if (context.ahead != 0) then = returned(own, {strained(then.elastic, increment), then.plastic});
     const double j = at.deformation[p].determinant();
-    const Matrix tau = kirchhoff_stress(own, then.elastic);
+    const Matrix tau = shared.stress(then.elastic, p, context.ahead);
     Matrix sigma = tau / j;
     if (context.ahead != 0) sigma = sigma * (Matrix::Identity() + increment).inverse().transpose();
     at.volume[p] = j * at.mass[p] / density;
@@ -217,11 +259,11 @@ double J2Plasticity::viscous_heat(const Columns& points, PointRange range, const
 }
 
 double J2Plasticity::stored_energy(const Columns& points, PointRange range) const {
-  const J2Law own = law();
+  const SharedLaw shared(law(), points);
   const Reading at(points);
   double total = 0;
   for (int p = range.first; p < range.last; ++p) {
-    total += at.mass[p] * (stored(own, at.state(p)) / density + at.heat[p]);
+    total += at.mass[p] * (shared.energy(at.state(p), shared.dilatation(p)) / density + at.heat[p]);
   }
   return total;
 }

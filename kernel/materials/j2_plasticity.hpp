@@ -21,6 +21,9 @@ inline const ColumnId viscous_pressure{"viscous_pressure", "Pa"};
 // those of P = tau F^-T as for other finite strains, less a viscous pressure rho c_L c h max(0, -div v), c^2 = (K + 4 G/3)/rho_0  [J2 6]
 // Of the plastic work Y d_alpha is heat, dE = Y d_alpha + V q (-div v) dt [J2 5]; the work of hardening, H alpha^2/2, stays stored.
 // The column pressure is -tr tau / (3 J), without the viscous part. No heat changes the stress.
+// Plastic flow keeps the volume, so that elements lock as of what hardly compresses, whatever nu: in the plane and in space points
+// share their dilatation theta where the scene has them do so, with K in the place of lambda,
+//   W = K_o/2 (tr eps)^2 + (K - K_o)/2 theta^2 + G |dev eps|^2,  K_o = K/50                               [J2 7]
 struct J2Plasticity final : Material {
   double youngs_modulus = 0;     // E, Pa, > 0
   double poissons_ratio = 0;     // nu, -1 < nu < 1/2
@@ -36,6 +39,7 @@ struct J2Plasticity final : Material {
   Store store() const override { return Store::elastic; }
   bool dissipates() const override { return true; }
   double advance(Columns& points, PointRange range, const MaterialContext& context, double dt) const override;
+  void share_dilatation(Columns& points) const override;
   std::vector<const ColumnId*> internal_variables(const MaterialContext& context) const override;
   std::vector<double> rates(const Columns& points, const MaterialContext& context) const override;
   void evaluate_stress(Columns& points, PointRange range, const MaterialContext& context) const override;

@@ -36,7 +36,7 @@ LameConstants constants_of(const LinearElastic& material, int components) {
 struct Law {
   int components, normals;
   double mu;
-  Bulk bulk;
+  Bulk<> bulk;
 
   Law(const LinearElastic& material, const Columns& points)
       : components(points.components(column::stress)),
@@ -113,7 +113,7 @@ double LinearElastic::advance(Columns& points, PointRange range, const MaterialC
     }
     stored += kept(load(volume + p) * (law.energy(strain, law.bulk.dilatation(p, dt)) - before), count);
   });
-  Bulk::advance(points, range.first, range.last, dt);
+  advance_dilatation(points, range.first, range.last, dt);
   return sum(stored);
 }
 

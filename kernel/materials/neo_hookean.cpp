@@ -33,13 +33,13 @@ struct Loops {
     for (int k = 0; k < size; ++k) then.at[k] = f.at[k] + dt * then.at[k];  // [Neo-Hookean 2]
     return then;
   }
-  static Pack energy(const LameConstants& c, const Bulk& bulk, const Tensor& f, const Pack& theta) {
+  static Pack energy(const LameConstants& c, const Bulk<>& bulk, const Tensor& f, const Pack& theta) {
     constexpr double directions = dim + (rings ? 1 : 0);
     const Pack log_j = logarithm(f.determinant());
     return 0.5 * c.mu * (f.sum_of_squares() - directions - 2.0 * log_j) + bulk.energy(log_j, theta);  // [Neo-Hookean 1]
   }
   // P of point p, `ahead` seconds from where its dilatations are known.
-  static Tensor stress(const LameConstants& c, const Bulk& bulk, const Tensor& f, int at, double ahead) {
+  static Tensor stress(const LameConstants& c, const Bulk<>& bulk, const Tensor& f, int at, double ahead) {
     const Pack j = f.determinant(), pull = bulk.tension(logarithm(j), at, ahead), share = 1.0 / j;
     Tensor p, inverse = f.cofactors();
     for (int k = 0; k < size; ++k) {

@@ -30,19 +30,30 @@ def changed_build(folder, old, new):
     source.write_text(text.replace(old, new), encoding="utf-8")
     commands = subprocess.run(["ninja", "-C", str(BUILD), "-t", "commands", "lib/libplumbline_kernel.so"], capture_output=True,
                               text=True, check=True).stdout.splitlines()
-    compile_it = shlex.split(next(line for line in commands if line.endswith(str(SOURCE))))
+    compile_it, unit = next((shlex.split(line), unit) for line in commands if " -c " in line and (unit := unit_of(line)))
+    if unit != SOURCE:
+        text = unit.read_text(encoding="utf-8").replace(f'"{SOURCE}"', f'"{source}"')
+        source = folder / unit.name
+        source.write_text(text, encoding="utf-8")
     built = compile_it[compile_it.index("-o") + 1]
     for option in ("-MF", "-MT"):
         compile_it[compile_it.index(option) + 1] = str(folder / "changed.d")
     link_it = shlex.split(next(line for line in commands if " -shared " in line).split("&&")[1])
     made = link_it[link_it.index("-o") + 1]
-    for command, renamed in ((compile_it, {str(SOURCE): source, built: compiled}), (link_it, {built: compiled, made: library})):
+    for command, renamed in ((compile_it, {compile_it[-1]: source, built: compiled}), (link_it, {built: compiled, made: library})):
         subprocess.run([str(renamed.get(word, word)) for word in command], cwd=BUILD, check=True)
     script = folder / "bin/plumbline"
     script.parent.mkdir()
     script.write_text(f"#!/bin/sh\nLD_LIBRARY_PATH={folder}/lib exec {BUILD}/bin/plumbline \"$@\"\n")
     script.chmod(0o755)
     return folder
+
+
+def unit_of(line):
+    """The file that a command compiles, if SOURCE is in it: itself, or one that includes several sources."""
+    unit = BUILD / shlex.split(line)[-1]
+    is_in = unit == SOURCE or ("/Unity/" in str(unit) and f'"{SOURCE}"' in unit.read_text(encoding="utf-8"))
+    return unit if is_in else None
 
 
 def compare(head, output, *options):

@@ -11,12 +11,15 @@
 #include "cases/harness/description/measures.hpp"
 #include "cases/harness/files/whole.hpp"
 #include "kernel/materials/j2_plasticity.hpp"
+#include "kernel/materials/shared_dilatation.hpp"
 #include "kernel/shapes/domain_columns.hpp"
 
 namespace plumbline {
 namespace {
 
 using Matrix = Eigen::Matrix3d;
+
+constexpr double own_share = 0.02;  // of the bulk modulus, where cells share a dilatation [J2 7]
 
 Matrix exponential(const Matrix& symmetric) {
   const Eigen::SelfAdjointEigenSolver<Matrix> principal(symmetric);
@@ -70,8 +73,14 @@ double RodPoints::volume_off(int p) const {
 
 double RodPoints::axial_stress(int p) const {
   const Matrix e = elastic(p);
-  const double kirchhoff = (law_.bulk - 2.0 / 3 * law_.shear) * e.trace() + 2 * law_.shear * e(1, 1);
+  const double kirchhoff = law_.bulk * dilatation(p) - 2.0 / 3 * law_.shear * e.trace() + 2 * law_.shear * e(1, 1);
   return kirchhoff / deformation(p).determinant();
+}
+
+double RodPoints::dilatation(int p) const {
+  const double own = elastic(p).trace();
+  return points_.has(column::dilatation) ? own_share * own + (1 - own_share) * points_(column::mean_dilatation)[p]
+                                         : own;
 }
 
 double RodPoints::stretch(int p) const { return (exponential(-elastic(p)) * deformation(p).col(1)).norm(); }
@@ -122,7 +131,9 @@ RodSums RodPoints::sums() const {
     const double trace = e.trace(), shape = e.squaredNorm() - trace * trace / 3;
     sums.heat += volume * law_.yield * plastic;
     sums.hardening += 0.5 * volume * law_.hardening * plastic * plastic;
-    sums.elastic += volume * (0.5 * law_.bulk * trace * trace + law_.shear * shape);
+    const double theta = points_.has(column::dilatation) ? points_(column::dilatation)[p] : trace;
+    const double squares = own_share * trace * trace + (1 - own_share) * theta * theta;
+    sums.elastic += volume * (0.5 * law_.bulk * squares + law_.shear * shape);
   }
   return sums;
 }
@@ -152,7 +163,7 @@ double RodPoints::alternation(int across) const {
   std::vector<double> pressure(static_cast<std::size_t>(points_.points()));
   for (int p = 0; p < points_.points(); ++p) {
     const auto number = static_cast<std::size_t>(body_.id[static_cast<std::size_t>(p)]);
-    pressure[number] = -law_.bulk * elastic(p).trace() / deformation(p).determinant();
+    pressure[number] = -law_.bulk * dilatation(p) / deformation(p).determinant();
   }
   const auto row = static_cast<std::size_t>(across);
   double sum = 0, count = 0;

@@ -50,6 +50,7 @@ class RodPoints {
 
  private:
   Eigen::Matrix3d elastic(int p) const;
+  double dilatation(int p) const;  // that K is the modulus of
   Eigen::Matrix3d deformation(int p) const;
   double reach(int p, int d) const;  // of a domain's corners from its point
 

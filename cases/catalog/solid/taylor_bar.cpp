@@ -50,6 +50,9 @@ std::vector<StudyPlan> studies() {
           study("domains", "CPDI, domains that shear with the points", "As the default's boxes.", {4})
               .with({{"shape", "cpdi"}})
               .in_full({4, 8}),
+          study("unshared", "each point bears pressure by its own dilatation",
+                "Flow that keeps each point's volume locks.", {4})
+              .with({{"dilatation", "point"}}),
           study("cubic", "cubic B-splines", "Too smooth for a pressure of each point.", {4})
               .with({{"shape", "cubic"}})
               .in_full({4, 8}),
@@ -144,9 +147,8 @@ std::vector<CaseGate> of_pressure() {
   const std::string locked =
       "each of the four points of a cell keeps its volume in plastic flow, which leaves the two "
       "displacements of its node nothing else to do: pressures alternate along the axis";
-  return {alternation("default", 4).fails(locked, {1.4, 1.88}, "2026-11-27 fbdb40b"),
-          alternation("default", 16).in(Tier::full).fails(locked, {0.3, 0.4}, "2026-11-27 fbdb40b"),
-          alternation("cubic", 4)};
+  return {alternation("default", 4), alternation("default", 16).in(Tier::full), alternation("cubic", 4),
+          alternation("unshared", 4).fails(locked, {1.4, 1.88}, "2026-11-27 fbdb40b")};
 }
 
 std::vector<CaseGate> of_face() {
@@ -155,9 +157,14 @@ std::vector<CaseGate> of_face() {
                      [](const RunResult&, const Measure& m) { return Measured::of(m.error / m.scale); });
   };
   const std::string hundredth = "a hundredth, a quarter of what small strains leave out";
+  const std::string carried =
+      "a shock strains the points of a cell together, and those that leave the cell meanwhile carry away more or less "
+      "than their own "
+      "share: a wave of some sixteen cells behind it, which falls with h";
   return {gate("face/velocity.L1-order", fitted_order_of("face_velocity.L1"), at_least(0.4),
                theory("1/2 of jumps that are spread over the root of h t, less 0.1 for coarse meshes")),
-          gate("face/plateau-32", off(32), at_most(0.01), requirement(hundredth)),
+          gate("face/plateau-32", off(32), at_most(0.01), requirement(hundredth))
+              .fails(carried, {0.0087, 0.0114}, "2026-11-28 557069b"),
           gate("face/plateau-64", off(64), at_most(0.01), requirement(hundredth)).in(Tier::full)};
 }
 

@@ -237,6 +237,9 @@ bool Hdf5Reader::has(const std::string& path) const { return H5Lexists(file_, pa
 std::int64_t Hdf5Reader::attribute(const std::string& object, const std::string& name) const {
   const Hdf5Handle attribute(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
                              path_, "find attribute " + name);
+  const Hdf5Handle space(H5Aget_space(attribute), H5Sclose, path_, "find the shape of attribute " + name);
+  // What is read is as long as the file says.
+  if (H5Sget_simple_extent_npoints(space) != 1) throw FileError(path_, path_ + ": not one number is " + name);
   std::int64_t number = 0;
   if (H5Aread(attribute, H5T_NATIVE_INT64, &number) < 0) throw FileError(path_, path_ + ": cannot read " + name);
   return number;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "kernel/materials/material_entry.hpp"
+#include "kernel/materials/shared_dilatation.hpp"
 #include "tests/kernel/scenes.hpp"
 
 namespace plumbline::j2_plasticity_test {
@@ -174,6 +175,58 @@ TEST_P(J2, EnergyIsToldAndPartlyHeat) {
   EXPECT_GT(std::abs(viscous), 1e-6);
 }
 
+// With K_o = K/50 of its own: the mean of the cell, moved ahead, bears the rest, and so it is stored; what a step changes tr eps by
+// beyond dt div v, a point keeps. Points on a line share nothing. [J2 7] [Dilatation 1, 2, 4]
+TEST_P(J2, SharedDilatationBearsAllButAFiftieth) {
+  Walk walk(GetParam());
+  walk.step(0.05);
+  const double before = walk.material.stored_energy(walk.points, all_points(walk.points));
+  walk.material.share_dilatation(walk.points);
+  ASSERT_EQ(walk.points.has(column::dilatation), GetParam() != Space::line);
+  if (GetParam() == Space::line) return;
+  walk.points.add(column::dilatation_rate);
+  walk.points.add(column::mean_dilatation);
+  EXPECT_NEAR(walk.material.stored_energy(walk.points, all_points(walk.points)), before,
+              1e-15);  // theta = tr eps so far
+  const double bulk = walk.material.law().bulk, ahead = 0.03, dt = 0.02;
+  double expected = walk.material.stored_energy(walk.points, all_points(walk.points));
+  for (int p = 0; p < Walk::count; ++p) {
+    const double own = walk.at[p].elastic.trace(), theta = own + 0.01 * (p - 2), j = walk.f[p].determinant();
+    EXPECT_NEAR(walk.points(column::dilatation)[p], own, 1e-16);
+    walk.points(column::dilatation)[p] = theta;
+    walk.points(column::mean_dilatation)[p] = 0.02 * p - 0.03;
+    walk.points(column::dilatation_rate)[p] = 0.3 - 0.1 * p;
+    expected += 0.49 * bulk * (theta * theta - own * own) * walk.points(column::mass)[p] / walk.material.density;
+    // The law of one point, all but a fiftieth of its pressure in turn for the cell's.
+    Matrix tau = kirchhoff_stress(walk.material.law(), walk.at[p].elastic);
+    tau += 0.98 * bulk * (walk.points(column::mean_dilatation)[p] - own) * Matrix::Identity();
+    walk.rates.write(walk.points, column::strain_rate, p, Matrix::Zero());
+    walk.material.evaluate_stress(walk.points, all_points(walk.points), in(GetParam()));
+    EXPECT_LE((walk.rates.read(walk.points, column::stress, p) - walk.rates.of(tau / j)).norm(), 1e-14);
+    EXPECT_NEAR(walk.points(column::pressure)[p], -tau.trace() / (3 * j), 1e-14);
+    tau += 0.98 * bulk * ahead * walk.points(column::dilatation_rate)[p] * Matrix::Identity();
+    walk.material.evaluate_stress(walk.points, all_points(walk.points), in(GetParam(), ahead));
+    EXPECT_LE((walk.rates.read(walk.points, column::stress, p) - walk.rates.of(tau / j)).norm(), 1e-14);
+  }
+  EXPECT_NEAR(walk.material.stored_energy(walk.points, all_points(walk.points)), expected, 1e-15);
+  const Columns then = walk.points;
+  const double told = walk.told;
+  walk.step(dt);
+  for (int p = 0; p < Walk::count; ++p) {
+    const double trace = then(column::elastic_strain, 0)[p] + then(column::elastic_strain, 1)[p] +
+                         then(column::elastic_strain, 2)[p];
+    const double beyond = walk.at[p].elastic.trace() - trace -
+                          dt * walk.rates.read(walk.points, column::strain_rate, p).trace();
+    ASSERT_GT(std::abs(beyond), 1e-6);
+    EXPECT_NEAR(walk.points(column::dilatation)[p],
+                then(column::dilatation)[p] + dt * then(column::dilatation_rate)[p] + beyond, 1e-15);
+  }
+  EXPECT_NEAR(walk.told - told,
+              walk.material.stored_energy(walk.points, all_points(walk.points)) -
+                  walk.material.stored_energy(then, all_points(then)),
+              1e-15);
+}
+
 // Every value that is no number, a point turned inside out and a plastic strain below zero end a run.
 TEST_P(J2, SaysWhatIsWrong) {
   Walk walk(GetParam());
@@ -216,6 +269,7 @@ TEST_P(J2, LedgersClose) {
         body.points(column::mass)[p] = 1.25 * gas(column::volume)[p];
       }
       scene.bodies = {std::move(body)};
+      scene.mean_dilatation = shape == "quadratic";
       Simulation run(scene, integrator, {0.2, {}});
       double heat = 0;
       for (int k = 0; k < 10; ++k) {

@@ -176,6 +176,17 @@ TEST(Hdf5File, WhatClaimsToBeLargerThanItIsStoredIsAnError) {
   EXPECT_THROW(Hdf5Reader(path).numbers("claim"), FileError);
 }
 
+// Read as one number, more of them would be written over what stands behind it.
+TEST(Hdf5File, AnAttributeOfSeveralNumbersIsNotOne) {
+  const TemporaryFolder folder;
+  Hdf5Writer file(folder / "a.h5");
+  file.integers_attribute("/", "version", {1, 0, 7});
+  file.attribute("/", "format", std::int64_t{3});
+  file.commit();
+  EXPECT_EQ(Hdf5Reader(folder / "a.h5").attribute("/", "format"), 3);
+  EXPECT_THROW(Hdf5Reader(folder / "a.h5").attribute("/", "version"), FileError);
+}
+
 // HDF5 may stamp objects with the second in which they were made: over a second later the bytes must be the same.
 TEST(Hdf5File, TheSameContentGivesTheSameBytes) {
   const TemporaryFolder folder;
