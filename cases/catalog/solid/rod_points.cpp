@@ -138,6 +138,17 @@ RodSums RodPoints::sums() const {
   return sums;
 }
 
+double RodPoints::shared_off() const {
+  if (!points_.has(column::dilatation)) return 0;
+  double off = 0, size = 0;
+  for (int p = 0; p < points_.points(); ++p) {
+    const double own = elastic(p).trace();
+    off += points_(column::mass)[p] * (points_(column::dilatation)[p] - own);
+    size += points_(column::mass)[p] * std::abs(own);
+  }
+  return size > 0 ? std::abs(off) / size : 0;
+}
+
 double RodPoints::largest_plastic_strain() const {
   const double* plastic = points_(column::plastic_strain);
   return *std::max_element(plastic, plastic + points_.points());

@@ -41,6 +41,7 @@ class RodPoints {
   RodShape shape() const;
   std::vector<RodSlice> slices(double thickness) const;  // m; from the wall on, of those with a point
   RodSums sums() const;
+  double shared_off() const;  // |sum m (theta - tr e)| over sum m |tr e|; 0 where no dilatation is shared
   double largest_plastic_strain() const;
   double mean_of_lines() const;    // of the stretch, by undeformed volumes
   double excess_of_lines() const;  // the largest |ln stretch| - alpha

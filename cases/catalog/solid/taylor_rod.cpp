@@ -117,6 +117,7 @@ class TaylorRodProblem final : public Problem {
                              share_measure("flow_back", flow_back_),
                              share_measure("volume_off", volume_off_),
                              share_measure("store_off", store_off_),
+                             share_measure("shared_off", at.shared_off()),
                              share_measure("heat_off", heat_off_),
                              share_measure("heat_fall", heat_fall_),
                              share_measure("energy_off", energy_off_),
