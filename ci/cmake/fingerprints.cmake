@@ -1,5 +1,5 @@
-# Writes the table of what the program is made of: the hash of the object of each source, whether its source has a header of its own,
-# and which folder of the catalog includes which. Results carry hashes of it, so that they are taken again only where no code
+# Writes the table of what the program is made of: the hash of the object of each source, whether the source has a header of
+# its own, and which folder of the catalog includes which. Results carry hashes of it, so that they are taken again only where no code
 # that could change them has changed. Called with -DLIST (a file with the objects' paths), -DSOURCE and -DOUTPUT.
 file(STRINGS ${LIST} objects)
 list(FILTER objects EXCLUDE REGEX "/cmake_pch[^/]*$")

@@ -9,7 +9,7 @@
 
 namespace plumbline {
 
-// What an object file of this program is made of.
+// A source of this program, and the object file that it is compiled to, maybe with others.
 struct ObjectHash {
   std::string source;  // "cases/catalog/gas/sod.cpp"
   std::string hash;
