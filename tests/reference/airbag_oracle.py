@@ -7,6 +7,7 @@ import mpmath
 import numpy
 from scipy import special
 from scipy.optimize import brentq
+from second_values import agrees
 
 mpmath.mp.dps = 30
 R = mpmath.mpf
@@ -16,8 +17,7 @@ ROUGH = SimpleNamespace(number=float, sqrt=numpy.sqrt, RF=special.elliprf, RD=sp
 
 
 def covers(answer, true):
-    value, bound = answer
-    return abs(R(value) - true) <= R(bound) + abs(true) * R(10) ** -17
+    return agrees(answer, true, abs(true) * R(10) ** -17)
 
 
 class Bag:

@@ -1,5 +1,6 @@
 """Strings and bars in 50-digit arithmetic, apart from the C++ and with other formulas where there are any."""
 import mpmath
+from second_values import agrees
 
 mp = mpmath.mp
 mp.dps = 50
@@ -7,8 +8,7 @@ R = mpmath.mpf
 
 
 def covers(answer, true):
-    value, bound = answer
-    return abs(R(value) - true) <= R(bound) + R(10) ** -40 * max(1, abs(true))  # the oracle's own rounding
+    return agrees(answer, R(true), R(10) ** -40 * max(1, abs(true)))  # the oracle's own rounding
 
 
 class Slack:

@@ -15,16 +15,26 @@ def request(name, settings, at=()):
     return " ".join([*words, "@", *(repr(float(v)) for v in at)])
 
 
+class Value(tuple):
+    """(value, bound) of a reference; its name in the answer and the request that it answers."""
+
+    def __new__(cls, value, bound, name, request):
+        made = super().__new__(cls, (value, bound))
+        made.value, made.bound, made.name, made.request = value, bound, name, request
+        return made
+
+
 def evaluate(requests):
-    """One list of (value, bound) pairs for each request; RuntimeError with the message of a refusal."""
+    """One list of Values for each request; RuntimeError with the message of a refusal."""
     run = subprocess.run([os.environ["PLUMBLINE_EVALUATE_REFERENCE"]], input="\n".join(requests) + "\n",
                          capture_output=True, text=True, check=True)
     lines = run.stdout.splitlines()
     assert len(lines) == len(requests)
     answers = []
-    for line in lines:
+    for line, asked in zip(lines, requests):
         if line.startswith("error"):
             raise RuntimeError(line)
-        numbers = [float(word) for word in line.split()]
-        answers.append(list(zip(numbers[::2], numbers[1::2])))
+        words = line.split()
+        answers.append([Value(float(value), float(bound), name, asked)
+                        for name, value, bound in zip(words[::3], words[1::3], words[2::3])])
     return answers

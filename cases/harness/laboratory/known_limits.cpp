@@ -16,7 +16,7 @@
 namespace plumbline {
 namespace {
 
-constexpr double width = 1e-6;  // relative, of limits
+constexpr double known_width = 1e-6;  // relative, of limits
 constexpr const char* common_unit = "h/c";
 constexpr int problem_margin = 2;  // periods: enough to have every body
 
@@ -97,7 +97,7 @@ void find_limit(KnownLimit& row) {
   row.scanned = scan.high;
   row.closed_form = row.problem->closed_form(*row.settings);
   try {
-    const Prediction prediction = row.problem->predicted(*row.settings, scan, width);
+    const Prediction prediction = row.problem->predicted(*row.settings, scan, known_width);
     row.limit = prediction.limit();
     row.growth = prediction.growth.front();
   } catch (const std::runtime_error& error) {  // a step that cannot be taken, or has no derivative

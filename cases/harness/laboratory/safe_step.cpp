@@ -7,7 +7,7 @@
 namespace plumbline {
 namespace {
 
-constexpr double width = 1e-4;  // relative, of limits
+constexpr double safe_width = 1e-4;  // relative, of limits
 
 std::vector<double> places(bool finely) {
   if (!finely) return {0.5, 0.25, 0.01};
@@ -34,7 +34,7 @@ SafeStep safe_step_of_bar(const Method& method, int order, const std::map<std::s
   const Scan scan = far ? Scan{1, 4, 2} : Scan{0.005, 4, 20};  // from below sqrt(2 depth) on
   const auto limit_of = [&](std::function<Patch(const Extent&)> patch) {
     try {
-      return predict(stepped(std::move(patch)), scan, width).limit();
+      return predict(stepped(std::move(patch)), scan, safe_width).limit();
     } catch (const std::runtime_error&) {  // a step that cannot be taken behind this edge is none to call safe
       return 0.0;
     }

@@ -15,7 +15,7 @@
 namespace plumbline {
 namespace {
 
-constexpr double width = 1e-3;  // relative, of limits: little beside auto_share
+constexpr double scene_width = 1e-3;  // relative, of limits: little beside auto_share
 
 // Keys of a kind of scene mean the same in all scenes and problems of it; a problem's own do not. Where points stand is
 // sampled, whatever the run's offset.
@@ -38,7 +38,7 @@ struct Found {
 Found look(const StabilityProblem& problem, const Settings& settings) {
   const Scan scan = scan_of_first_limit(problem, settings);
   try {
-    const Prediction prediction = problem.predicted(settings, scan, width);
+    const Prediction prediction = problem.predicted(settings, scan, scene_width);
     const Growth& first = prediction.growth.front();
     return {std::min(prediction.limit(), scan.high),
             fmt::format("it grows by {:.6g} in a step of {:.4g} {}", first.per_step, first.dt, problem.unit())};

@@ -1,0 +1,154 @@
+// Each reference of the catalog against a second computation of the same numbers, by other means: 30 to 60 digits, differential
+// equations step by step, finite elements. Made once by tests/reference and kept in reference/second_values.json.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+#include "cases/catalog/stability/trial_case.hpp"
+#include "cases/harness/files/json_text.hpp"
+#include "reference/registry.hpp"
+
+namespace plumbline::second_computations {
+namespace {
+
+constexpr const char* kept_lines[] = {
+#include "second_values.inc"
+};
+
+// Numbers that one test found: by the names in a reference's answer, those of row k as name[k].
+struct Kept {
+  std::string reference, by;
+  std::map<std::string, double> settings;
+  std::vector<double> at;
+  struct Value {
+    std::string name;
+    double second, tolerance;  // tolerance: what both computations may be off, >= 0
+  };
+  std::vector<Value> values;
+};
+
+std::vector<Kept> read_kept() {
+  std::string text;
+  for (const char* line : kept_lines) text += line;
+  std::vector<Kept> all;
+  for (const Json& entry : parse_json(text)) {
+    Kept kept{.reference = entry.at("reference"),
+              .by = entry.at("by"),
+              .settings = entry.at("settings"),
+              .at = entry.at("at"),
+              .values = {}};
+    for (const auto& [name, numbers] : entry.at("values").items()) {
+      kept.values.push_back({name, numbers.at(0), numbers.at(1)});
+    }
+    all.push_back(std::move(kept));
+  }
+  return all;
+}
+
+const std::vector<Kept>& all_kept() {
+  static const std::vector<Kept> all = read_kept();
+  return all;
+}
+
+// Flows that are computed on meshes and compared in the mean, by tests/reference/converged_gas_second_test.py, and the comparator
+// of the tubes, whose error against the exact solution is its bound.
+constexpr std::array computed_flows{"finite-volume", "shu-osher", "woodward-colella"};
+
+std::map<std::string, double> answered(const Kept& kept) {
+  const reference::Answer answer = reference::find_reference(kept.reference)->evaluate(kept.settings, kept.at);
+  std::map<std::string, double> numbers(answer.values.begin(), answer.values.end());
+  for (std::size_t row = 0; row < answer.at.size(); ++row) {
+    for (const auto& [name, value] : answer.at[row]) numbers[fmt::format("{}[{}]", name, row)] = value;
+  }
+  return numbers;
+}
+
+// |value - second| over the tolerance, to which come the roundings of what is kept. NaN if the value is no number.
+double deviation(double value, const Kept::Value& kept) {
+  const double off = std::abs(value - kept.second);
+  if (off == 0) return 0;
+  return off / (kept.tolerance + std::numeric_limits<double>::epsilon() * (std::abs(kept.second) + kept.tolerance));
+}
+
+Findings compared(const std::string& name) {
+  ProfileColumn number{"number", "1", "number kept", {}}, values{"value", "1", "value", {}},
+      deviations{"deviation", "1", "deviation over its tolerance", {}};
+  double largest = 0;
+  for (const Kept& kept : all_kept()) {
+    if (kept.reference != name) continue;
+    const std::map<std::string, double> found = answered(kept);
+    for (const Kept::Value& one : kept.values) {
+      const auto value = found.find(one.name);
+      if (value == found.end()) throw std::runtime_error(fmt::format("{}: {} has no {}", kept.by, name, one.name));
+      number.values.push_back(static_cast<double>(number.values.size() + 1));
+      values.values.push_back(value->second);
+      deviations.values.push_back(deviation(value->second, one));
+      largest = larger(largest, deviations.values.back());
+    }
+  }
+  Findings findings;
+  findings.measures = {finding("deviation", largest), finding("numbers", static_cast<double>(number.values.size()))};
+  findings.profile.abscissa = "number";
+  findings.profile.columns = {std::move(number), std::move(values), std::move(deviations)};
+  return findings;
+}
+
+bool has_second(const std::string& name) {
+  return std::any_of(all_kept().begin(), all_kept().end(), [&](const Kept& kept) { return kept.reference == name; });
+}
+
+Findings catalog() {
+  ProfileColumn number{"number", "1", "reference, by name", {}}, has{"second", "1", "has a second computation", {}};
+  double without = 0;
+  for (const reference::Reference* one : reference::references()) {
+    const bool second = has_second(one->name());
+    const bool flow = std::find(computed_flows.begin(), computed_flows.end(), one->name()) != computed_flows.end();
+    if (!second && !flow) ++without;
+    number.values.push_back(static_cast<double>(number.values.size() + 1));
+    has.values.push_back(second ? 1 : 0);
+  }
+  Findings findings;
+  findings.measures = {finding("without", without)};
+  findings.profile.abscissa = "number";
+  findings.profile.columns = {std::move(number), std::move(has)};
+  return findings;
+}
+
+std::vector<std::string> compared_references() {
+  std::vector<std::string> names;
+  for (const Kept& kept : all_kept()) {
+    if (names.empty() || names.back() != kept.reference) names.push_back(kept.reference);
+  }
+  return names;
+}
+
+std::vector<Trial> trials() {
+  std::vector<Trial> all{{"catalog", "all references: whether a second computation is kept",
+                          "A reference that nothing else confirms is as good as its author.", catalog}};
+  for (const std::string& name : compared_references()) {
+    all.push_back({name, name + ": deviations from a second computation over their tolerances",
+                   "What cases are judged by is judged here.", [name] { return compared(name); }});
+  }
+  return all;
+}
+
+std::vector<CaseGate> gates() {
+  std::vector<CaseGate> all{gate("catalog/without", value_of("without"), exactly(0),
+                                 requirement("every reference but flows computed on meshes has a second computation"))};
+  for (const std::string& name : compared_references()) {
+    all.push_back(gate(name + "/deviation", value_of("deviation"), at_most(1),
+                       identity("both hold the true number within their bounds: they differ by no more than the sum")));
+  }
+  return all;
+}
+
+Case second_computations() { return trial_case("second-computations", trials(), gates()); }
+PLUMBLINE_CASE(second_computations);
+
+}  // namespace
+}  // namespace plumbline::second_computations
