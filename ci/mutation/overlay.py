@@ -89,6 +89,7 @@ class Base:
         if not commands.exists() or not (self.build / "build.ninja").exists():
             raise BuildError(f"no finished build in {build}: cmake --preset release && cmake --build --preset release")
         self.compile, self.units_of_tests = {}, set()
+        self.sources = {}  # by object: the files compiled in it, one or those of a unit
         for entry in json.loads(commands.read_text()):
             words = shlex.split(entry["command"])
             self.compile[words[words.index("-o") + 1]] = (self._relative(entry["file"]), words)
@@ -98,12 +99,16 @@ class Base:
     def _take_units_apart(self):
         """Files of tests that are compiled several at a time have commands of their own, too: those of their unit."""
         for name, (unit, words) in list(self.compile.items()):
-            if "/Unity/unity_" not in name or not name.startswith("tests/"):
+            if "/Unity/unity_" not in name:
+                self.sources[name] = [unit]
                 continue
-            for file in re.findall(r'^#include "(.+)"$', (self.root / unit).read_text(encoding="utf-8"), re.M):
+            files = re.findall(r'^#include "(.+)"$', (self.root / unit).read_text(encoding="utf-8"), re.M)
+            self.sources[name] = [self._relative(file) for file in files]
+            if not name.startswith("tests/"):
+                continue
+            for file, source in zip(files, self.sources[name]):
                 if file.endswith("_test.cpp"):
                     self.units_of_tests.add(name)
-                source = self._relative(file)
                 alone = f"{name.split('/Unity/')[0]}/{source.removeprefix('tests/')}.o"
                 own = list(words)
                 own[own.index("-c") + 1], own[own.index("-o") + 1] = file, alone

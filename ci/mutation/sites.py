@@ -34,10 +34,12 @@ def columns_of(root):
 def arguments_of(base):
     """(sources of the folders, arguments for the parser): those of all sources in one, so that one header serves."""
     sources, wanted = set(), {}
-    for source, words in base.compile.values():
-        if not folder_of(source):
+    for name, held in base.sources.items():
+        own = {source for source in held if folder_of(source)}
+        if not own:
             continue
-        sources.add(source)
+        sources |= own
+        words = base.compile[name][1]
         for word, after in zip(words, words[1:]):
             if word == "-isystem":
                 wanted[word, after] = None
@@ -47,8 +49,8 @@ def arguments_of(base):
 
 
 def common_headers(base):
-    """Headers of the folders that at least a tenth of the sources include: such stand side by side anyway."""
-    counts, own = Counter(), [name for name, (source, _) in base.compile.items() if folder_of(source)]
+    """Headers of the folders that at least a tenth of the objects need: such stand side by side anyway."""
+    counts, own = Counter(), [name for name, held in base.sources.items() if any(map(folder_of, held))]
     for name in own:
         counts.update(file for file in base.needs.get(name, ()) if folder_of(file) and file.endswith(".hpp"))
     return sorted(file for file, count in counts.items() if 10 * count >= len(own))

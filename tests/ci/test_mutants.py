@@ -282,6 +282,24 @@ def test_files_of_one_unit_have_commands_of_their_own(tmp_path, monkeypatch):
         assert base.compile[name] == (str(file.relative_to(tmp_path)), ["c++", "-O1", "-o", name, "-c", str(file)])
 
 
+def test_draws_know_the_sources_of_units(tmp_path, monkeypatch):
+    build, made = tmp_path / "build", "reference/CMakeFiles/plumbline_reference.dir"
+    unit = build / made / "Unity/unity_0_cxx.cxx"
+    unit.parent.mkdir(parents=True)
+    files = [tmp_path / "reference" / name for name in ("a.cpp", "catalog/b.cpp")]
+    unit.write_text("".join(f'#include "{file}"\n' for file in files), encoding="utf-8")
+    alone = tmp_path / "kernel/c.cpp"
+    (build / "build.ninja").touch()
+    entries = [{"file": str(file), "command": f"c++ -DA -o {name} -c {file}"} for file, name in (
+        (unit, f"{made}/Unity/unity_0_cxx.cxx.o"), (alone, "kernel/c.cpp.o"), (tmp_path / "tests/d.cpp", "tests/d.cpp.o"))]
+    (build / "compile_commands.json").write_text(json.dumps(entries), encoding="utf-8")
+    monkeypatch.setattr(overlay.Base, "_ninja", lambda *_: "")
+    base = overlay.Base(tmp_path, build)
+    assert base.sources[f"{made}/Unity/unity_0_cxx.cxx.o"] == ["reference/a.cpp", "reference/catalog/b.cpp"]
+    sites = pytest.importorskip("mutation.sites", reason="no Python bindings of clang: ci/setup --with mutants")
+    assert sites.arguments_of(base) == (["kernel/c.cpp", "reference/a.cpp", "reference/catalog/b.cpp"], ["-DA"])
+
+
 def test_copies_of_an_earlier_build_do_not_stay(tmp_path):
     for name in (overlay.HEADER, "kernel/a.cpp", "kernel/b.hpp"):
         overlay.write(tmp_path / name, "text")

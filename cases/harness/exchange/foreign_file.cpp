@@ -80,6 +80,8 @@ struct Sender {
   }
   void put_text(const std::string& text) const { put_all(text.data(), text.size()); }
 };
+template <class Send>
+Sender(Send) -> Sender<Send>;
 
 template <class Receive>
 struct Receiver {
@@ -98,6 +100,8 @@ struct Receiver {
     return all;
   }
 };
+template <class Receive>
+Receiver(Receive) -> Receiver<Receive>;
 
 struct OtherEndGone {};
 
@@ -168,6 +172,10 @@ struct Pair {
 }  // namespace
 
 class ForeignFile::Reading {
+  auto reader() {
+    return Receiver{[this](void* data, std::size_t bytes) { receive(static_cast<char*>(data), bytes); }};
+  }
+
  public:
   Reading(std::string path, double patience) : Reading(std::move(path), patience, Pair()) {}
 
@@ -206,10 +214,6 @@ class ForeignFile::Reading {
           answer_questions(path_, there_);
         }) {
     there_.close();
-  }
-
-  auto reader() {
-    return Receiver{[this](void* data, std::size_t bytes) { receive(static_cast<char*>(data), bytes); }};
   }
 
   void receive(char* to, std::size_t bytes) {
