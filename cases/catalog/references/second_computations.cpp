@@ -68,11 +68,12 @@ std::map<std::string, double> answered(const Kept& kept) {
   return numbers;
 }
 
-// |value - second| over the tolerance, to which come the roundings of what is kept. NaN if the value is no number.
+// |value - second| over the tolerance, to which come a few roundings: of what is kept, and of what another compiler makes of the value.
+// At weak fronts the deviation is the tolerance itself, since bounds cover both sides. NaN if the value is no number.
 double deviation(double value, const Kept::Value& kept) {
   const double off = std::abs(value - kept.second);
   if (off == 0) return 0;
-  return off / (kept.tolerance + std::numeric_limits<double>::epsilon() * (std::abs(kept.second) + kept.tolerance));
+  return off / (kept.tolerance + 4 * std::numeric_limits<double>::epsilon() * (std::abs(kept.second) + kept.tolerance));
 }
 
 Findings compared(const std::string& name) {
