@@ -14,7 +14,7 @@ KINDS = {
     "solid": "Solids",
     "membrane": "Membranes",
     "coupled": "Membranes in gases",
-    "trials": "Stability limits and single stages of the step",
+    "trials": "Stability limits, single stages of the step, references",
     "": "Other cases",
 }
 WIDE, HIGH = 160, 80  # of a thumbnail
