@@ -2,7 +2,7 @@
 import numpy
 import pytest
 from evaluator import evaluate, request
-from scipy.integrate import quad, solve_ivp
+from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 from second_values import agrees, is_near
 
