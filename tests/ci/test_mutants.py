@@ -265,39 +265,34 @@ os.kill(os.getpid(), signal.SIGSTOP)
     assert (status, why) == (0, "")
 
 
-def test_files_of_one_unit_have_commands_of_their_own(tmp_path, monkeypatch):
-    build, made = tmp_path / "build", "tests/CMakeFiles/kernel_test.dir"
-    unit = build / made / "Unity/unity_0_cxx.cxx"
+def base_with_unit(root, monkeypatch, made, files, alone=()):
+    """A build that compiled these files of a target as one unit, and others alone."""
+    unit = root / "build" / made / "Unity/unity_0_cxx.cxx"
     unit.parent.mkdir(parents=True)
-    files = [tmp_path / "tests/kernel" / name for name in ("a_test.cpp", "shapes/b_test.cpp")]
-    unit.write_text("".join(f'#include "{file}"\n' for file in files), encoding="utf-8")
-    (build / "build.ninja").touch()
-    command = f"c++ -O1 -o {made}/Unity/unity_0_cxx.cxx.o -c {unit}"
-    (build / "compile_commands.json").write_text(json.dumps([{"file": str(unit), "command": command}]), encoding="utf-8")
+    unit.write_text("".join(f'#include "{root / file}"\n' for file in files), encoding="utf-8")
+    (root / "build/build.ninja").touch()
+    outputs = {str(unit): f"{made}/Unity/unity_0_cxx.cxx.o", **{str(root / file): f"{file}.o" for file in alone}}
+    entries = [{"file": file, "command": f"c++ -DA -o {output} -c {file}"} for file, output in outputs.items()]
+    (root / "build/compile_commands.json").write_text(json.dumps(entries), encoding="utf-8")
     monkeypatch.setattr(overlay.Base, "_ninja", lambda *_: "")
-    base = overlay.Base(tmp_path, build)
+    return overlay.Base(root, root / "build")
+
+
+def test_files_of_one_unit_have_commands_of_their_own(tmp_path, monkeypatch):
+    made, files = "tests/CMakeFiles/kernel_test.dir", ("tests/kernel/a_test.cpp", "tests/kernel/shapes/b_test.cpp")
+    base = base_with_unit(tmp_path, monkeypatch, made, files)
     assert base.units_of_tests == {f"{made}/Unity/unity_0_cxx.cxx.o"}
     for file in files:
-        name = f"{made}/{file.relative_to(tmp_path / 'tests')}.o"
-        assert base.compile[name] == (str(file.relative_to(tmp_path)), ["c++", "-O1", "-o", name, "-c", str(file)])
+        name = f"{made}/{file.removeprefix('tests/')}.o"
+        assert base.compile[name] == (file, ["c++", "-DA", "-o", name, "-c", str(tmp_path / file)])
 
 
 def test_draws_know_the_sources_of_units(tmp_path, monkeypatch):
-    build, made = tmp_path / "build", "reference/CMakeFiles/plumbline_reference.dir"
-    unit = build / made / "Unity/unity_0_cxx.cxx"
-    unit.parent.mkdir(parents=True)
-    files = [tmp_path / "reference" / name for name in ("a.cpp", "catalog/b.cpp")]
-    unit.write_text("".join(f'#include "{file}"\n' for file in files), encoding="utf-8")
-    alone = tmp_path / "kernel/c.cpp"
-    (build / "build.ninja").touch()
-    entries = [{"file": str(file), "command": f"c++ -DA -o {name} -c {file}"} for file, name in (
-        (unit, f"{made}/Unity/unity_0_cxx.cxx.o"), (alone, "kernel/c.cpp.o"), (tmp_path / "tests/d.cpp", "tests/d.cpp.o"))]
-    (build / "compile_commands.json").write_text(json.dumps(entries), encoding="utf-8")
-    monkeypatch.setattr(overlay.Base, "_ninja", lambda *_: "")
-    base = overlay.Base(tmp_path, build)
-    assert base.sources[f"{made}/Unity/unity_0_cxx.cxx.o"] == ["reference/a.cpp", "reference/catalog/b.cpp"]
+    made, files = "reference/CMakeFiles/plumbline_reference.dir", ["reference/a.cpp", "reference/catalog/b.cpp"]
+    base = base_with_unit(tmp_path, monkeypatch, made, files, ("kernel/c.cpp", "tests/d.cpp"))
+    assert base.sources[f"{made}/Unity/unity_0_cxx.cxx.o"] == files
     sites = pytest.importorskip("mutation.sites", reason="no Python bindings of clang: ci/setup --with mutants")
-    assert sites.arguments_of(base) == (["kernel/c.cpp", "reference/a.cpp", "reference/catalog/b.cpp"], ["-DA"])
+    assert sites.arguments_of(base) == (["kernel/c.cpp", *files], ["-DA"])
 
 
 def test_copies_of_an_earlier_build_do_not_stay(tmp_path):
