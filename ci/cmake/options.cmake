@@ -43,6 +43,14 @@ function(plumbline_unite target)
   target_compile_options(${target} PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
 endfunction()
 
+# A text of JSON as literals, which a source includes; `output` is to be among the sources of its target.
+function(plumbline_literals file output)
+  cmake_path(GET file FILENAME name)
+  add_custom_command(OUTPUT ${output} COMMENT "Taking in ${name}"
+    COMMAND ${CMAKE_COMMAND} -DFILE=${file} -DOUTPUT=${output} -P ${PROJECT_SOURCE_DIR}/ci/cmake/literals.cmake
+    DEPENDS ${file} ${PROJECT_SOURCE_DIR}/ci/cmake/literals.cmake VERBATIM)
+endfunction()
+
 # Cases know their file by name; where the sources stand must not show in what the compiler makes of them. A ccache with
 # a base folder sees to that itself, and would take the option for another program.
 if(PLUMBLINE_CCACHE)
