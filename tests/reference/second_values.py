@@ -1,14 +1,14 @@
 """Keeps what second computations find: reference/second_values.json, against which the case `second-computations` judges.
 
-A test compares a value of a reference with that of its own computation by `agrees()`. Of each test the first numbers are
-kept. A run of the tests fails where the file holds other requests than the tests make; with PLUMBLINE_KEEP_SECOND_VALUES set
-it writes them instead."""
+A test compares a value of a reference with that of its own computation by `agrees()`. Of each test the first numbers of
+each quantity are kept. A run of the tests fails where the file holds other requests than the tests make; with
+PLUMBLINE_KEEP_SECOND_VALUES set it writes them instead."""
 import json
 import os
 import pathlib
 
 FILE = pathlib.Path(__file__).parents[2] / "reference" / "second_values.json"
-NUMBERS, VALUES = 48, 24  # of each test, of each request: the rest says the same again
+OF_TEST, OF_REQUEST = 12, 4  # of each quantity: the rest says the same again
 ROUGH = 0.05  # a number that may be off by more of its size says little: at a front the bound covers both sides
 NEAR = 1e-9  # settings are drawn; powers and sines of two libraries differ in the last digits
 
@@ -30,20 +30,24 @@ def is_near(answer, second, tolerance):
 
 def _keep(answer, second, tolerance):
     test = os.environ["PYTEST_CURRENT_TEST"].rpartition(" ")[0]
-    entries = kept.setdefault(pathlib.Path(test.split("::")[0]).name + "::" + test.split("::", 1)[1], {})
-    if answer.request not in entries and sum(map(len, entries.values())) >= NUMBERS:
+    if tolerance > ROUGH * max(abs(second), abs(answer.value)):
         return
-    values = entries.setdefault(answer.request, {})
-    if len(values) < VALUES and tolerance <= ROUGH * max(abs(second), abs(answer.value)):
-        values[answer.name] = [second, tolerance]
+    entries = kept.setdefault(pathlib.Path(test.split("::")[0]).name + "::" + test.split("::", 1)[1], {})
+    values = entries.get(answer.request, {})
+    of_test = sum(_has(others, answer.name) for others in entries.values())
+    if answer.name in values or (of_test < OF_TEST and _has(values, answer.name) < OF_REQUEST):
+        entries[answer.request] = {**values, answer.name: [second, tolerance]}
+
+
+def _has(values, name):
+    """How many of the values are of the quantity of `name`, whatever their rows."""
+    return sum(one.partition("[")[0] == name.partition("[")[0] for one in values)
 
 
 def entries_of_this_run():
     made = []
     for test in sorted(kept):
         for request, values in kept[test].items():
-            if not values:
-                continue
             words, _, at = request.partition(" @")
             name, *settings = words.split()
             made.append({"reference": name, "by": test, "at": [float(x) for x in at.split()], "values": values,

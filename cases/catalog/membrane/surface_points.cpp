@@ -1,6 +1,6 @@
 #include "cases/catalog/membrane/surface_points.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -213,8 +213,12 @@ Load refitting(Load load, const Columns& start, double reach) {
       const Eigen::Vector3d a = vector_of(points, column::tangents, 0, p),
                             b = vector_of(points, column::tangents, 3, p);
       if (normal.dot(a.cross(b)) < 0) normal = -normal;
-      const Eigen::Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(a.cross(b), normal).toRotationMatrix();
-      const Eigen::Vector3d turned_a = turn * a, turned_b = turn * b;
+      const Eigen::Vector3d own = a.cross(b).normalized(), axis = own.cross(normal);
+      const auto turned =
+          [&](const Eigen::Vector3d& x) -> Eigen::Vector3d {  // by the least angle from `own` to `normal`
+        return x + axis.cross(x) + axis.cross(axis.cross(x)) / (1 + own.dot(normal));
+      };
+      const Eigen::Vector3d turned_a = turned(a), turned_b = turned(b);
       for (int d = 0; d < 3; ++d) {
         points(column::tangents, d)[p] = turned_a[d];
         points(column::tangents, 3 + d)[p] = turned_b[d];

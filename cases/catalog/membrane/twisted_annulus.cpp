@@ -65,6 +65,7 @@ class TwistedAnnulusRun final : public Problem {
     append("radial", "m", radial);
     append("around", "m", around);
     append("stress", "Pa", stress);
+    all.push_back(share_measure("least", least_stress(body.points)));
     return all;
   }
 
@@ -98,6 +99,15 @@ class TwistedAnnulusRun final : public Problem {
   Place place_of(const Body& body, int p) const {
     const double x = body.points(column::position, 0)[p], y = body.points(column::position, 1)[p];
     return {std::hypot(x, y), std::remainder(std::atan2(y, x) - seat_of(body, p).angle, 2 * std::numbers::pi)};
+  }
+  // Of all points the most, over the larger principal stress.
+  double least_stress(const Columns& points) const {
+    double most = 0;
+    for (int p = 0; p < points.points(); ++p) {
+      const SurfaceLaw::Stresses s = at_.choice.law.principal_stresses(metric_of(points, p));
+      most = larger(most, std::abs(s.least) / s.largest);
+    }
+    return most;
   }
   const Seat& seat_of(const Body& body, int p) const {
     return start_[static_cast<std::size_t>(body.id[static_cast<std::size_t>(p)])];
@@ -148,6 +158,8 @@ std::vector<CaseGate> gates() {
     }
     all.push_back(gate(study + "/across-8", error_at("across", 8), at_most(1e-11),
                        theory("wrinkled everywhere, as at the start: no stress across the lines, to rounding")));
+    all.push_back(gate(study + "/least-8", error_at("least", 8), at_most(1e-12),
+                       identity("the smaller principal stress of a tension field is none, to rounding")));
     all.push_back(gate(study + "/torque-8", error_at("torque", 8), at_most(0.02), fiftieth));
     all.push_back(
         gate(study + "/crooked-8", error_at("crooked", 8), at_most(0.03),

@@ -1,10 +1,11 @@
 #include "cases/catalog/normals/space_mass_matrix.hpp"
 
-#include <Eigen/SVD>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+
+#include "cases/harness/laboratory/matrices.hpp"
 
 namespace plumbline {
 namespace {
@@ -57,9 +58,7 @@ Colours colours(const std::vector<Vec>& members) {
     rows.row(static_cast<Eigen::Index>(k)) = shapes(members[k]).transpose();
   rows.row(rows.rows() - 1) = shapes(other).transpose();
   right[rows.rows() - 1] = 1;
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  svd.setThreshold(std::sqrt(std::numeric_limits<double>::epsilon()));
-  return svd.solve(right);
+  return least_squares(rows, right, std::sqrt(std::numeric_limits<double>::epsilon()));
 }
 
 }  // namespace

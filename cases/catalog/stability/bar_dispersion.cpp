@@ -1,6 +1,5 @@
 #include "cases/catalog/stability/bar_dispersion.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -10,6 +9,7 @@
 #include "cases/catalog/stability/map_scheme.hpp"
 #include "cases/harness/judge/gates.hpp"
 #include "cases/harness/laboratory/amplification.hpp"
+#include "cases/harness/laboratory/matrices.hpp"
 #include "cases/harness/laboratory/problem.hpp"
 
 namespace plumbline {
@@ -36,9 +36,8 @@ constexpr int points_per_cell = 2;
 
 // Of the wave that runs to one side, 0 where all of it only decays.
 Complex running(const Eigen::MatrixXcd& matrix) {
-  const Eigen::VectorXcd all = Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(matrix, false).eigenvalues();
   Complex found = 0;
-  for (const Complex value : all) {
+  for (const Complex value : eigenvalues(matrix)) {
     if (value.imag() > found.imag()) found = value;
   }
   return found;
@@ -55,9 +54,6 @@ Eigen::MatrixXcd by_linear_algebra(const reference::MapScheme& scheme, double th
 // what nodes do not see, and where several meet each is known to a root of the rounding.
 double departure(const Eigen::MatrixXcd& found, const Eigen::MatrixXcd& exact) {
   constexpr double about = 0.05;
-  const auto eigenvalues = [](const Eigen::MatrixXcd& of) {
-    return Eigen::VectorXcd(Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(of, false).eigenvalues());
-  };
   const Eigen::VectorXcd here = eigenvalues(found);
   double worst = 0;
   for (const Complex value : eigenvalues(exact)) {

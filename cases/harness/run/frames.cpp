@@ -63,10 +63,10 @@ Stresses solid_stresses(const Columns& points, StressMeasure measure, const Grid
   const int resolved = grid.dim == 2 && !grid.axisymmetric ? 2 : grid.dim == 1 ? 1 : 3;
   const double pressure = -s.topLeftCorner(resolved, resolved).trace() / resolved;
   if (resolved == 1) return {pressure, std::abs(pressure)};
-  const Eigen::MatrixXd part = s.topLeftCorner(resolved, resolved);
-  const Eigen::VectorXd principal =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(part, Eigen::EigenvaluesOnly).eigenvalues();
-  return {pressure, principal[resolved - 1] - principal[0]};
+  if (resolved == 2) return {pressure, std::hypot(s(0, 0) - s(1, 1), 2 * s(0, 1))};
+  const Eigen::Vector3d principal =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(s, Eigen::EigenvaluesOnly).eigenvalues();
+  return {pressure, principal[2] - principal[0]};
 }
 
 double membrane_stress(const Body& body, int p) {
