@@ -85,6 +85,8 @@ constexpr Wrong wrong_parts[] = {
     {"shape", "wrong-nearest", "order/value/line", "unity/line"},
     {"shape", "wrong-force", "adjoint/forces/space", "adjoint/values/space"},
     {"shape", "wrong-volume", "volume/rings", "unity/rings"},
+    {"shape", "wrong-read", "volume/read/plane", "volume/plane"},
+    {"shape", "wrong-loss", "adjoint/loss/space", "adjoint/values/space"},
     {"shape", "wrong-reach", "support/reach/plane", "support/sides/plane"},
     {"shape", "wrong-sides", "support/sides/line", "support/reach/line"},
     {"material", "wrong-stress", "energy/derivative/plane", "frame/spin/plane"},

@@ -113,6 +113,35 @@ double off_adjoint(const ShapeProbe& probe) {
   return largest(Eigen::Vector2d(spread - work, mass - work)) / scale;
 }
 
+// V_p = m_p / sum_i N_ip rho_i, and V_p = m_p sum_i N_ip v_i of specific volumes.
+double off_volumes_read(const ShapeProbe& probe) {
+  const std::vector<ProbePoint> points = anywhere(probe);
+  const Eigen::VectorXd m = amounts(), nodal = random_field(probe, identities_seed + 4).col(0).array() + 1.5;
+  const Eigen::VectorXd here = probe.interpolated(points, nodal.replicate(1, probe.grid().dim)).value.col(0);
+  const Eigen::VectorXd of_density = probe.read_off(points, m, nodal, false).cwiseProduct(here).cwiseQuotient(m),
+                        of_volume = probe.read_off(points, m, nodal, true).cwiseQuotient(here.cwiseProduct(m));
+  return std::max(largest(of_density.array() - 1.0), largest(of_volume.array() - 1.0));
+}
+
+// m_p sum_i N_ip |v_p + C (x_i - x_p) - u_i|^2 / 2 is what the map to the nodes takes from a point. [EC-APIC 1]
+double off_loss(const ShapeProbe& probe) {
+  const std::vector<ProbePoint> points = anywhere(probe);
+  const Eigen::Index dim = probe.grid().dim, count = static_cast<Eigen::Index>(points.size());
+  ProbeRandom random(identities_seed + 5);
+  const Eigen::MatrixXd v = Eigen::MatrixXd::NullaryExpr(count, dim, [&] { return random(-1, 1); }),
+                        c = Eigen::MatrixXd::NullaryExpr(dim, dim, [&] { return random(-1, 1) / probe.grid().h; }),
+                        u = random_field(probe, identities_seed + 6), x = places(probe, points),
+                        nodes = node_places(probe);
+  const Eigen::VectorXd lost = probe.lost(points, v, c, u);
+  Eigen::VectorXd exact(count);
+  for (Eigen::Index p = 0; p < count; ++p) {
+    const Eigen::MatrixXd apart = ((nodes.rowwise() - x.row(p)) * c.transpose() - u).rowwise() + v.row(p);
+    const Eigen::VectorXd square = 0.5 * apart.rowwise().squaredNorm();
+    exact[p] = probe.interpolated({points[static_cast<std::size_t>(p)]}, square.replicate(1, dim)).value(0, 0);
+  }
+  return largest(lost - exact) / exact.maxCoeff();
+}
+
 // The power of stresses over the points is that of their forces over the nodes: u . f = -sum_p V_p sigma : grad u.
 double off_power(const ShapeProbe& probe) {
   const std::vector<ProbePoint> points = probe_points(probe.grid(), identities_points, identities_seed, true);
@@ -202,7 +231,18 @@ std::vector<MeasuredGate> shape_identity_gates(const SharedSubject& subject) {
           "affine velocities are reproduced by value and by C_p", inertia_wrong, both(off_affine)),
       row("volume", "", "sum of the nodes' volumes over the space between walls, less 1",
           "the nodes share the space out, as the weights add up to 1", "volumes of nodes at walls, or beyond them",
-          [subject] { return plain(off_volume(*subject)); })};
+          [subject] { return plain(off_volume(*subject)); }),
+      row("volume", "read",
+          "V_p that points take from random nodal densities, and specific volumes, over m_p and the mean of these, "
+          "less 1",
+          "points read densities off by the weights by which they put their mass on the nodes",
+          "other weights, or the density where the specific volume is meant", both(off_volumes_read)),
+      row("adjoint", "loss",
+          "kinetic energy that the map takes from points less m_p sum_i N_ip |v_p + C_p (x_i - x_p) - u_i|^2 / 2, of "
+          "random u, "
+          "relative to the most",
+          "what the map takes is known to each point, or energy is not returned",
+          "a term of the loss, or the inertia of the affine part", both(off_loss))};
   all.push_back({"inertia",
                  gate_row("inertia", "blur/" + where,
                           "half the mean of D_p over a cell less the shape's blur, in cells; boxes of half a cell",

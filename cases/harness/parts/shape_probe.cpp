@@ -49,8 +49,7 @@ class Probe final : public ShapeProbe {
   Interpolated interpolated(const Points& points, const Eigen::MatrixXd& u) const override {
     Body body = body_at(points);
     const Weights<dim> at = weights_of(body);
-    std::vector<Vec> nodal(static_cast<std::size_t>(nodes()));
-    for (int i = 0; i < nodes(); ++i) nodal[static_cast<std::size_t>(i)] = u.row(i).transpose();
+    const std::vector<Vec> nodal = vectors(u);
     std::vector<std::vector<double>> values(dim, std::vector<double>(points.size() + lanes));
     std::vector<typename Loops::Gather> wanted;
     for (int d = 0; d < dim; ++d) {
@@ -143,6 +142,32 @@ class Probe final : public ShapeProbe {
     return all;
   }
 
+  Eigen::VectorXd read_off(const Points& points, const Eigen::VectorXd& m, const Eigen::VectorXd& nodal,
+                           bool specific) const override {
+    Body body = body_at(points);
+    for (int p = 0; p < body.points.points(); ++p) body.points(column::mass)[p] = m[p];
+    const std::vector<double> values(nodal.data(), nodal.data() + nodal.size());
+    const Weights<dim> at = weights_of(body);
+    space_.for_chunks(at, [&](const Chunk& chunk) {
+      space_.loops->gather_start(body, at, chunk, {.density = &values, .specific = specific});
+    });
+    return Eigen::Map<Eigen::VectorXd>(body.points(column::volume), body.points.points());
+  }
+
+  Eigen::VectorXd lost(const Points& points, const Eigen::MatrixXd& v, const Eigen::MatrixXd& c,
+                       const Eigen::MatrixXd& u) const override {
+    Body body = body_at(points);
+    body.points.add(column::transfer_loss);
+    for (int p = 0; p < body.points.points(); ++p) {
+      for (int d = 0; d < dim; ++d) body.points(column::velocity, d)[p] = v(p, d);
+      for (int k = 0; k < dim * dim; ++k) body.points(column::affine, k)[p] = c(k / dim, k % dim);
+    }
+    const Weights<dim> at = weights_of(body);
+    const std::vector<Vec> nodal = vectors(u);
+    space_.for_chunks(at, [&](const Chunk& chunk) { space_.loops->gather_start(body, at, chunk, {.loss = &nodal}); });
+    return Eigen::Map<Eigen::VectorXd>(body.points(column::transfer_loss), body.points.points());
+  }
+
   std::vector<double> volumes() const override {
     std::vector<double> all = space_.loops->inverse_volumes();
     for (double& v : all) v = v > 0 ? 1 / v : 0;
@@ -166,6 +191,13 @@ class Probe final : public ShapeProbe {
     }
     if (space_.loops->follows()) space_.loops->follow(body.points);
     return body;
+  }
+
+  // Of a nodal field, row by row the nodes.
+  std::vector<Vec> vectors(const Eigen::MatrixXd& u) const {
+    std::vector<Vec> nodal(static_cast<std::size_t>(nodes()));
+    for (int i = 0; i < nodes(); ++i) nodal[static_cast<std::size_t>(i)] = u.row(i).transpose();
+    return nodal;
   }
 
   Weights<dim> weights_of(const Body& body) const {
