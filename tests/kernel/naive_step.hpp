@@ -342,9 +342,9 @@ class NaiveStep {
     });
     for (NaiveNode& node : nodes_) node.start = node.m > 0 ? Vec(node.momentum / node.m) : Vec(Vec::Zero());
     for (NaivePoint& point : points) point.loss = 0;
-    if (scene_.transfer == "flip") return;
+    const double taken = 1 - share_kept();
     for_pairs([&](NaivePoint& p, NaiveNode& i, double n, const Vec&) {
-      p.loss += p.m * n * (p.v + p.c * (i.x - frozen(p)) - i.start).squaredNorm() / 2;  // [EC-APIC 1] A_p
+      p.loss += taken * p.m * n * (p.v + p.c * (i.x - frozen(p)) - i.start).squaredNorm() / 2;  // [EC-APIC 1] A_p
     });
   }
 
@@ -507,6 +507,9 @@ class NaiveStep {
     return w;
   }
 
+  // alpha of [Blend 1].
+  double share_kept() const { return scene_.transfer == "flip" ? 1 : scene_.transfer == "blend" ? 0.95 : 0; }
+
   void move(double dt, bool along, bool with_middle) {
     const bool filters = scene_.transfer == "xpic" || scene_.transfer == "fmpm";
     const std::vector<Vec> w = filters ? filtered() : std::vector<Vec>();
@@ -534,9 +537,11 @@ class NaiveStep {
       if (along) point.x += dt * carried;  // [York 3.21] [Midpoint 4]
       if (scene_.sharpening > 0 && scene_.sharpened_motion)
         point.x += dt * (velocity_at(p, with_middle ? Of::middle : Of::end) - carried);  // [Sharpening 2]
-      const bool flip = scene_.transfer == "flip", affine = scene_.transfer == "apic";
-      point.v = flip ? Vec(point.v + change) : v;  // [York 3.22] [EC-APIC 5]
-      double kept = flip ? change.squaredNorm() : v.squaredNorm();
+      const bool affine = scene_.transfer == "apic";
+      const double keep = share_kept();
+      point.v = keep * (own + change) + (1 - keep) * v;  // [York 3.22] [EC-APIC 5] [Blend 1]
+      double kept = keep * change.squaredNorm() + (1 - keep) * v.squaredNorm();
+      kept -= keep * (1 - keep) * (own + change - v).squaredNorm();
       if (affine) {
         for (int d = dim_; d < 3; ++d) moment(d, d) = 1;
         point.c = scene_.shape == "linear" ? l : Mat(b * moment.inverse());  // [EC-APIC 5]
@@ -546,7 +551,7 @@ class NaiveStep {
           point.c *= std::sqrt(before / (point.c * there * point.c.transpose()).trace());
         kept += (point.c * there * point.c.transpose()).trace();
       }
-      point.loss += point.m * ((flip ? change_square : square) - kept) / 2;  // [EC-APIC 5] B_p
+      point.loss += point.m * (keep * change_square + (1 - keep) * square - kept) / 2;  // [EC-APIC 5] B_p
       transfer -= point.loss;
     }
     for (NaiveNode& node : nodes_) {

@@ -24,7 +24,7 @@ std::vector<std::string> names(const std::vector<Entry>& choices) {
 TEST(Scene, NamesItsChoices) {
   EXPECT_EQ(names(shapes()), (std::vector<std::string>{"contiguous-gimp", "cpdi", "cubic", "gimp", "lagrangian-cubic",
                                                        "lagrangian-quadratic", "linear", "quadratic"}));
-  EXPECT_EQ(names(transfers()), (std::vector<std::string>{"apic", "flip", "fmpm", "pic", "xpic"}));
+  EXPECT_EQ(names(transfers()), (std::vector<std::string>{"apic", "blend", "flip", "fmpm", "pic", "xpic"}));
   EXPECT_EQ(names(densities()), (std::vector<std::string>{"cell", "quadratic", "continuity", "grid"}));
   EXPECT_EQ(names(contacts()), (std::vector<std::string>{"none", "touching", "york-9.7", "york-9.8", "york-9.9"}));
 }

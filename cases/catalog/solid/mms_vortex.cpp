@@ -54,13 +54,12 @@ struct Carried {
   std::string study, shape, transfer;
   double order = 2;  // of the transfer's own
 };
-const std::vector<Carried> carried{{"splines-apic", "cubic", "apic"},      {"splines-flip", "cubic", "flip"},
-                                   {"splines-pic", "cubic", "pic"},        {"splines-xpic", "cubic", "xpic"},
-                                   {"splines-xpic-1", "cubic", "xpic", 1}, {"splines-fmpm", "cubic", "fmpm"},
-                                   {"splines-fmpm-1", "cubic", "fmpm", 1}, {"domains-apic", "cpdi", "apic"},
-                                   {"domains-flip", "cpdi", "flip"},       {"domains-pic", "cpdi", "pic"},
-                                   {"domains-xpic", "cpdi", "xpic"},       {"domains-xpic-1", "cpdi", "xpic", 1},
-                                   {"domains-fmpm", "cpdi", "fmpm"}};
+const std::vector<Carried> carried{
+    {"splines-apic", "cubic", "apic"},      {"splines-flip", "cubic", "flip"},      {"splines-pic", "cubic", "pic"},
+    {"splines-xpic", "cubic", "xpic"},      {"splines-xpic-1", "cubic", "xpic", 1}, {"splines-fmpm", "cubic", "fmpm"},
+    {"splines-fmpm-1", "cubic", "fmpm", 1}, {"splines-blend", "cubic", "blend"},    {"domains-apic", "cpdi", "apic"},
+    {"domains-flip", "cpdi", "flip"},       {"domains-pic", "cpdi", "pic"},         {"domains-xpic", "cpdi", "xpic"},
+    {"domains-xpic-1", "cpdi", "xpic", 1},  {"domains-fmpm", "cpdi", "fmpm"},       {"domains-blend", "cpdi", "blend"}};
 const std::vector<std::string> second_order{"domains-flip", "domains-xpic", "domains-fmpm"};
 constexpr double quarters = 14;
 

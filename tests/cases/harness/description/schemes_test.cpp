@@ -186,7 +186,7 @@ TEST(Schemes, EveryPartMayBeChosen) {
   EXPECT_EQ(choices(Kind::gas, "integrator").size(), integrators().size());
   EXPECT_THAT(choices(Kind::gas, "shape"), ElementsAre("contiguous-gimp", "cpdi", "cubic", "gimp", "lagrangian-cubic",
                                                        "lagrangian-quadratic", "linear", "quadratic"));
-  EXPECT_THAT(choices(Kind::gas, "transfer"), ElementsAre("apic", "flip", "fmpm", "pic", "xpic"));
+  EXPECT_THAT(choices(Kind::gas, "transfer"), ElementsAre("apic", "blend", "flip", "fmpm", "pic", "xpic"));
   EXPECT_THAT(choices(Kind::gas, "density"), ElementsAre("cell", "quadratic", "continuity", "grid"));
   EXPECT_THAT(choices(Kind::solid, "contact"), ElementsAre("none", "default", "york-9.7", "york-9.8", "york-9.9"));
 }
