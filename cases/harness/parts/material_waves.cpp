@@ -33,9 +33,12 @@ double fastest_wave(const MaterialProbe& probe, int p) {
     Eigen::VectorXd n = Eigen::VectorXd::Unit(probe.dim(), d) + Eigen::VectorXd::Constant(probe.dim(), 0.1);
     for (int k = 0; k < 4; ++k) {
       n.normalize();
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> waves(acoustic_tensor(probe, n, p));
-      largest = std::max(largest, waves.eigenvalues().tail<1>()[0]);
-      n = waves.eigenvectors().rightCols<1>();
+      const Eigen::MatrixXd q = acoustic_tensor(probe, n, p);
+      Eigen::Matrix3d whole = -q.norm() * Eigen::Matrix3d::Identity();  // no eigenvalue of q is less
+      whole.topLeftCorner(q.rows(), q.cols()) = q;
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> waves(whole);
+      largest = std::max(largest, waves.eigenvalues()[2]);
+      n = waves.eigenvectors().col(2).head(q.rows());
     }
   }
   return std::sqrt(largest);
