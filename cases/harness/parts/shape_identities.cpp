@@ -239,8 +239,7 @@ std::vector<MeasuredGate> shape_identity_gates(const SharedSubject& subject) {
           "other weights, or the density where the specific volume is meant", both(off_volumes_read)),
       row("adjoint", "loss",
           "kinetic energy that the map takes from points less m_p sum_i N_ip |v_p + C_p (x_i - x_p) - u_i|^2 / 2, of "
-          "random u, "
-          "relative to the most",
+          "random u, relative to the most",
           "what the map takes is known to each point, or energy is not returned",
           "a term of the loss, or the inertia of the affine part", both(off_loss))};
   all.push_back({"inertia",

@@ -8,7 +8,7 @@
 namespace plumbline::balance_test {
 namespace {
 
-// Two disks that meet in free space: 2 x 1 of mass and speed, no sum of momenta.
+// Two disks that approach each other in free space: their momenta add up to none.
 struct Start {
   const Case& entry = find_case("two-disks");
   Settings settings = entry.settings("default", {{"cells", entry.levels.front()}});
