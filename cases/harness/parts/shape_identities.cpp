@@ -120,7 +120,7 @@ double off_volumes_read(const ShapeProbe& probe) {
   const Eigen::VectorXd here = probe.interpolated(points, nodal.replicate(1, probe.grid().dim)).value.col(0);
   const Eigen::VectorXd of_density = probe.read_off(points, m, nodal, false).cwiseProduct(here).cwiseQuotient(m),
                         of_volume = probe.read_off(points, m, nodal, true).cwiseQuotient(here.cwiseProduct(m));
-  return std::max(largest(of_density.array() - 1.0), largest(of_volume.array() - 1.0));
+  return largest(Eigen::Vector2d(largest(of_density.array() - 1.0), largest(of_volume.array() - 1.0)));
 }
 
 // m_p sum_i N_ip |v_p + C (x_i - x_p) - u_i|^2 / 2 is what the map to the nodes takes from a point. [EC-APIC 1]
@@ -132,11 +132,11 @@ double off_loss(const ShapeProbe& probe) {
                         c = Eigen::MatrixXd::NullaryExpr(dim, dim, [&] { return random(-1, 1) / probe.grid().h; }),
                         u = random_field(probe, identities_seed + 6), x = places(probe, points),
                         nodes = node_places(probe);
-  const Eigen::VectorXd lost = probe.lost(points, v, c, u);
+  const Eigen::VectorXd m = amounts(), lost = probe.lost(points, m, v, c, u);
   Eigen::VectorXd exact(count);
   for (Eigen::Index p = 0; p < count; ++p) {
     const Eigen::MatrixXd apart = ((nodes.rowwise() - x.row(p)) * c.transpose() - u).rowwise() + v.row(p);
-    const Eigen::VectorXd square = 0.5 * apart.rowwise().squaredNorm();
+    const Eigen::VectorXd square = 0.5 * m[p] * apart.rowwise().squaredNorm();
     exact[p] = probe.interpolated({points[static_cast<std::size_t>(p)]}, square.replicate(1, dim)).value(0, 0);
   }
   return largest(lost - exact) / exact.maxCoeff();

@@ -154,11 +154,12 @@ class Probe final : public ShapeProbe {
     return Eigen::Map<Eigen::VectorXd>(body.points(column::volume), body.points.points());
   }
 
-  Eigen::VectorXd lost(const Points& points, const Eigen::MatrixXd& v, const Eigen::MatrixXd& c,
-                       const Eigen::MatrixXd& u) const override {
+  Eigen::VectorXd lost(const Points& points, const Eigen::VectorXd& m, const Eigen::MatrixXd& v,
+                       const Eigen::MatrixXd& c, const Eigen::MatrixXd& u) const override {
     Body body = body_at(points);
     body.points.add(column::transfer_loss);
     for (int p = 0; p < body.points.points(); ++p) {
+      body.points(column::mass)[p] = m[p];
       for (int d = 0; d < dim; ++d) body.points(column::velocity, d)[p] = v(p, d);
       for (int k = 0; k < dim * dim; ++k) body.points(column::affine, k)[p] = c(k / dim, k % dim);
     }

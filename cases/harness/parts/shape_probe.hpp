@@ -55,10 +55,10 @@ class ShapeProbe {
   // V_p that points of masses m_p take from nodal densities, kg/m^dim, or from specific volumes.
   virtual Eigen::VectorXd read_off(const std::vector<ProbePoint>& points, const Eigen::VectorXd& m,
                                    const Eigen::VectorXd& nodal, bool specific) const = 0;
-  // Kinetic energy that the map to nodal velocities u takes from points of 1 kg each, which have the velocities v_p and all the
-  // gradient c, J.
-  virtual Eigen::VectorXd lost(const std::vector<ProbePoint>& points, const Eigen::MatrixXd& v,
-                               const Eigen::MatrixXd& c, const Eigen::MatrixXd& u) const = 0;
+  // Kinetic energy, J, that the map to nodal velocities u takes from points of masses m_p and velocities v_p, row by row, which
+  // all have the velocity gradient c.
+  virtual Eigen::VectorXd lost(const std::vector<ProbePoint>& points, const Eigen::VectorXd& m,
+                               const Eigen::MatrixXd& v, const Eigen::MatrixXd& c, const Eigen::MatrixXd& u) const = 0;
   // Of all nodes, m^dim; axisymmetric per radian, m^3. Zero where no space is.
   virtual std::vector<double> volumes() const = 0;
 };
