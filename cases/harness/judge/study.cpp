@@ -114,6 +114,7 @@ namespace {
 constexpr long most_drawn_points = 20000;
 
 void ask_for_frames(const StudyPlan& plan, double last, std::vector<PlannedRun>& planned) {
+  if (plan.frames == 0) return;
   for (PlannedRun& run : planned) {
     if (!run.is_offset && run.value == plan.frames_at.value_or(last)) run.frames = {plan.frames, most_drawn_points};
   }

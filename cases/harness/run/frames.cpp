@@ -137,6 +137,13 @@ long thinning(const Scene& scene, long most_points) {
 
 }  // namespace
 
+FrameRequest of_both(const FrameRequest& one, const FrameRequest& other) {
+  if (one.count == 0 && other.count == 0) return {};
+  if (one.count == 0 || other.count == 0) return one.count > 0 ? one : other;
+  const bool all = one.most_points == 0 || other.most_points == 0;
+  return {std::max(one.count, other.count), all ? 0 : std::max(one.most_points, other.most_points)};
+}
+
 FrameRecorder::FrameRecorder(const FrameRequest& request, const Scene& scene, double end_time)
     : request_(request),
       end_time_(end_time) {

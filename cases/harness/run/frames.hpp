@@ -19,6 +19,9 @@ struct FrameRequest {
   long most_points = 0;  // > 0: of larger runs one point in n, evenly by number, chains whole; 0: all points
 };
 
+// What serves both; of two that want none, the same whichever comes first.
+FrameRequest of_both(const FrameRequest& one, const FrameRequest& other);
+
 // One instant. Bodies one after another; in a body points by number, those of a chain in the order of their connectivity.
 struct Frame {
   double time = 0;                        // s: of the first step that reached the wanted instant

@@ -28,14 +28,8 @@ void add_once(PlanRun run, std::vector<PlanRun>& runs, std::map<std::string, std
     runs.push_back(std::move(run));
     return;
   }
-  PlanRun& there = runs[at->second];
-  if (there.frames.count == 0) {
-    there.frames = run.frames;
-  } else if (run.frames.count > 0) {
-    const bool all = there.frames.most_points == 0 || run.frames.most_points == 0;
-    there.frames.count = std::max(there.frames.count, run.frames.count);
-    there.frames.most_points = all ? 0 : std::max(there.frames.most_points, run.frames.most_points);
-  }
+  FrameRequest& wanted = runs[at->second].frames;
+  wanted = of_both(wanted, run.frames);
 }
 
 }  // namespace

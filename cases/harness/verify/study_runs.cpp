@@ -20,8 +20,6 @@ double cost(const PlannedRun& run) {
   return cells * ppc / step;
 }
 
-bool same(const FrameRequest& a, const FrameRequest& b) { return a.count == b.count && a.most_points == b.most_points; }
-
 // What no other run would survive either: a signal, a folder that cannot be written, a wrong call.
 bool ends_all(const std::exception_ptr& failure) {
   try {
@@ -46,9 +44,13 @@ std::vector<std::vector<RunOutcome>> make_runs(const Case& entry, const std::vec
     std::size_t study, run;
   };
   std::vector<std::vector<RunOutcome>> outcomes(plans.size());
-  std::vector<Place> missing;
+  struct Missing {
+    Place place;
+    FrameRequest frames;
+  };
+  std::vector<Missing> missing;
   std::vector<std::pair<Place, Place>> shared;  // of which another is the same
-  std::map<std::string, Place> first;           // by the name of its file
+  std::map<std::string, std::size_t> first;     // of those missing, by the name of its file
   std::size_t all = 0, done = 0;
   for (const auto& runs : planned) all += runs.size();
   const auto at = [&](const Place& p) -> RunOutcome& { return outcomes[p.study][p.run]; };
@@ -68,23 +70,25 @@ std::vector<std::vector<RunOutcome>> make_runs(const Case& entry, const std::vec
         report(*at(here).run);
         continue;
       }
-      const auto [earlier, is_new] = first.emplace(file, here);
-      if (!is_new && same(plan_of(earlier->second).frames, plan_of(here).frames)) {
-        shared.emplace_back(here, earlier->second);
-      } else {
-        missing.push_back(here);
+      const auto [earlier, is_new] = first.emplace(file, missing.size());
+      if (is_new) {
+        missing.push_back({here, planned[s][k].frames});
+        continue;
       }
+      Missing& there = missing[earlier->second];
+      there.frames = of_both(there.frames, planned[s][k].frames);
+      shared.emplace_back(here, there.place);
     }
   }
   std::stable_sort(missing.begin(), missing.end(),
-                   [&](const Place& a, const Place& b) { return cost(plan_of(a)) > cost(plan_of(b)); });
+                   [&](const Missing& a, const Missing& b) { return cost(plan_of(a.place)) > cost(plan_of(b.place)); });
   std::mutex guard;
   for_all(missing.size(), threads, [&](std::size_t k) {
-    RunOutcome& outcome = at(missing[k]);
-    const PlannedRun& run = plan_of(missing[k]);
+    const auto& [place, frames] = missing[k];
+    RunOutcome& outcome = at(place);
     try {
       Making making;
-      RunResult made = make_run(entry, plans[missing[k].study].scheme, run.settings, run.frames, making);
+      RunResult made = make_run(entry, plans[place.study].scheme, plan_of(place).settings, frames, making);
       const std::lock_guard lock(guard);
       if (store) store->keep(entry, made, making);
       report(made);
