@@ -6,9 +6,8 @@
 
 namespace plumbline {
 
-Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& matrix) {
-  return Eigen::EigenSolver<Eigen::MatrixXd>(matrix, false).eigenvalues();
-}
+// As complex ones: another solver for a few small matrices would take as long to compile as all the rest here.
+Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& matrix) { return eigenvalues(Eigen::MatrixXcd(matrix)); }
 Eigen::VectorXcd eigenvalues(const Eigen::MatrixXcd& matrix) {
   return Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(matrix, false).eigenvalues();
 }

@@ -1,10 +1,10 @@
 // One elastoplastic point against closed forms: Hencky's law, radial paths, Krieg's turning stress, turned axes.
 #include "kernel/materials/radial_return.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "tests/kernel/dense.hpp"
 #include "tests/kernel/scenes.hpp"
 
 namespace plumbline::radial_return_test {
@@ -20,11 +20,10 @@ Matrix diagonal(const Vector& values) { return values.asDiagonal(); }
 Matrix any(scenes::Random& random, double size) {
   return Matrix::NullaryExpr([&] { return random(-size, size); });
 }
-// (1/2) ln(F F^T) by Eigen's eigenvectors.
+// (1/2) ln(F F^T) by the eigenvectors of another library than the law's.
 Matrix logarithmic(const Matrix& f) {
-  const Eigen::SelfAdjointEigenSolver<Matrix> principal(f * f.transpose());
-  return principal.eigenvectors() * (0.5 * principal.eigenvalues().array().log()).matrix().asDiagonal() *
-         principal.eigenvectors().transpose();
+  const auto [values, vectors] = dense::symmetric_spectrum(f * f.transpose());
+  return vectors * (0.5 * values.array().log()).matrix().asDiagonal() * vectors.transpose();
 }
 // The increment that adds this strain in fixed axes.
 Matrix increment(const Vector& strain) {

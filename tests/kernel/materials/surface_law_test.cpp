@@ -3,13 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <stdexcept>
 #include <vector>
 
+#include "tests/kernel/dense.hpp"
 #include "tests/kernel/scenes.hpp"
 
 namespace plumbline::surface_law_test {
@@ -32,7 +33,7 @@ Eigen::Matrix2d matrix(const Metric& c) {
 
 // As printed, by eigenvalues.
 double printed_energy(const SurfaceLaw& law, const Metric& c) {
-  const Eigen::Vector2d values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(matrix(c)).eigenvalues();
+  const Eigen::Vector2d values = dense::symmetric_spectrum(matrix(c)).values;
   if (law.neo_hookean) return law.youngs_modulus / 6 * (values.sum() + 1 / values.prod() - 3);
   const double nu = law.poissons_ratio, e = law.youngs_modulus, low = (values[0] - 1) / 2, high = (values[1] - 1) / 2;
   if (law.one_way && high <= 0) return 0;
@@ -90,7 +91,7 @@ TEST(SurfaceLaw, PrincipalStressesAreThoseOfTheResultantInSpace) {
       const SurfaceLaw::State s = law.state(metric);
       const Eigen::Matrix3d stress = f * matrix({s.first, s.mixed, s.second}) * f.transpose() /
                                      Eigen::Vector3d(f.col(0)).cross(Eigen::Vector3d(f.col(1))).norm();
-      const Eigen::Vector3d all = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(stress).eigenvalues();
+      const Eigen::Vector3d all = dense::symmetric_spectrum(stress).values;
       std::vector<double> within(all.begin(), all.end());  // the least in size is the one across
       within.erase(
           std::min_element(within.begin(), within.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));

@@ -1,0 +1,168 @@
+"""A gas at rest in the plane by a von Neumann analysis of its own, beside what the laboratory finds of the kernel's step.
+
+Cubic B-splines, APIC with a filter at a rate, leapfrog, sharpened forces, strains and motion, as by default; lengths in cells, speeds
+in c, the gas at rest on a lattice of n x n points a cell. Unknowns of a point: displacement u, velocity v, its gradient C, energy e.
+The equations are those of reports/docs/theory/step.md and gases.md, linear about the state at rest:
+
+    f_i = (gamma - 1) sum_p m (e_p grad N_ip + e (u_p . grad) grad N_ip)          pressures at the points, as the kernel has them
+    f_i = -h^2 grad_h p_i,  p_i = (gamma - 1) sum_p m (e_p N_ip + e u_p . grad N_ip)/h^2     pressures at the nodes
+
+with grad_h the central difference of fourth order. The work of the second on a wave whose grad_h . v vanishes is none.
+"""
+
+import itertools
+import json
+import os
+import subprocess
+
+import numpy as np
+import pytest
+from scipy.optimize import minimize_scalar
+
+gamma = 1.4
+energy = 1 / (gamma * (gamma - 1))  # c = 1
+inertia = 1 / 3  # of the cubic spline
+blur = 1 / 6  # theta of [Sharpening 1]
+filter_sound = 2.0  # k_f of [Filter 1]
+U, V, C, E = slice(0, 2), slice(2, 4), slice(4, 8), 8
+unknowns = 9
+
+
+def spline(x):
+    """The cubic B-spline with its first two derivatives."""
+    a, sign = np.abs(x), np.sign(x)
+    inner, middle = a < 1, a < 2
+    value = np.where(inner, 2 / 3 - a**2 + a**3 / 2, np.where(middle, (2 - a) ** 3 / 6, 0))
+    slope = sign * np.where(inner, -2 * a + 1.5 * a**2, np.where(middle, -((2 - a) ** 2) / 2, 0))
+    bend = np.where(inner, -2 + 3 * a, np.where(middle, 2 - a, 0))
+    return value, slope, bend
+
+
+def symbols(along, theta):
+    """Of each point of a cell, sums over the nodes that it reaches: N, N (x_i - x), grad N, grad grad N, each with exp(i theta i)."""
+    places = (np.arange(along) + 0.5) / along
+    found = []
+    for point in itertools.product(places, places):
+        sums = [0j, np.zeros(2, complex), np.zeros(2, complex), np.zeros((2, 2), complex)]
+        for node in itertools.product(range(-1, 3), repeat=2):
+            (a, da, dda), (b, db, ddb) = spline(point[0] - node[0]), spline(point[1] - node[1])
+            turn = np.exp(1j * np.dot(theta, node))
+            sums[0] += turn * a * b
+            sums[1] += turn * a * b * (np.array(node) - point)
+            sums[2] += turn * np.array([da * b, a * db])
+            sums[3] += turn * np.array([[dda * b, da * db], [da * db, a * ddb]])
+        found.append(sums)
+    return found
+
+
+def step_matrix(theta, dt, along=2, at_nodes=False, sharpened=True):
+    """What one step makes of all unknowns of a cell, in a wave of the wave number theta."""
+    points = symbols(along, theta)
+    count, mass = len(points), 1 / along**2
+    identity = np.eye(count * unknowns, dtype=complex)
+
+    def own(state, p, part):
+        return state[p * unknowns : (p + 1) * unknowns][part]
+
+    sharpening = 1 + sharpened * blur * np.sum(2 - 2 * np.cos(theta))
+    difference = 1j * (8 * np.sin(theta) - np.sin(2 * np.asarray(theta))) / 6  # of fourth order
+
+    def mapped(state):
+        """The nodal velocity: sum_p m N (v + C (x_i - x_p)), of mass 1."""
+        total = 0
+        for p, (n, arm, _, _) in enumerate(points):
+            gradient = own(state, p, C).reshape(2, 2, -1)
+            total = total + mass * (np.conj(n) * own(state, p, V) + np.einsum("abk,b->ak", gradient, np.conj(arm)))
+        return total
+
+    def force(state):
+        total, pressure = 0, 0
+        for p, (n, _, slope, bend) in enumerate(points):
+            e, u = own(state, p, E), own(state, p, U)
+            total = total + np.outer(np.conj(slope), e) + energy * np.conj(bend) @ u
+            pressure = pressure + np.conj(n) * e + energy * np.conj(slope) @ u
+        return (gamma - 1) * mass * (-np.outer(difference, pressure) if at_nodes else total)
+
+    def strained(state, velocity, dt):
+        """The energies after dt of what the nodal velocity, sharpened, compresses."""
+        changed = state.copy()
+        for p, (n, _, slope, _) in enumerate(points):
+            divergence = n * (difference @ velocity) if at_nodes else slope @ velocity
+            changed[p * unknowns + E] -= dt * (gamma - 1) * energy * sharpening * divergence
+        return changed
+
+    state = identity.copy()
+
+    def drift(dt):
+        for p in range(count):
+            own(state, p, U)[:] += dt * own(state, p, V)
+
+    drift(dt / 2)
+    start = mapped(state)
+    end = start + dt * sharpening * force(strained(state, start, dt / 2))
+    kept = 1 - min(1, filter_sound * dt)
+    for p, (n, arm, _, _) in enumerate(points):
+        taken = end - kept * start
+        own(state, p, V)[:] = n * taken + kept * own(state, p, V)
+        own(state, p, C)[:] = np.einsum("ak,b->abk", taken, arm / inertia).reshape(4, -1) + kept * own(state, p, C)
+        own(state, p, U)[:] += dt * n * (sharpening - 1) * end  # [Sharpening 2]
+    drift(dt / 2)
+    return strained(state, (start + end) / 2, dt)
+
+
+def radius(theta, dt, **choices):
+    return np.abs(np.linalg.eigvals(step_matrix(theta, dt, **choices))).max()
+
+
+def waves(diagonal=False, count=16):
+    """Wave numbers up to pi along each axis: on a grid, or of the diagonal alone."""
+    numbers = np.pi * np.arange(1, count + 1) / count
+    return [(a, b) for a in numbers for b in (0, *numbers) if (b == a if diagonal else b <= a)]
+
+
+def growth(dt, thetas, **choices):
+    """In a step, of the wave that grows most: among these, then beside the first of them along its direction."""
+    first = max(thetas, key=lambda theta: radius(theta, dt, **choices))
+    near = minimize_scalar(
+        lambda s: -radius((s * first[0], s * first[1]), dt, **choices), bounds=(0.9, 1.1), method="bounded"
+    )
+    return -near.fun - 1
+
+
+@pytest.fixture(scope="module")
+def laboratory(tmp_path_factory):
+    """What the case stability-gas measures of the kernel in the plane, by the ids of its gates."""
+    file = tmp_path_factory.mktemp("gas") / "verify.json"
+    command = [os.environ["PLUMBLINE"], "verify", "stability-gas", "--tier", "full", "--gate", "plane*", "--json", file]
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+    return {gate["id"]: gate["measured"] for gate in json.loads(file.read_text())["gates"]}
+
+
+def test_the_laboratory_finds_the_growth_of_this_analysis(laboratory):
+    # The laboratory looks at other wave numbers: the maximum is flat, and both find it to a thousandth.
+    coarse, fine = (growth(dt, waves()) for dt in (0.2, 0.1))
+    assert np.log1p(coarse) / 0.2 == pytest.approx(laboratory["plane/default-rate"], rel=1e-3)
+    assert coarse / fine == pytest.approx(laboratory["plane/default-ratio"], rel=2e-3)
+
+
+def test_and_that_of_more_points(laboratory):
+    of_sixteen, of_four = (growth(0.2, waves(diagonal=True), along=along) for along in (4, 2))
+    assert of_sixteen / of_four == pytest.approx(laboratory["plane-points/default"], rel=2e-3)
+
+
+@pytest.mark.parametrize("sharpened", [False, True])
+@pytest.mark.parametrize("dt", [0.1, 0.3, 0.8])
+def test_no_wave_grows_of_pressures_at_the_nodes(dt, sharpened):
+    # An eigenvalue 1 of a Jordan block of two, of displacements by velocities, spreads by the root of rounding.
+    assert growth(dt, waves(count=12), at_nodes=True, sharpened=sharpened) < 1e-6
+
+
+def test_sound_of_pressures_at_the_nodes_is_of_fourth_order():
+    def late(theta, at_nodes):
+        dt = 0.02  # ahead by (theta dt)^2/24
+        values = np.linalg.eigvals(step_matrix((theta, 0), dt, at_nodes=at_nodes))
+        return 1 - np.abs(np.angle(values[np.abs(values) > 0.97])).max() / (dt * theta)
+
+    nodes, points = ([late(theta, at_nodes) for theta in (0.1, 0.2, 0.4)] for at_nodes in (True, False))
+    assert np.all(np.diff(np.log2(nodes)) > 3.9)  # the next term is of order theta^2 of it, which sharpening leaves
+    assert np.all(np.array(nodes) < points)
