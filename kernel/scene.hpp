@@ -56,8 +56,10 @@ struct Scene {
   double sharpening_second = 0, sharpening_third = 0;  // >= 0: of the powers beyond it, where `sharpening` is not 0
   bool sharpened_motion = false;                       // points move with the velocity that strains them [Sharpening 2]
   bool sharpened_density =
-      false;         // and read densities off nodes where the maps' smoothing of these is undone [Read-off 1]
-  double split = 0;  // > 0: gas points larger than this many cells are split, see splitting.hpp; 0: never
+      false;  // and read densities off nodes where the maps' smoothing of these is undone [Read-off 1]
+  bool nodal_pressure = false;  // pressures of gases act at the nodes: not in rings, and not of gases with physical
+                                // viscosity [Pressure 2]
+  double split = 0;             // > 0: gas points larger than this many cells are split, see splitting.hpp; 0: never
   bool loss_to_gas =
       false;  // what maps, and strains of membranes, take from points without an energy equation heats the
               // gas at their nodes [Coupling 1]

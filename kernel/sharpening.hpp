@@ -24,13 +24,7 @@ template <int dim>
 struct SharpeningAction {
   WallAction<dim> walls;
   Spin<dim> turn = Spin<dim>::Zero();
-  SharpeningAction operator+(const SharpeningAction& o) const {
-    SharpeningAction sum;
-    sum.walls.linear = walls.linear + o.walls.linear;
-    sum.walls.angular = walls.angular + o.walls.angular;
-    sum.turn = turn + o.turn;
-    return sum;
-  }
+  SharpeningAction operator+(const SharpeningAction& o) const { return {walls + o.walls, turn + o.turn}; }
 };
 
 template <int dim>

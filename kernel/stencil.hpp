@@ -78,6 +78,15 @@ class Stencil {
     return gather(own, [&](std::size_t k) { return at(static_cast<int>(k)); });
   }
 
+  // w_d at the points, for each node of the stencil in turn: below(k), less h times how fast its cell stretches along d, and
+  // face(k), the velocity of the face above it. [Pressure 4]
+  template <int d, class Below, class Face>
+  [[gnu::always_inline]] inline Number gather_flow(Below&& below, Face&& face) const {
+    Number above[support];
+    Shape::above(local_[d], above);
+    return product_along<d, dim - 1>(above, below, 0) + product_along<d, dim - 1>(face, 0);
+  }
+
   // The moments of an array with one scalar for each node of the stencil in turn.
   template <class At>
   [[gnu::always_inline]] inline Moments<dim, Number> moments_of_array(At&& at) const {
@@ -172,6 +181,35 @@ class Stencil {
       }
     }
     return sums;
+  }
+
+  // The sum of an array times N, with the weights `by` in place of N along the direction `replaced`.
+  template <int replaced, int d, class At>
+  [[gnu::always_inline]] inline Number product_along(const Number (&by)[support], At& at, int offset) const {
+    Number sum = 0.0;
+    for (int j = 0; j < support; ++j) {
+      const Number& weight = d == replaced ? by[j] : n_[d][j];
+      if constexpr (d == 0)
+        sum += weight * at(offset + j);
+      else
+        sum += weight * product_along<replaced, d - 1>(by, at, offset + j * block<d>());
+    }
+    return sum;
+  }
+  // The same of the last nodes along that direction, with one in place of N.
+  template <int last, int d, class At>
+  [[gnu::always_inline]] inline Number product_along(At& at, int offset) const {
+    Number sum = 0.0;
+    for (int j = d == last ? support - 1 : 0; j < support; ++j) {
+      const auto below = [&] {
+        if constexpr (d == 0)
+          return at(offset + j);
+        else
+          return product_along<last, d - 1>(at, offset + j * block<d>());
+      };
+      sum += d == last ? Number(below()) : n_[d][j] * below();
+    }
+    return sum;
   }
 
   struct Factors {

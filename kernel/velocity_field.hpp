@@ -76,14 +76,20 @@ struct VelocityField {
     std::vector<Vec> filtered;               // w_i of the transfers xpic and fmpm
   } corrected;                               // nodal velocities
   struct {
-    std::vector<double> mass;      // of the bodies that take heat, if others share the field
-    std::vector<double> density;   // M_i / |cell_i|
-    std::vector<double> heat;      // sum_p m_p e_p N_ip, then E_i, its mean per mass
-    std::vector<double> exchange;  // sum_p m_p N_ip max(0, -div v), then alpha_i
-    std::vector<double> kept;      // sum_p m_p c_p N_ip, then 1 - alpha_i of [Filter 1]
-    std::vector<double> closing;   // K_i of [Limiter 1]
-    std::vector<Vec> slopes;       // and what it is found from
-    std::vector<double> loss;      // what the others lost this step, then per mass of gas, J/kg
+    std::vector<double> mass;        // of the bodies that take heat, if others share the field
+    std::vector<double> density;     // M_i / |cell_i|
+    std::vector<double> heat;        // sum_p m_p e_p N_ip, then E_i, its mean per mass
+    std::vector<double> exchange;    // sum_p m_p N_ip max(0, -div v), then alpha_i
+    std::vector<double> kept;        // sum_p m_p c_p N_ip, then 1 - alpha_i of [Filter 1]
+    std::vector<double> closing;     // K_i of [Limiter 1]
+    std::vector<Vec> slopes;         // and what it is found from
+    std::vector<double> pressure;    // sum_p V_p p_p N_ip, then p_i of [Pressure 1]
+    std::vector<double> present;     // the mass of gas on all nodes, zero where none is
+    std::vector<Vec> bearing, even;  // of the faces above: 8 / M_most, and what of b is of sixth order [Pressure 2]
+    std::vector<Vec> faces;          // u_f of these
+    std::vector<Vec> stretch;        // (u_(i + 1/2) - u_(i - 1/2)) / h
+    std::vector<double> divergence;  // their sum D_i
+    std::vector<double> loss;        // what the others lost this step, then per mass of gas, J/kg
   } gas;
 
   // Calls visit(node) for every touched node of a row.

@@ -1,5 +1,7 @@
 #include "kernel/walls.hpp"
 
+#include <cstdlib>
+
 namespace plumbline {
 namespace {
 
@@ -153,6 +155,24 @@ void Walls<dim>::extend_even(const VelocityField<dim>& field, std::vector<double
     for_walls(
         field, d,
         [&](int g, int m, bool) { values[static_cast<std::size_t>(g)] = values[static_cast<std::size_t>(m)]; },
+        [](int, bool) {});
+  }
+}
+
+template <int dim>
+void Walls<dim>::extend_flow(const VelocityField<dim>& field, std::vector<Vec>& faces,
+                             std::vector<Vec>& stretch) const {
+  for (int d = dim - 1; d >= 0; --d) {
+    for_walls(
+        field, d,
+        [&](int g, int m, bool) {
+          const auto ghost = static_cast<std::size_t>(g), mirror = static_cast<std::size_t>(m);
+          const int below = m -
+                            std::abs(g - m) / 2;  // the face above it is what the one above the ghost is an image of
+          faces[ghost] = faces[mirror];
+          faces[ghost][d] = -faces[static_cast<std::size_t>(below)][d];
+          stretch[ghost] = stretch[mirror];
+        },
         [](int, bool) {});
   }
 }

@@ -13,6 +13,7 @@ template <int dim>
 struct WallAction {
   Eigen::Matrix<double, dim, 1> linear = Eigen::Matrix<double, dim, 1>::Zero();
   Spin<dim> angular = Spin<dim>::Zero();
+  WallAction operator+(const WallAction& o) const { return {linear + o.linear, angular + o.angular}; }
 };
 
 template <int dim>
@@ -38,6 +39,10 @@ class Walls {
 
   // Ghost nodes take the mirror node's density: a scalar is even.
   void extend_even(const VelocityField<dim>& field, std::vector<double>& values) const;
+
+  // Ghosts of the velocities of the faces above the nodes and of how fast cells stretch along each axis: a velocity along the
+  // normal is odd, all else even. [Pressure 2]
+  void extend_flow(const VelocityField<dim>& field, std::vector<Vec>& faces, std::vector<Vec>& stretch) const;
 
   // Momentum that the walls give to the points in a map back with the extended velocities u:
   // sum over ghosts of M_g (u_g - u_mirror).

@@ -10,6 +10,7 @@
 
 #include "kernel/engine/point_loops.hpp"
 #include "kernel/limiter.hpp"
+#include "kernel/nodal_pressure.hpp"
 #include "kernel/normals/membrane_tangents.hpp"
 #include "kernel/parallel.hpp"
 #include "kernel/scene.hpp"
@@ -42,6 +43,7 @@ struct Discretisation {
   ShapeTraits shape;
   Sharpening<dim> sharpening;
   Limiter<dim> limiter;
+  NodalPressure<dim> pressure;
   MaterialContext context;
   int threads;
 
@@ -53,6 +55,8 @@ struct Discretisation {
         shape(loops->shape()),
         sharpening(grid, shape.blur, amounts_of(scene)),
         limiter(grid),
+        pressure(grid,
+                 scene.nodal_pressure && !Geometry::axisymmetric ? loops->inverse_volumes() : std::vector<double>()),
         context{dim,
                 grid.h(),
                 scene.density == DensityMethod::continuity,
@@ -139,6 +143,25 @@ struct Discretisation {
     sharpening.apply(field, velocity, straining, threads);
     walls.extend(field, straining);
     return straining;
+  }
+
+  // Whether the stress of a body acts at the nodes. [Pressure 3]
+  bool acts_at_nodes(const Body& body) const {
+    return !pressure.none() && body.material->measure() == StressMeasure::pressure;
+  }
+  // What of a straining velocity strains a body.
+  typename Loops::Straining straining(const Body& body, Field& field, const std::vector<Vec>& velocity) const {
+    if (!acts_at_nodes(body)) return {.velocity = &velocity};
+    find_flow(field, velocity);
+    std::vector<double>& divergence = field.held(field.gas.divergence);
+    field.for_touched(
+        grid, [&](std::size_t i) { divergence[i] = field.gas.stretch[i].sum(); }, threads);
+    return {.divergence = &divergence};
+  }
+  // By a nodal velocity, beyond walls too. [Pressure 2]
+  void find_flow(Field& field, const std::vector<Vec>& velocity) const {
+    pressure.find_flow(field, velocity, threads);
+    walls.extend_flow(field, field.gas.faces, field.gas.stretch);
   }
 
   // Q u - u of a nodal velocity u; nothing where a gas shares the node with a membrane, through which it must not move.

@@ -18,9 +18,9 @@ auto Motion<G>::finish_body(Bodies& at, std::size_t b, const Record& step, doubl
   Body& body = at.bodies[b];
   Field& field = at.field(b);
   Weights<dim>& places = at.weights[b];
-  typename Space::Loops::Motion motion{
-      .dt = dt, .drift = drift, .beyond = beyond(field, field.end), .exchange = exchanges_heat(body, field)};
-  if (step.rates_of != NodalVelocity::midpoint) motion.straining = &space_.straining_velocity(field, field.midpoint);
+  typename Space::Loops::Motion motion{.dt = dt, .drift = drift, .exchange = exchanges_heat(body, field)};
+  if (step.rates_of != NodalVelocity::midpoint) motion.straining = straining(body, field);
+  carry_sharpened(motion, body, field, field.end);
   if (body.material->takes_heat()) loss_to_gas_.take(body, places, field);
   // Whether its points look where others stand: then all move before any does.
   const bool together = body.chain || body.material->measure() == StressMeasure::point_force || dilatation_.of(body);

@@ -28,9 +28,10 @@ class Forces {
       clear(field, field.force);
       if (!field.body_force.empty()) clear(field, field.body_force);
     }
-    for (std::size_t b = 0; b < at.bodies.size() && shares_ != Shares::none; ++b) {
-      if (!at.bodies[b].material->takes_heat()) continue;
+    for (std::size_t b = 0; b < at.bodies.size(); ++b) {
       Field& field = at.field(b);
+      if (space_.acts_at_nodes(at.bodies[b])) clear(field, field.held(field.gas.pressure));
+      if (shares_ == Shares::none || !at.bodies[b].material->takes_heat()) continue;
       clear(field, field.held(field.gas.heat));
       clear(field, field.held(field.gas.exchange));
       if (shares_ == Shares::heat_and_sound) clear(field, field.held(field.gas.kept));

@@ -130,6 +130,10 @@ void refuse_what_cannot_work(const Scene& scene, const Discretisation<Geometry>&
                                 scene.transfer + ": the affine inertia of points would change as they are moved");
   }
   if (space.shape.at_start) refuse_weights_of_start<Geometry>(scene);
+  if (!space.pressure.none() && !shape_named(scene.shape).flows) {
+    throw std::invalid_argument("pressures of gases cannot act at the nodes with the shape " + scene.shape +
+                                ": the integrals of its kernels, by which points would move, are not known");
+  }
   for (const Body& body : scene.bodies) {
     refuse_other_geometry<Geometry>(body);
     if (body.enclosure && Geometry::dim != 2) {

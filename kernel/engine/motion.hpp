@@ -23,6 +23,7 @@ class Motion {
   using Record = StepRecord<dim, Geometry::rotations>;
   using Bodies = Layout<dim>;
   using Field = typename Space::Field;
+  using Straining = typename Space::Loops::Straining;
 
   // keep_loss: of the integrator, see EngineOptions.
   Motion(const Space& space, const Scene& scene, bool keep_loss, Ledger& ledger)
@@ -56,13 +57,12 @@ class Motion {
       Field& field = at.field(b);
       at.weights[b].keep(body.points);
       const auto& carries = carrying == NodalVelocity::end ? field.end : at.velocity(field, step.resolved(carrying));
-      const typename Space::Loops::Motion motion{
-          .dt = dt,
-          .drift = drift,
-          .straining = strained ? nullptr : &space_.straining_velocity(field, field.midpoint),
-          .carrying = carrying == NodalVelocity::end ? nullptr : &carries,
-          .beyond = beyond(field, carries),
-          .exchange = exchanges_heat(body, field)};
+      typename Space::Loops::Motion motion{.dt = dt,
+                                           .drift = drift,
+                                           .straining = strained ? Straining{} : straining(body, field),
+                                           .carrying = carrying == NodalVelocity::end ? nullptr : &carries,
+                                           .exchange = exchanges_heat(body, field)};
+      carry_sharpened(motion, body, field, carries);
       const Sums own = space_.template sum_over_chunks<Sums>(at.weights[b], [&](const Chunk& chunk) {
         Sums sums;
         sums.motion = space_.loops->gather_motion(body, at.weights[b], chunk, field, motion);
@@ -168,10 +168,21 @@ class Motion {
       });
     }
   }
-  // What sharpening adds to the nodal velocity that points move with until forces are mapped again; null: nothing.
-  // [Sharpening 2]
-  const std::vector<typename Space::Vec>* beyond(Field& field, const std::vector<typename Space::Vec>& carries) const {
-    return space_.sharpening.none() || !sharpened_motion_ ? nullptr : &space_.added_by_sharpening(field, carries);
+  // By the midpoint velocity.
+  Straining straining(const Body& body, Field& field) const {
+    return space_.straining(body, field, space_.straining_velocity(field, field.midpoint));
+  }
+  // What moves points beside the nodal velocity that carries them, until forces are mapped again: of gases whose pressures act at
+  // the nodes the flow that strains them [Pressure 4], of others what sharpening adds [Sharpening 2]. The last to be found.
+  void carry_sharpened(typename Space::Loops::Motion& motion, const Body& body, Field& field,
+                       const std::vector<typename Space::Vec>& carries) const {
+    if (space_.acts_at_nodes(body)) {
+      space_.find_flow(field, space_.straining_velocity(field, carries));
+      motion.stretch = &field.gas.stretch;
+      motion.faces = &field.gas.faces;
+    } else if (!space_.sharpening.none() && sharpened_motion_) {
+      motion.beyond = &space_.added_by_sharpening(field, carries);
+    }
   }
   // Heat is exchanged as points move or are kicked, once forces were mapped, by integrators that give heat back. [Exchange 1]
   bool exchanges_heat(const Body& body, const Field& field) const {

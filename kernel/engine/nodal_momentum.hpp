@@ -86,9 +86,11 @@ class NodalMomentum {
     record.turn = dt * forces.turn;
     for (Field& field : fields) {
       add_body_force(field, dt, record);
-      const WallAction<dim> action = space_.walls.fold(field, field.force);
-      record.wall.linear += dt * action.linear;
-      record.wall.angular += dt * action.angular;
+      if (!field.gas.pressure.empty()) {
+        space_.walls.fold_even(field, field.gas.pressure);
+        record_walls(space_.pressure.add_forces(field, space_.threads), dt, record);
+      }
+      record_walls(space_.walls.fold(field, field.force), dt, record);
       advance_alone(field, dt, record);
     }
     if (contact_) touch(fields, dt, decide, record.contact);
@@ -115,6 +117,11 @@ class NodalMomentum {
   template <class Visit>
   void for_touched(Field& field, Visit&& visit) const {
     field.for_touched(space_.grid, visit, space_.threads);
+  }
+
+  static void record_walls(const WallAction<dim>& action, double dt, AdvanceRecord<dim>& record) {
+    record.wall.linear += dt * action.linear;
+    record.wall.angular += dt * action.angular;
   }
 
   // What pistons do to nodal velocities, of dt from now; returns their work, J.

@@ -82,7 +82,8 @@ class PointLoops {
   // M_i v_i alone.
   virtual void map_momentum(const Body& body, const Weights<dim>& at, const Chunk& chunk, Field& field) const = 0;
   // -sum_p V_p sigma_p grad N_ip [York 3.17] [EC-APIC 4]; returns what hoop stress adds to the radial momentum, N.
-  // Also what `shares` says.
+  // Also what `shares` says. Where the field has nodal pressures, stresses that are pressures add to those, sum_p V_p p_p N_ip,
+  // and not to the forces [Pressure 1].
   virtual double map_forces(const Body& body, const Weights<dim>& at, const Chunk& chunk, Shares shares,
                             Field& field) const = 0;
   // nodes_i += sum_p N_ip q_p of values q, weighted with the points' masses or not; nodes are `stride` numbers apart.
@@ -104,10 +105,16 @@ class PointLoops {
   };
   virtual void gather(const Columns& points, const Weights<dim>& at, const Chunk& chunk,
                       std::span<const Gather> all) const = 0;
+  // The nodal array that strains points; both null: none.
+  struct Straining {
+    const std::vector<Vec>* velocity = nullptr;       // by its gradients [York 3.23]
+    const std::vector<double>* divergence = nullptr;  // their one rate is sum_i N_ip D_i [Pressure 3]
+    explicit operator bool() const { return velocity || divergence; }
+  };
   // Nodal arrays that gather_start reads; null: that part is not wanted.
   struct Wanted {
-    const std::vector<Vec>* loss = nullptr;        // nodal velocity of the map
-    const std::vector<Vec>* rates = nullptr;       // nodal velocity that strains
+    const std::vector<Vec>* loss = nullptr;  // nodal velocity of the map
+    Straining rates = {};
     const std::vector<double>* closing = nullptr;  // with it: how fast it closes; null: nobody asks
     const std::vector<double>* density = nullptr;
     bool specific = false;  // `density` holds specific volumes
@@ -117,16 +124,18 @@ class PointLoops {
   //   loss     sum_p m_p A_p with A_p = sum_i N_ip |v_p + C_p (x_i - x_p) - v_i|^2 / 2, returned, as the sum of three terms
   //            that are never negative: what v_p and C_p differ by from the grid's, and what of the grid's velocity is
   //            not affine [EC-APIC 1]
-  //   rates    strain rates of a nodal velocity [York 3.23], and the column closing, min(max(0, -div v), sum_i N_ip K_i)
+  //   rates    strain rates, and the column closing, min(max(0, -div v), sum_i N_ip K_i)
   //   density  V_p = m_p / rho_p, rho_p = sum_i N_ip rho_i [EC-APIC 2]; specific: V_p = m_p sum_i N_ip v_i [Coupling 4]
   virtual double gather_start(Body& body, const Weights<dim>& at, const Chunk& chunk, const Wanted& wanted) const = 0;
   // How gather_motion moves points.
   struct Motion {
     double dt;
     std::optional<double> drift;  // how long they then move with the velocity they got; none: over dt with the grid's
-    const std::vector<Vec>* straining = nullptr;  // also the strain rates of this nodal velocity
-    const std::vector<Vec>* carrying = nullptr;   // nodal velocity that carries them; null: the end's
-    const std::vector<Vec>* beyond = nullptr;     // nodal velocity that carries them too, over dt [Sharpening 2]
+    Straining straining = {};     // also the strain rates by this
+    const std::vector<Vec>* carrying = nullptr;  // nodal velocity that carries them; null: the end's
+    const std::vector<Vec>* beyond = nullptr;    // nodal velocity that carries them too, over dt [Sharpening 2]
+    // How fast cells stretch, and the velocities of the faces above the nodes: what carries them instead [Pressure 4]
+    const std::vector<Vec>*stretch = nullptr, *faces = nullptr;
     // Also e_p += sum_i N_ip alpha_i (E_i - e_p), which conserves sum_p m_p e_p node by node, and leaves no energy
     // negative: each becomes a mean of what points have. [Exchange 1]
     bool exchange = false;

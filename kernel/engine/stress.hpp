@@ -42,8 +42,9 @@ class Stress {
       typename Space::Loops::Wanted wanted;
       if (!step.map_loss) wanted.loss = &field.start;
       if (velocity != step.rates_of) {
-        wanted.rates = &space_.straining_velocity(field, at.velocity(field, velocity));
-        wanted.closing = space_.closing(body, field, *wanted.rates);
+        const auto& straining = space_.straining_velocity(field, at.velocity(field, velocity));
+        wanted.rates = space_.straining(body, field, straining);
+        wanted.closing = space_.closing(body, field, straining);
       }
       if (!source.elsewhere) wanted.density = source.nodes;
       wanted.specific = source.specific;
@@ -52,7 +53,7 @@ class Stress {
           space_.loops->gather_start(body, places, chunk, {.rates = wanted.rates});
         });
         dilatation_.average_rates(body, places);
-        wanted.rates = nullptr;
+        wanted.rates = {};
       }
       dilatation_.average_dilatation(body, places);
       if (of_places) {

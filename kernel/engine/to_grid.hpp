@@ -39,6 +39,9 @@ class ToGrid {
     }
     step.grid_mass = 0;
     for (Field& field : at.fields) step.grid_mass += momentum.start(field, step);
+    for (std::size_t b = 0; b < at.bodies.size(); ++b) {
+      if (space_.acts_at_nodes(at.bodies[b])) space_.pressure.find_interpolation(at.field(b), space_.threads);
+    }
     step.map_loss.reset();
     if (space_.transfer.keep == 1) step.map_loss = 0;
     step.newest = NodalVelocity::start;

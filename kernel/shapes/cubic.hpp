@@ -41,6 +41,15 @@ struct Cubic {
     g[2] = 2.0 * b - 1.5 * b * b;
     g[3] = 0.5 * f * f;
   }
+  // The share of each node's kernel that lies above the point. [Pressure 4]
+  template <class Number>
+  static void above(const Number& f, Number (&c)[support]) {
+    const Number b = 1.0 - f;
+    c[0] = b * b * b * b / 24.0;
+    c[1] = 0.5 - f * (2.0 / 3.0 - f * f * (1.0 / 3.0 - f / 8.0));
+    c[2] = 0.5 + b * (2.0 / 3.0 - b * b * (1.0 / 3.0 - b / 8.0));
+    c[3] = 1.0 - f * f * f * f / 24.0;
+  }
   template <class Number>
   static Number inertia(const Number&) {
     return 1.0 / 3.0;

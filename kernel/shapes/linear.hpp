@@ -38,6 +38,12 @@ struct Linear {
     g[0] = -1.0;
     g[1] = 1.0;
   }
+  // The share of each node's kernel that lies above the point. [Pressure 4]
+  template <class Number>
+  static void above(const Number& f, Number (&c)[support]) {
+    c[0] = 0.5 * (1.0 - f) * (1.0 - f);
+    c[1] = 1.0 - 0.5 * f * f;
+  }
   // D / h^2 = sum_i N_i r_i^2 / h^2 with r_i = x_i - x_p.
   template <class Number>
   static Number inertia(const Number& f) {

@@ -36,6 +36,14 @@ struct Quadratic {
     g[1] = -2.0 * f;
     g[2] = f + 0.5;
   }
+  // The share of each node's kernel that lies above the point. [Pressure 4]
+  template <class Number>
+  static void above(const Number& f, Number (&c)[support]) {
+    const Number below = 0.5 - f, beyond = 0.5 + f;
+    c[0] = below * below * below / 6.0;
+    c[1] = 0.5 - f * (0.75 - f * f / 3.0);
+    c[2] = 1.0 - beyond * beyond * beyond / 6.0;
+  }
   template <class Number>
   static Number inertia(const Number&) {
     return 0.25;

@@ -27,6 +27,7 @@ struct ShapeEntry : Choice {
   bool boxes_deform = false;      // which follow the deformation
   bool domain_gradients = false;  // gradients are means over the points' domains, not derivatives of the values
   bool at_start = false;          // weights are those of the places where the points stood at the start: of solids
+  bool flows = false;             // the integrals of its kernels are known [Pressure 4]
   int lanes = 1;                  // how many values its loops read side by side
 };
 

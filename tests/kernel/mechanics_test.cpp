@@ -75,6 +75,9 @@ Scene with_images(const Scene& scene) {
   return whole;
 }
 
+// Whether pressures can act at the nodes.
+bool flows(const std::string& shape) { return shape_named(shape).flows; }
+
 class EveryCombination : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryCombination, StepsAsThePrintedEquationsSay) {
@@ -180,6 +183,24 @@ TEST_P(EveryCombination, FilteredStepsAsThePrintedEquationsSay) {
   }
 }
 
+// The same with pressures at the nodes, of uneven masses: nodes at free edges, and some inside, take less than their shares of
+// what presses on a face. [Pressure 1-4]
+TEST_P(EveryCombination, NodalPressuresStepAsThePrintedEquationsSay) {
+  for (const scenes::Combination& c : scenes::working_combinations()) {
+    if (c.integrator != GetParam() || !flows(c.shape)) continue;
+    SCOPED_TRACE(testing::Message() << c);
+    for (scenes::Space space : {scenes::Space::line, scenes::Space::plane, scenes::Space::solid}) {
+      SCOPED_TRACE(space);
+      Scene scene = scenes::rough_gas_in_space(space, c.shape, c.transfer, gravity_in(space), scenes::inviscid_law());
+      for (int p = 0; p < scene.bodies[0].points.points(); p += 3) scene.bodies[0].points(column::mass)[p] *= 20;
+      scene.nodal_pressure = scene.sharpened_motion = true;
+      scene.sharpening = 0.75;
+      if (c.transfer == "apic") scene.filter = {0.1, 0.2};
+      expect_like_naive(scene, c.integrator, 0.01);
+    }
+  }
+}
+
 // The axis of rings is a mirror: with the images of all rings at negative radii the printed equations need no wall.
 // [EC-APIC walls]
 TEST_P(EveryCombination, TheAxisIsAMirror) {
@@ -227,7 +248,7 @@ struct Cut {
   double share;
 };
 
-Cut cut_scene(scenes::Space space) {
+Cut cut_scene(scenes::Space space, double viscosity) {
   const double h = 0.125;
   const int dim = scenes::dim_of(space), first = space == scenes::Space::axisymmetric ? 1 : 0;
   // In space two cells are filled: every shape of a point in them reaches nodes beyond a wall, and those of the free side.
@@ -261,7 +282,7 @@ Cut cut_scene(scenes::Space space) {
     }
   }
   IdealGas gas = scenes::rough_law();
-  gas.viscosity = 0.005;
+  gas.viscosity = viscosity;
   const double volume = scenes::lattice_volume(part, 2);
   const auto scene = [&](const GridSpec& grid, const auto& where, const auto& what) {
     std::size_t k = 0;
@@ -274,33 +295,69 @@ Cut cut_scene(scenes::Space space) {
 class EverySpace : public testing::TestWithParam<scenes::Space> {};
 INSTANTIATE_TEST_SUITE_P(Spaces, EverySpace, testing::ValuesIn(scenes::spaces), testing::PrintToStringParamName());
 
+// Four steps of both, with the choices that the parts have.
+void expect_mirrored(const Cut& cut, const std::string& integrator) {
+  Simulation one(cut.part, integrator, {0.3, 0.01}), other(cut.whole, integrator, {0.3, 0.01});
+  for (int step = 0; step < 4; ++step) {
+    one.step(1);
+    other.step(1);
+  }
+  one.refresh_density();
+  other.refresh_density();
+  for (const ColumnId* id :
+       {&column::position, &column::velocity, &column::energy, &column::density, &column::stress}) {
+    for (int d = 0; d < one.scene().bodies[0].points.components(*id); ++d) {
+      const auto a = scenes::by_id(one.scene().bodies[0], *id, d), b = scenes::by_id(other.scene().bodies[0], *id, d);
+      for (std::size_t p = 0; p < a.size(); ++p) ASSERT_NEAR(a[p], b[p], 1e-12) << id->name() << d << ' ' << p;
+    }
+  }
+  // Four steps' stores of the part are its share of the whole's.
+  const Account &part = one.ledger().energy, &whole = other.ledger().energy;
+  EXPECT_NEAR(part.store(), cut.share * whole.store(), 1e-13);
+  EXPECT_NEAR(part.flow(Flow::transfer), cut.share * whole.flow(Flow::transfer), 1e-13);
+}
+
 TEST_P(EverySpace, ASymmetryWallIsAMirror) {
-  Cut cut = cut_scene(GetParam());
+  Cut cut = cut_scene(GetParam(), 0.005);
   for (const scenes::Combination& c : scenes::working_combinations()) {
     SCOPED_TRACE(c);
     for (DensityMethod density : {DensityMethod::cell, DensityMethod::quadratic, DensityMethod::grid}) {
       cut.part.shape = cut.whole.shape = c.shape;
       cut.part.transfer = cut.whole.transfer = c.transfer;
       cut.part.density = cut.whole.density = density;
-      Simulation one(cut.part, c.integrator, {0.3, 0.01}), other(cut.whole, c.integrator, {0.3, 0.01});
-      for (int step = 0; step < 4; ++step) {
-        one.step(1);
-        other.step(1);
-      }
-      one.refresh_density();
-      other.refresh_density();
-      for (const ColumnId* id :
-           {&column::position, &column::velocity, &column::energy, &column::density, &column::stress}) {
-        for (int d = 0; d < one.scene().bodies[0].points.components(*id); ++d) {
-          const auto a = scenes::by_id(one.scene().bodies[0], *id, d),
-                     b = scenes::by_id(other.scene().bodies[0], *id, d);
-          for (std::size_t p = 0; p < a.size(); ++p) ASSERT_NEAR(a[p], b[p], 1e-12) << id->name() << d << ' ' << p;
-        }
-      }
-      // Four steps' stores of the part are its share of the whole's.
-      const Account &part = one.ledger().energy, &whole = other.ledger().energy;
-      EXPECT_NEAR(part.store(), cut.share * whole.store(), 1e-13);
-      EXPECT_NEAR(part.flow(Flow::transfer), cut.share * whole.flow(Flow::transfer), 1e-13);
+      expect_mirrored(cut, c.integrator);
+    }
+  }
+}
+
+// [Pressure 2-4]
+TEST_P(EverySpace, ASymmetryWallIsAMirrorOfNodalPressures) {
+  Cut cut = cut_scene(GetParam(), 0);
+  for (const scenes::Combination& c : scenes::working_combinations()) {
+    if (!flows(c.shape)) continue;
+    SCOPED_TRACE(c);
+    for (Scene* scene : {&cut.part, &cut.whole}) {
+      scene->shape = c.shape;
+      scene->transfer = c.transfer;
+      scene->nodal_pressure = scene->sharpened_motion = true;
+      scene->sharpening = 0.5;
+    }
+    expect_mirrored(cut, c.integrator);
+  }
+}
+
+// What walls of either kind give is booked, and energy closes. [Pressure 2, 3]
+TEST_P(EverySpace, LedgersOfNodalPressuresClose) {
+  for (const char* shape : {"quadratic", "cubic"}) {
+    for (const char* integrator : {"leapfrog", "energy", "midpoint"}) {
+      SCOPED_TRACE(testing::Message() << shape << ", " << integrator);
+      Scene scene = scenes::rough_gas(GetParam(), shape, "apic", scenes::rough_gravity, scenes::inviscid_law());
+      scene.nodal_pressure = scene.sharpened_motion = true;
+      scene.sharpening = 1;
+      scene.filter = {1, 2};
+      Simulation run(scene, integrator, {0.3, 0.005});
+      for (int step = 0; step < 5; ++step) run.step(1);
+      scenes::expect_ledger_closes(run.ledger(), 1e-13);
     }
   }
 }
@@ -424,6 +481,14 @@ TEST(Mechanics, StepLimit) {
     EXPECT_NEAR(limit_with(0.9, true), 0.0625 * 2 / (2 * dim * 4.0 / 3 * 0.9), 1e-15);
     EXPECT_NEAR(limit_with(1e-3, false), 0.25 / (std::sqrt(1.68) + 0.7), 1e-15);
   }
+}
+
+TEST(Mechanics, RefusesPressuresAtTheNodesOfShapesWhoseIntegralsAreNotKnown) {
+  Ledger ledger;
+  Scene scene = scenes::rough_gas(2, "gimp", "flip");
+  EXPECT_NO_THROW(make_engine(scene, ledger, {}));
+  scene.nodal_pressure = true;
+  EXPECT_THROW(make_engine(scene, ledger, {}), std::invalid_argument);
 }
 
 TEST(Mechanics, RefusesWhatItDoesNotHave) {

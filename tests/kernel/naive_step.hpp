@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -351,10 +352,12 @@ class NaiveStep {
   void forces() {
     for (NaiveNode& node : nodes_) node.force = node.m * gravity_;  // [York 3.18]
     for_pairs([&](NaivePoint& p, NaiveNode& i, double n, const Vec& g) {
-      i.force += n * p.pull;                                                    // [Segments 2]
+      i.force += n * p.pull;  // [Segments 2]
+      if (at_nodes()) return;
       i.force -= p.volume * p.stress * g;                                       // [York 3.17]
       if (rings()) i.force[0] -= p.volume * p.stress(2, 2) * n / frozen(p)[0];  // hoop stress pulls inwards
     });
+    if (at_nodes()) press_nodes();
     forces_known_ = true;
   }
 
@@ -370,6 +373,92 @@ class NaiveStep {
     for (auto& velocity : straining_) velocity.clear();
   }
 
+  bool at_nodes() const { return gas_ && scene_.nodal_pressure && !rings() && gas_->viscosity == 0; }
+  double mass_of(std::optional<std::size_t> i) const { return i ? nodes_[*i].m : 0.0; }
+  // visit(j, b_fj) of the face above node i along d. [Pressure 2]
+  template <class Visit>
+  void for_face(std::size_t i, int d, Visit&& visit) const {
+    const double sixth[] = {1, -8, 37, 37, -8, 1};
+    std::vector<std::optional<std::size_t>> line;
+    double most = 0, taken = 0;
+    for (int k = -2; k <= 3; ++k) {
+      line.push_back(beside(i, d, k));
+      most = std::max(most, mass_of(line.back()));
+    }
+    const double below = mass_of(line[2]), above = mass_of(line[3]);
+    const bool edge = below == 0 || above == 0;
+    for (std::size_t k = 0; k < line.size(); ++k) {
+      const double b = edge ? 0 : sixth[k] / 60 * std::min(1.0, 8 * mass_of(line[k]) / most);
+      taken += b;
+      if (b != 0) visit(*line[k], b);
+    }
+    if (below > 0) visit(*line[2], (1 - taken) * below / (below + above));
+    if (above > 0) visit(*line[3], (1 - taken) * above / (below + above));
+  }
+  // u_f above node i along d. [Pressure 2]
+  double face_velocity(std::size_t i, int d, const std::vector<Vec>& u) const {
+    double sum = 0;
+    for_face(i, d, [&](std::size_t j, double b) { sum += b * u[j][d]; });
+    return sum;
+  }
+  // D_p. [Pressure 2]
+  double divergence(std::size_t p, Of which) const {
+    straining_velocity(which);
+    const std::vector<Vec>& faces = faces_[static_cast<std::size_t>(which)];
+    double sum = 0;
+    for_nodes_of(p, [&](const NaiveNode& node, double n, const Vec&) {
+      const auto i = static_cast<std::size_t>(&node - nodes_.data());
+      for (int d = 0; d < dim_; ++d) sum += n * (faces[i][d] - faces[*beside(i, d, -1)][d]) / h_;
+    });
+    return sum;
+  }
+  // [Pressure 1, 3]
+  void press_nodes() {
+    std::vector<double> pressure(nodes_.size(), 0.0);
+    for_pairs([&](NaivePoint& p, NaiveNode& i, double n, const Vec&) {
+      pressure[static_cast<std::size_t>(&i - nodes_.data())] -= p.volume * p.stress(0, 0) * n / i.volume;
+    });
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      for (int d = 0; d < dim_; ++d) {
+        const auto above = beside(i, d, 1);
+        if (!above) continue;
+        const double rise = pressure[*above] - pressure[i];
+        for_face(i, d, [&](std::size_t j, double b) { nodes_[j].force[d] -= nodes_[j].volume / h_ * b * rise; });
+      }
+    }
+  }
+  // B: the mean of the shape over a cell, by Simpson's rule on quarters of a cell, exact for these cubic pieces. [Pressure 4]
+  double wider_spline(double u) const {
+    double sum = 0;
+    const double start = u - 0.5, until = u + 0.5;
+    std::vector<double> breaks{start, until};
+    for (int k = -8; k <= 8; ++k) {
+      if (k / 4.0 > start && k / 4.0 < until) breaks.push_back(k / 4.0);
+    }
+    std::sort(breaks.begin(), breaks.end());
+    for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+      const double a = breaks[k], b = breaks[k + 1];
+      sum += (b - a) / 6 * (spline(a, 0) + 4 * spline((a + b) / 2, 0) + spline(b, 0));
+    }
+    return sum;
+  }
+  // w where a point stood. [Pressure 4]
+  Vec flow_at(std::size_t p, Of which) const {
+    Vec w = Vec::Zero();
+    straining_velocity(which);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      for (int d = 0; d < dim_; ++d) {
+        Vec face = nodes_[i].x;
+        face[d] += h_ / 2;
+        if ((at_[p] - face).cwiseAbs().maxCoeff() >= 2.6 * h_) continue;
+        double b = wider_spline((at_[p][d] - face[d]) / h_);
+        for (int e = 0; e < dim_; ++e) b *= e == d ? 1 : spline((at_[p][e] - face[e]) / h_, 0);
+        w[d] += b * faces_[static_cast<std::size_t>(which)][i][d];
+      }
+    }
+    return w;
+  }
+
   // Half the variance of the shape.
   double theta() const {
     return (boxes()                       ? 1.0 / 6 + 0.25 * 0.25 / 3
@@ -379,12 +468,13 @@ class NaiveStep {
                                           : 1.0 / 3) /
            2;
   }
-  // The node beside another along d, if there is one.
+  // The node so many steps from another along d, if there is one.
   std::optional<std::size_t> beside(std::size_t i, int d, int side) const {
     int stride = 1;
     for (int e = 0; e < d; ++e) stride *= scene_.grid.cells[static_cast<std::size_t>(e)] + 5;  // see make_nodes()
     const auto j = static_cast<std::size_t>(static_cast<int>(i) + side * stride);
-    const bool there = j < nodes_.size() && std::abs((nodes_[j].x - nodes_[i].x).norm() - h_) < 0.1 * h_;
+    const double away = std::abs(side) * h_;
+    const bool there = j < nodes_.size() && std::abs((nodes_[j].x - nodes_[i].x).norm() - away) < 0.1 * h_;
     return there ? std::optional(j) : std::nullopt;
   }
   // Each node against its neighbours, one axis after another, up to the third power. [Sharpening 1]
@@ -535,11 +625,13 @@ class NaiveStep {
       });
       if (filters) v = of_filter;
       if (along) point.x += dt * carried;  // [York 3.21] [Midpoint 4]
-      if (scene_.sharpening > 0 && scene_.sharpened_motion)
+      if (!at_nodes() && scene_.sharpening > 0 && scene_.sharpened_motion)
         point.x += dt * (velocity_at(p, with_middle ? Of::middle : Of::end) - carried);  // [Sharpening 2]
       const bool affine = scene_.transfer == "apic";
       const double keep = share_kept();
       point.v = keep * (own + change) + (1 - keep) * v;  // [York 3.22] [EC-APIC 5] [Blend 1]
+      if (at_nodes())
+        point.x += dt * (flow_at(p, with_middle ? Of::middle : Of::end) - (along ? carried : point.v));  // [Pressure 4]
       double kept = keep * change.squaredNorm() + (1 - keep) * v.squaredNorm();
       kept -= keep * (1 - keep) * (own + change - v).squaredNorm();
       if (affine) {
@@ -580,12 +672,21 @@ class NaiveStep {
                                                   : i.again);
       }
       straining = sharpened(straining);
+      std::vector<Vec>& faces = faces_[static_cast<std::size_t>(which)];
+      faces.assign(at_nodes() ? nodes_.size() : 0, Vec::Zero());
+      for (std::size_t i = 0; i < faces.size(); ++i) {
+        for (int d = 0; d < dim_; ++d) faces[i][d] = face_velocity(i, d, straining);
+      }
     }
     return straining;
   }
   Mat gradient_of_velocity(std::size_t p, Of which) const {
     Mat l = Mat::Zero();
     const std::vector<Vec>& straining = straining_velocity(which);
+    if (at_nodes()) {
+      l(0, 0) = divergence(p, which);  // of which stress and viscosity see the trace alone
+      return l;
+    }
     for_nodes_of(p, [&](const NaiveNode& i, double n, const Vec& g) {
       const Vec& v = straining[static_cast<std::size_t>(&i - nodes_.data())];
       l += v * g.transpose();
@@ -891,6 +992,7 @@ class NaiveStep {
   std::vector<std::size_t> first_pair_;
   std::vector<Vec> at_, tangent_of_;
   mutable std::array<std::vector<Vec>, 4> straining_;  // nodal velocities whose gradients strain, by Of
+  mutable std::array<std::vector<Vec>, 4> faces_;      // of these, u_f above the nodes [Pressure 2]
   bool forces_known_ = false, drifted_ = false;
   double stored_first_ = 0;
 };

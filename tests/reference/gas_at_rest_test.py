@@ -7,7 +7,7 @@ The equations are those of reports/docs/theory/step.md and gases.md, linear abou
     f_i = (gamma - 1) sum_p m (e_p grad N_ip + e (u_p . grad) grad N_ip)          pressures at the points, as the kernel has them
     f_i = -h^2 grad_h p_i,  p_i = (gamma - 1) sum_p m (e_p N_ip + e u_p . grad N_ip)/h^2     pressures at the nodes
 
-with grad_h the central difference of fourth order. The work of the second on a wave whose grad_h . v vanishes is none.
+with grad_h the difference of nodes through faces [Pressure 2-4]. The work of the second on a wave whose grad_h . v vanishes is none.
 """
 
 import itertools
@@ -55,6 +55,28 @@ def symbols(along, theta):
     return found
 
 
+def wide_spline(u):
+    """The quartic B-spline: its slope is the difference of two cubic ones."""
+    z = np.abs(u)
+    middle = (55 + 20 * z - 120 * z**2 + 80 * z**3 - 16 * z**4) / 96
+    return np.where(
+        z < 0.5, 115 / 192 - 5 / 8 * z**2 + z**4 / 4, np.where(z < 1.5, middle, np.where(z < 2.5, (5 - 2 * z) ** 4 / 384, 0))
+    )
+
+
+def flows(along, theta):
+    """Of each point of a cell and each axis, the sum over the faces across it: splines with exp(i theta face)."""
+    places = (np.arange(along) + 0.5) / along
+    found = []
+    for point in itertools.product(places, places):
+        sums = np.zeros(2, complex)
+        for a, b in itertools.product(np.arange(-2.5, 4), range(-1, 3)):
+            sums[0] += wide_spline(point[0] - a) * spline(point[1] - b)[0] * np.exp(1j * np.dot(theta, (a, b)))
+            sums[1] += wide_spline(point[1] - a) * spline(point[0] - b)[0] * np.exp(1j * np.dot(theta, (b, a)))
+        found.append(sums)
+    return found
+
+
 def step_matrix(theta, dt, along=2, at_nodes=False, sharpened=True):
     """What one step makes of all unknowns of a cell, in a wave of the wave number theta."""
     points = symbols(along, theta)
@@ -65,7 +87,9 @@ def step_matrix(theta, dt, along=2, at_nodes=False, sharpened=True):
         return state[p * unknowns : (p + 1) * unknowns][part]
 
     sharpening = 1 + sharpened * blur * np.sum(2 - 2 * np.cos(theta))
-    difference = 1j * (8 * np.sin(theta) - np.sin(2 * np.asarray(theta))) / 6  # of fourth order
+    theta = np.asarray(theta)
+    to_faces = sum(b * np.cos((k + 0.5) * theta) for k, b in enumerate((37, -8, 1))) / 30  # of sixth order
+    difference = 2j * np.sin(theta / 2) * to_faces
 
     def mapped(state):
         """The nodal velocity: sum_p m N (v + C (x_i - x_p)), of mass 1."""
@@ -105,7 +129,11 @@ def step_matrix(theta, dt, along=2, at_nodes=False, sharpened=True):
         taken = end - kept * start
         own(state, p, V)[:] = n * taken + kept * own(state, p, V)
         own(state, p, C)[:] = np.einsum("ak,b->abk", taken, arm / inertia).reshape(4, -1) + kept * own(state, p, C)
-        own(state, p, U)[:] += dt * n * (sharpening - 1) * end  # [Sharpening 2]
+        if at_nodes:  # points move with the flow that strains them alone [Pressure 4]
+            flow = flows(along, theta)[p] * to_faces
+            own(state, p, U)[:] += dt * (sharpening * flow[:, None] * end - own(state, p, V))
+        else:
+            own(state, p, U)[:] += dt * n * (sharpening - 1) * end  # [Sharpening 2]
     drift(dt / 2)
     return strained(state, (start + end) / 2, dt)
 

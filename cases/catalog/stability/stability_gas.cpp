@@ -148,13 +148,17 @@ Findings viscosities() {
   return findings;
 }
 
-Settings in_plane(const std::string& scheme, double per_cell) {
-  return stability_settings(gas(), scheme, {{"dim", 2.0}, {"ppc", per_cell}, {"side", "opening"}});
+Settings in_plane(const std::string& scheme, double per_cell, const std::string& pressure_at = "points") {
+  return stability_settings(gas(), scheme,
+                            {{"dim", 2.0}, {"ppc", per_cell}, {"side", "opening"}, {"pressure_at", pressure_at}});
 }
 
+// Pressures at the nodes reach further: a point those that share a node with it, and on each way of its change to a force three
+// nodes beside the faces of a cell.
 Amplification amplification(const Settings& settings, double dt) {
+  const int reach = settings.text("pressure_at") == "nodes" ? 12 : 5;
   const Experiment experiment = experiment_of(gas(), settings);
-  return Amplification(experiment.patch({1, 5}), experiment.integrator, experiment.positions, dt);
+  return Amplification(experiment.patch({1, reach}), experiment.integrator, experiment.positions, dt);
 }
 
 // Growth in the plane in a step, of the wave that grows most.
@@ -169,6 +173,17 @@ Findings plane() {
     findings.measures.push_back(finding(scheme + ".rate", std::log1p(coarse) / 0.2, "c/h"));
     findings.measures.push_back(finding(scheme + ".ratio", coarse / fine));
   }
+  return findings;
+}
+
+// The same of pressures at the nodes, of a short and a long step, and of points in greater number.
+Findings nodes_in_plane() {
+  const auto growth = [](double per_cell, double dt) {
+    return std::log1p(worst_wave(amplification(in_plane("default", per_cell, "nodes"), dt), 2).radius - 1) / dt;
+  };
+  Findings findings;
+  findings.measures = {finding("short", growth(4, 0.2), "c/h"), finding("long", growth(4, 0.8), "c/h"),
+                       finding("of_nine", growth(9, 0.2), "c/h")};
   return findings;
 }
 
@@ -273,6 +288,8 @@ std::vector<Trial> trials() {
       {"spectrum", "All modes of waves in the plane", "Along an axis and the diagonal, 2 x 2 points a cell, 0.2 h/c.",
        whole_spectrum},
       {"plane", "Growth in the plane, at steps of 0.1 and 0.2 h/c", "All wave numbers, 2 x 2 points a cell.", plane},
+      {"plane-nodes", "Growth in the plane with pressures at the nodes",
+       "2 x 2 points a cell at 0.2 and 0.8 h/c, 3 x 3 at 0.2.", nodes_in_plane, Tier::full},
       {"plane-points", "Growth in the plane with more points", "4 x 4 points a cell over 2 x 2, at steps of 0.2 h/c.",
        points_in_plane, Tier::full}};
 }
@@ -343,6 +360,9 @@ std::vector<CaseGate> gates() {
           "plane/default-ratio", value_of("default.ratio"), between(1.9, 2.2),
           theory("damped at a rate, driven by a force: growth per time does not depend on the step, growth per step is "
                  "in proportion")),
+      gate("plane-nodes/short", value_of("short"), at_most(1e-5), at_rest).in(Tier::full),
+      gate("plane-nodes/long", value_of("long"), at_most(1e-5), at_rest).in(Tier::full),
+      gate("plane-nodes/of-nine", value_of("of_nine"), at_most(1e-5), at_rest).in(Tier::full),
       gate("plane-points/default", value_of("default.of_sixteen"), at_most(0.5),
            theory("what the sums miss of the integrals falls with the square of the points' distance, to a quarter; as "
                   "much "

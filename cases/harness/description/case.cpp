@@ -120,6 +120,14 @@ void settle_membranes(Settings& s, const std::string& owner) {
   }
 }
 
+void refuse_pressure_at_nodes(const Settings& settings) {
+  const std::string& shape = settings.text("shape");
+  if (!settings.has("pressure_at") || settings.text("pressure_at") != "nodes" || shape_named(shape).flows) return;
+  throw UsageError("pressure_at", "nodes", "points with shape=" + shape, {},
+                   "pressure_at=nodes cannot work with shape=" + shape +
+                       ": the integrals of its kernels, by which points would move, are not known");
+}
+
 // cfl=auto becomes the number that it stands for; a fixed step has no use for it.
 void settle_step(const Case& entry, Settings& settings) {
   if (!std::holds_alternative<std::string>(settings["cfl"])) return;
@@ -167,6 +175,7 @@ Settings Case::settings(const std::string& scheme, const std::vector<Override>& 
                        "split > 0 cannot work with shape=" + shape + ", transfer=" + transfer + ": " + why);
     }
   }
+  refuse_pressure_at_nodes(settings);
   settle_step(*this, settings);
   return settings;
 }

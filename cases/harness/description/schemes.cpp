@@ -116,6 +116,10 @@ std::vector<Key> described_keys() {
       choice("read_off", {"mapped", "sharpened"},
              "the nodal densities that points read off: as mapped, or with the maps' smoothing undone where that is "
              "monotone"),
+      choice("pressure_at", {"points", "nodes"},
+             "where pressures of gases act: at points, by gradients of their shape functions, or at nodes, by "
+             "differences; "
+             "in rings and with physical viscosity at points"),
       number("filter.sound",
              "k_f: maps take what nodes do not carry at k_f times the speed of sound over the cell size"),
       number("filter.compression",
@@ -192,6 +196,7 @@ const std::vector<Row>& schemes_table() {
       {"sharpening.third",    {0.0, 0.0},               {},                      {},                            {0.0, 0.0}},
       {"motion",              {"sharpened", "own"},     {},                      {},                            {"sharpened", "own"}},
       {"read_off",            {"sharpened", "mapped"},  {},                      {},                            {"sharpened", "mapped"}},
+      {"pressure_at",         {"points", "points"},     {},                      {},                            {}},
       {"filter.sound",        {2.0, 0.0},               {},                      {},                            {2.0, 0.0}},
       {"filter.compression",  {4.0, 0.0},               {},                      {},                            {4.0, 0.0}},
       {"heat_exchange",       {4.0, 0.0},               {},                      {},                            {4.0, 0.0}},
@@ -274,6 +279,7 @@ void apply_choices(const Settings& settings, Scene& scene) {
     scene.sharpened_density = settings.text("read_off") == "sharpened";
     scene.filter = {settings.number("filter.sound"), settings.number("filter.compression")};
     scene.heat_exchange = settings.number("heat_exchange");
+    scene.nodal_pressure = !coupled && settings.text("pressure_at") == "nodes";
   }
   if (settings.has("dilatation")) scene.mean_dilatation = settings.text("dilatation") == "cell";
   if (gas && settings.has("split")) scene.split = settings.number("split");

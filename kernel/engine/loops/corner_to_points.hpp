@@ -30,7 +30,7 @@ double CornerLoops<G>::gather_start(Body& body, const At& at, const Chunk& chunk
   const RateColumns rates(body);
   const double* radius = at.places(body.points, true).x[0];
   const double* start = wanted.loss ? wanted.loss->front().data() : nullptr;
-  const double* strained = wanted.rates ? wanted.rates->front().data() : nullptr;
+  const double* strained = wanted.rates ? wanted.rates.velocity->front().data() : nullptr;
   double* loss = body.points.has(column::transfer_loss) ? body.points(column::transfer_loss) : nullptr;
   double total = 0;
   for_points(
@@ -60,7 +60,7 @@ MotionSums CornerLoops<G>::gather_motion(Body& body, const At& at, const Chunk& 
   const EdgeColumns edges(points);
   const double* const x[] = {to.x[0], to.x[1]};
   const double* radius = at.places(points, true).x[0];
-  const double* straining = motion.straining ? motion.straining->front().data() : nullptr;
+  const double* straining = motion.straining ? motion.straining.velocity->front().data() : nullptr;
   const double* carrying = motion.carrying ? motion.carrying->front().data() : nullptr;
   const double* end = field.end.front().data();
   double* loss = points.has(column::transfer_loss) ? points(column::transfer_loss) : nullptr;

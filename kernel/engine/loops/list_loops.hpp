@@ -19,7 +19,8 @@ class ListLoops : public PointLoops<Geometry> {
   using Base = PointLoops<Geometry>;
   static constexpr int dim = Geometry::dim;
   using typename Base::Field, typename Base::Vec;
-  using typename Base::Gather, typename Base::Motion, typename Base::Spread, typename Base::Wanted;
+  using typename Base::Gather, typename Base::Motion, typename Base::Spread, typename Base::Straining,
+      typename Base::Wanted;
   using At = Weights<dim>;
 
   ListLoops(const GridSpec& grid, const Transfer& transfer, MakeListed<dim> make);
@@ -102,7 +103,7 @@ class ListLoops : public PointLoops<Geometry> {
   int lowest_node(Entries entries) const;
 
   void map_motion(const Body& body, const At& at, const Chunk& chunk, bool with_mass, Field& field) const;
-  void store_strain_rates(Body& body, const Reach& at, int p, const std::vector<Vec>& velocity) const;
+  void store_strain_rates(Body& body, const Reach& at, int p, const Straining& by) const;
   struct Taken;
   void filter(const Body& body, const Reach& at, int p, const Field& field, const Vec& base, Taken& taken) const;
   Taken take(const Body& body, const Reach& at, int p, const Field& field) const;

@@ -42,6 +42,7 @@ double ListLoops<G>::map_forces(const Body& body, const At& at, const Chunk& chu
   const Columns& points = body.points;
   const StressMeasure measure = body.material->measure();
   const bool exchange = shares != Shares::none;
+  const bool at_nodes = measure == StressMeasure::pressure && !field.gas.pressure.empty();
   const bool on_points = measure == StressMeasure::point_force, pressure = measure == StressMeasure::pressure,
              full = measure == StressMeasure::full;
   const int components = stress_components(measure, dim, G::axisymmetric), normals = pressure ? 1 : G::normals;
@@ -73,7 +74,10 @@ double ListLoops<G>::map_forces(const Body& body, const At& at, const Chunk& chu
     }
     for (const auto& [node, n, gradient] : reached.of(p)) {
       const auto i = static_cast<std::size_t>(node);
-      field.force[i] += n * force + flux * gradient;
+      if (at_nodes)
+        field.gas.pressure[i] += n * s[0];  // [Pressure 1]
+      else
+        field.force[i] += n * force + flux * gradient;
       if (!exchange) continue;
       field.gas.heat[i] += n * m * points(column::energy)[p];
       field.gas.exchange[i] += n * m * std::max(0.0, -divergence);  // [Exchange 1]

@@ -65,10 +65,15 @@ void ListLoops<G>::gather(const Columns& points, const At& at, const Chunk& chun
 }
 
 template <class G>
-void ListLoops<G>::store_strain_rates(Body& body, const Reach& at, int p, const std::vector<Vec>& velocity) const {
+void ListLoops<G>::store_strain_rates(Body& body, const Reach& at, int p, const Straining& by) const {
   Columns& points = body.points;
+  if (by.divergence) {
+    points(column::strain_rate)[p] = mean(at.of(p),
+                                          [&](std::size_t i) { return (*by.divergence)[i]; });  // [Pressure 3]
+    return;
+  }
   const StressMeasure measure = body.material->measure();
-  const Jet found = jet(at, p, Vec::Zero(), [&](std::size_t i) { return velocity[i]; });
+  const Jet found = jet(at, p, Vec::Zero(), [&](std::size_t i) { return (*by.velocity)[i]; });
   const double hoop_rate = G::axisymmetric ? found.value[0] / at.place(p)[0] : 0;
   const auto put = [&](int k, double value) { points(column::strain_rate, k)[p] = value; };
   if (measure == StressMeasure::point_force) {
@@ -93,7 +98,7 @@ double ListLoops<G>::gather_start(Body& body, const At& at, const Chunk& chunk, 
   double total = 0;
   for (int p = chunk.first; p < chunk.last; ++p) {
     const double m = points(column::mass)[p];
-    if (wanted.rates) store_strain_rates(body, reached, p, *wanted.rates);
+    if (wanted.rates) store_strain_rates(body, reached, p, wanted.rates);
     if (wanted.closing) {  // [Limiter 1]
       double divergence = 0;
       const bool pressure = body.material->measure() == StressMeasure::pressure;
@@ -227,7 +232,7 @@ MotionSums ListLoops<G>::gather_motion(Body& body, const At& at, const Chunk& ch
       before[d] = points(column::velocity, d)[p];
       if (at_start) away[d] = points(column::position, d)[p] - points(column::position_at_start, d)[p];
     }
-    if (motion.straining) store_strain_rates(body, reached, p, *motion.straining);
+    if (motion.straining) store_strain_rates(body, reached, p, motion.straining);
     if (motion.exchange) exchange_heat(body, reached, p, field);
     const Taken taken = take(body, reached, p, field);
     Vec carrying = taken.grid;

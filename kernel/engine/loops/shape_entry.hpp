@@ -30,6 +30,7 @@ ShapeEntry shape_entry(std::string name, std::string title, std::string source) 
     entry.inertia = Shape::inertia(0.0);
   }
   entry.boxes = Shape::boxes;
+  entry.flows = FlowingShape<Shape>;
   entry.lanes = lanes;
   return entry;
 }

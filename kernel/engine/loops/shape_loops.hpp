@@ -24,13 +24,20 @@ template <int dim, class Visit>
   if constexpr (dim > 2) visit(std::integral_constant<int, 2>());
 }
 
+// Whether the integrals of a shape's kernels are known, by which points move whose pressures act at the nodes. [Pressure 4]
+template <class Shape>
+concept FlowingShape = requires(double f, double (&c)[Shape::support]) {
+  Shape::above(f, c);
+};
+
 template <class Geometry, class Shape>
 class ShapeLoops final : public PointLoops<Geometry> {
  public:
   using Base = PointLoops<Geometry>;
   static constexpr int dim = Geometry::dim;
   using typename Base::Field, typename Base::Vec;
-  using typename Base::Gather, typename Base::Motion, typename Base::Spread, typename Base::Wanted;
+  using typename Base::Gather, typename Base::Motion, typename Base::Spread, typename Base::Straining,
+      typename Base::Wanted;
   using At = Weights<dim>;
 
   ShapeLoops(const GridSpec& grid, const Transfer& transfer)
@@ -106,6 +113,13 @@ class ShapeLoops final : public PointLoops<Geometry> {
     Pack base[dim];
   };
 
+  // One of a Straining's arrays.
+  struct BinStraining {
+    bool at_nodes = false;  // the second
+    BinVectors velocity;
+    BinNumbers divergence;
+  };
+
   struct BinFilter;
 
   template <bool affine, bool with_mass>
@@ -149,9 +163,9 @@ class ShapeLoops final : public PointLoops<Geometry> {
   Pack take_filtered(const BinFilter& bin, const PackStencil& weights, const Pack (&inertia)[dim], Pack (&v)[dim],
                      Pack (&c)[dim][dim]) const;
   static RateColumns rate_columns(Body& body);
-  template <class Component>
+  static void collect(const Print& print, const Straining& by, BinStraining& bin);
   void store_strain_rates(const RateColumns& rates, const PackStencil& weights, const Pack& radius, int p, int count,
-                          Component&& u) const;
+                          const BinStraining& by) const;
 
   Grid<dim> grid_;
   double per_h_;  // 1 / h: a division takes as long as the weights of a point
@@ -264,6 +278,14 @@ template <class G, class S>
 [[gnu::always_inline]] inline void ShapeLoops<G, S>::collect(const Print& print, const std::vector<double>& values,
                                                              BinNumbers& bin) {
   for_stencil_nodes(print, [&](int k, std::size_t i) { bin[k] = values[i]; });
+}
+
+template <class G, class S>
+[[gnu::always_inline]] inline void ShapeLoops<G, S>::collect(const Print& print, const Straining& by,
+                                                             BinStraining& bin) {
+  bin.at_nodes = by.divergence != nullptr;
+  if (by.velocity) collect(print, *by.velocity, bin.velocity);
+  if (by.divergence) collect(print, *by.divergence, bin.divergence);
 }
 
 // Relative to the middle node's, because what the maps lose is a difference of squares; a node at the stencil's edge could

@@ -46,6 +46,7 @@ template <StressMeasure measure, Shares shares>
 double ShapeLoops<G, S>::map_forces(const Body& body, const At& at, const Chunk& chunk, Field& field) const {
   constexpr bool isotropic = measure == StressMeasure::pressure, full = measure == StressMeasure::full;
   constexpr int strains = stress_components(measure, dim, G::axisymmetric), normals = isotropic ? 1 : G::normals;
+  const bool at_nodes = isotropic && !field.gas.pressure.empty();
   constexpr bool gas = shares != Shares::none, noise = shares == Shares::heat_and_sound;
   const Places<dim> places = at.places(body.points, S::boxes);
   const double *volume = body.points(column::volume), *mass = body.points(column::mass);
@@ -58,8 +59,9 @@ double ShapeLoops<G, S>::map_forces(const Body& body, const At& at, const Chunk&
   }
   Pack hoop_force = 0.0;
   for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
-    Pack forces[nodes * dim], heats[nodes], closings[nodes], sounds[nodes];
+    Pack forces[nodes * dim], pressures[nodes], heats[nodes], closings[nodes], sounds[nodes];
     clear(forces);
+    if constexpr (isotropic) clear(pressures);
     if constexpr (gas) {
       clear(heats);
       clear(closings);
@@ -76,7 +78,10 @@ double ShapeLoops<G, S>::map_forces(const Body& body, const At& at, const Chunk&
         weights.spread(hoop, forces, dim);
       }
       if constexpr (isotropic) {
-        weights.spread_divergence(s[0], forces, dim);
+        if (at_nodes)
+          weights.spread(s[0], pressures, 1);  // [Pressure 1]
+        else
+          weights.spread_divergence(s[0], forces, dim);
       } else if constexpr (measure == StressMeasure::point_force) {
         for (int d = 0; d < dim; ++d) weights.spread(s[d], forces + d, dim);
         if constexpr (G::axisymmetric)
@@ -100,7 +105,10 @@ double ShapeLoops<G, S>::map_forces(const Body& body, const At& at, const Chunk&
       }
     };
     for_packs(first, last, with_pack);
-    add_to_nodes<dim>(print, forces, component(field.force, 0));
+    if (at_nodes)
+      add_to_nodes<1>(print, pressures, field.gas.pressure.data());
+    else
+      add_to_nodes<dim>(print, forces, component(field.force, 0));
     if constexpr (gas) {
       add_to_nodes<1>(print, heats, field.gas.heat.data());
       add_to_nodes<1>(print, closings, field.gas.exchange.data());

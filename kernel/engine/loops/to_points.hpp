@@ -8,14 +8,18 @@
 
 namespace plumbline {
 
-// Strain rates of a pack from the jets of the velocity components. [York 3.23]
+// Strain rates of a pack from the jets of the velocity components [York 3.23], or from nodes [Pressure 3].
 template <class G, class S>
-template <class Component>
 [[gnu::always_inline]] inline void ShapeLoops<G, S>::store_strain_rates(const RateColumns& rates,
                                                                         const PackStencil& weights, const Pack& radius,
-                                                                        int p, int count, Component&& u) const {
+                                                                        int p, int count,
+                                                                        const BinStraining& by) const {
+  if (by.at_nodes) {
+    store(rates.at[0] + p, weights.gather_array([&](int k) { return by.divergence[k]; }).value, count);
+    return;
+  }
   const auto jet = [&](int d) __attribute__((always_inline)) {
-    return weights.gather_array([&](int k) { return u(k, d); });
+    return weights.gather_array([&](int k) { return by.velocity[k][d]; });
   };
   if (rates.measure == StressMeasure::point_force) {
     for (int d = 0; d < dim; ++d) store(rates.at[d] + p, jet(d).value, count);
@@ -81,18 +85,15 @@ double ShapeLoops<G, S>::gather_start(Body& body, const At& at, const Chunk& chu
   Pack total = 0.0;
   for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
     BinVelocity start;
-    BinVectors strained;
+    BinStraining strained;
     BinNumbers rho, closes;
     if (wanted.loss) start = bin_velocity(print, *wanted.loss);
-    if (wanted.rates) collect(print, *wanted.rates, strained);
+    if (wanted.rates) collect(print, wanted.rates, strained);
     if (wanted.density) collect(print, *wanted.density, rho);
     if (wanted.closing) collect(print, *wanted.closing, closes);
     const auto with_pack = [&](int p, int count) __attribute__((always_inline)) {
       const PackStencil weights = stencil(places, anchor, p);
-      if (wanted.rates) {
-        store_strain_rates(rates, weights, load(places.x[0] + p), p, count,
-                           [&](int k, int d) { return strained[k][d]; });
-      }
+      if (wanted.rates) store_strain_rates(rates, weights, load(places.x[0] + p), p, count, strained);
       if (wanted.closing) {  // [Limiter 1]
         Pack divergence = load(rates.at[0] + p);
         for (int k = 1; k < normals; ++k) divergence += load(rates.at[k] + p);
@@ -135,7 +136,8 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
                                      const Motion& motion) const -> MotionSums {
   const double dt = motion.dt;
   const auto drift = motion.drift;
-  const auto *straining = motion.straining, *carrying = motion.carrying, *beyond = motion.beyond;
+  const Straining straining = motion.straining;
+  const auto *carrying = motion.carrying, *beyond = motion.beyond, *faces = FlowingShape<S> ? motion.faces : nullptr;
   Columns& points = body.points;
   const RateColumns rates = rate_columns(body);
   double* energy = motion.exchange ? points(column::energy) : nullptr;
@@ -157,12 +159,19 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
     const BinVelocity end = bin_velocity(print, field.end);
     BinFilter filter;
     if (at_rate) filter = bin_filter(print, field, end);
-    BinVectors strained, shifted, change, carried;
+    BinStraining strained;
+    BinVectors shifted, stretched, face, change, carried;
     BinNumbers alpha, heat, change_square;
     double most_exchange = 0;
-    if (straining) collect(print, *straining, strained);
+    if (straining) collect(print, straining, strained);
     if (carrying) collect(print, *carrying, carried);
     if (beyond) collect(print, *beyond, shifted);
+    if (faces) {
+      collect(print, *faces, face);
+      for_stencil_nodes(print, [&](int k, std::size_t i) {
+        for (int d = 0; d < dim; ++d) stretched[k][d] = -grid_.h() * (*motion.stretch)[i][d];
+      });
+    }
     if (energy) {
       for_stencil_nodes(print, [&](int k, std::size_t i) {
         alpha[k] = field.gas.exchange[i];
@@ -184,10 +193,7 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
     }
     const auto with_pack = [&](int p, int count) __attribute__((always_inline)) {
       const PackStencil weights = stencil(places, anchor, p);
-      if (straining) {
-        store_strain_rates(rates, weights, load(places.x[0] + p), p, count,
-                           [&](int k, int d) { return strained[k][d]; });
-      }
+      if (straining) store_strain_rates(rates, weights, load(places.x[0] + p), p, count, strained);
       if (most_exchange > 0) {
         const Pack share = weights.gather_array([&](int k) { return alpha[k]; }).value, e = load(energy + p);
         store(energy + p, e + (weights.gather_array([&](int k) { return heat[k]; }).value - share * e), count);
@@ -245,6 +251,20 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
       for (int d = 0; d < dim; ++d) {
         shift[d] = 0.0;
         if (beyond) shift[d] = dt * weights.gather_array([&](int k) { return shifted[k][d]; }).value;  // [Sharpening 2]
+      }
+      if constexpr (FlowingShape<S>) {
+        if (faces) {
+          for_directions<dim>([&](auto direction) __attribute__((always_inline)) {
+            constexpr int d = direction;
+            const Pack flow = weights.template gather_flow<d>([&](int k) { return stretched[k][d]; },
+                                                              [&](int k) { return face[k][d]; });
+            shift[d] = dt *
+                       (flow -
+                        (drift ? v_new[d] : v[d]));  // of what the point keeps of its own nothing moves it [Pressure 4]
+          });
+        }
+      }
+      for (int d = 0; d < dim; ++d) {
         const Pack step = shift[d] + (drift ? *drift * v_new[d] : dt * v[d]);
         too_far = too_far || !(abs(step) <= grid_.h());
         store(velocity[d] + p, v_new[d], count);
@@ -257,7 +277,7 @@ auto ShapeLoops<G, S>::gather_motion(Body& body, const At& at, const Chunk& chun
         // N r x u, but for what an affine part keeps of it.
         if constexpr (!affine || !S::fixed_inertia) torque[k] += m * (inertia[a] * c[b][a] - inertia[b] * c[a][b]);
         if (!drift) moved[k] += m * dt * (v[a] * v_new[b] - v[b] * v_new[a]);
-        if (beyond) moved[k] += m * (shift[a] * v_new[b] - shift[b] * v_new[a]);
+        if (beyond || faces) moved[k] += m * (shift[a] * v_new[b] - shift[b] * v_new[a]);
       }
       if constexpr (affine) {
         // With the inertia of the new place: where that is another, so are the energy and the spin of the affine part.

@@ -83,6 +83,7 @@ TEST(Schemes, DefaultOfGas) {
   EXPECT_EQ(settings.number("sharpening"), 1);
   EXPECT_EQ(settings.text("motion"), "sharpened");
   EXPECT_EQ(settings.text("read_off"), "sharpened");
+  EXPECT_EQ(settings.text("pressure_at"), "points");
   EXPECT_EQ(settings.number("filter.sound"), 2);
   EXPECT_EQ(settings.number("filter.compression"), 4);
   EXPECT_EQ(settings.number("heat_exchange"), 4);
@@ -104,6 +105,22 @@ TEST(Schemes, DefaultOfGasAndMembranes) {
   EXPECT_EQ(settings.number("membrane.relaxation"), 0.5);
   EXPECT_EQ(settings.text("normals"), "connectivity");
   EXPECT_FALSE(settings.has("split"));
+  EXPECT_FALSE(settings.has("pressure_at"));
+}
+
+// Points of a gas whose pressures act at the nodes move by the integrals of the shape's kernels. [Pressure 4]
+TEST(Schemes, PressuresAtNodesWantAShapeWhoseIntegralsAreKnown) {
+  const Case& tube = find_case("sod");
+  for (const char* shape : {"linear", "quadratic", "cubic"}) {
+    EXPECT_NO_THROW(tube.settings("default", {},
+                                  {"integrator=musl", "split=0", "pressure_at=nodes", "shape=" + std::string(shape)}));
+  }
+  for (const char* shape : {"gimp", "cpdi"}) {
+    EXPECT_NO_THROW(tube.settings("default", {}, {"integrator=musl", "split=0", "shape=" + std::string(shape)}));
+    EXPECT_THROW(tube.settings("default", {},
+                               {"integrator=musl", "split=0", "pressure_at=nodes", "shape=" + std::string(shape)}),
+                 UsageError);
+  }
 }
 
 // What cannot work together is refused, naming both choices; nothing is silently replaced.
