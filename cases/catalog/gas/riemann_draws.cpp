@@ -160,6 +160,16 @@ CaseGate no_worse_than_before(const std::string& field) {
       .beside({"unfiltered"});
 }
 
+CaseGate each_arrives(const std::string& study) {
+  return gate(study + "/stopped", measured("stopped"), exactly(0),
+              requirement("each tube has an exact solution without vacuum: each run arrives at its end"));
+}
+CaseGate each_closes(const std::string& study) {
+  return gate(study + "/drift", measured("drift"), at_most(1e-12),
+              identity("the step closes the energy ledger to rounding in every tube; 1e-12 is 1e4 units in the last "
+                       "place"));
+}
+
 std::vector<CaseGate> gates() {
   const std::string finite_volumes =
       " the error of second-order finite volumes (MUSCL, HLLC) on the same mesh, the method that such flows would "
@@ -186,29 +196,20 @@ std::vector<CaseGate> gates() {
           gate("sharper/velocity-median", measured("velocity.median"), at_most(1.3),
                requirement("three tenths beyond" + finite_volumes + "three quarters of the cells"))
               .fails(carried, {1.3, 1.42}, "2026-11-26 0840c6d"),
-          gate("sharper/stopped", measured("stopped"), exactly(0),
-               requirement("each tube has an exact solution without vacuum: each run arrives at its end")),
-          gate("sharper/drift", measured("drift"), at_most(1e-12),
-               identity("the step closes the energy ledger to rounding in every tube; 1e-12 is 1e4 units in the last "
-                        "place")),
+          each_arrives("sharper"),
+          each_closes("sharper"),
           gate("nodes/density-median", measured("density.median"), at_most(1.25),
                requirement("a quarter beyond" + finite_volumes + "four fifths of the cells")),
           gate("nodes/velocity-median", measured("velocity.median"), at_most(1.4),
                requirement("two fifths beyond" + finite_volumes + "seven tenths of the cells"))
               .fails(carried, {1.44, 1.62}, "2026-11-28 4284e54"),
-          gate("nodes/stopped", measured("stopped"), exactly(0),
-               requirement("each tube has an exact solution without vacuum: each run arrives at its end")),
-          gate("nodes/drift", measured("drift"), at_most(1e-12),
-               identity("the step closes the energy ledger to rounding in every tube; 1e-12 is 1e4 units in the last "
-                        "place")),
+          each_arrives("nodes"),
+          each_closes("nodes"),
           no_worse_than_before("density"),
           no_worse_than_before("velocity"),
           no_worse_than_before("pressure"),
-          gate("default/stopped", measured("stopped"), exactly(0),
-               requirement("each tube has an exact solution without vacuum: each run arrives at its end")),
-          gate("default/drift", measured("drift"), at_most(1e-12),
-               identity("the step closes the energy ledger to rounding in every tube; 1e-12 is 1e4 units in the last "
-                        "place")),
+          each_arrives("default"),
+          each_closes("default"),
           gate("default/least", measured("finite_volumes.least"), at_least(1e-9), exact_enough)};
 }
 

@@ -118,8 +118,7 @@ std::vector<Key> described_keys() {
              "monotone"),
       choice("pressure_at", {"points", "nodes"},
              "where pressures of gases act: at points, by gradients of their shape functions, or at nodes, by "
-             "differences; "
-             "in rings and with physical viscosity at points"),
+             "differences; in rings and with physical viscosity at points"),
       number("filter.sound",
              "k_f: maps take what nodes do not carry at k_f times the speed of sound over the cell size"),
       number("filter.compression",
