@@ -34,12 +34,12 @@ class NodalPressure {
   using Vec = Eigen::Matrix<double, dim, 1>;
   using Field = VelocityField<dim>;
 
-  // inverse_volumes: 1 / |cell_i| of the nodes, see PointLoops; empty: pressures act at the points.
-  NodalPressure(const Grid<dim>& grid, std::vector<double> inverse_volumes)
+  // acts: otherwise pressures act at the points.
+  NodalPressure(const Grid<dim>& grid, bool acts)
       : grid_(grid),
-        inverse_volumes_(std::move(inverse_volumes)) {}
+        acts_(acts) {}
 
-  bool none() const { return inverse_volumes_.empty(); }
+  bool none() const { return !acts_; }
 
   // Finds b from the masses of gas on the nodes, folded at walls: once they are mapped, before all else here.
   void find_interpolation(Field& field, int threads) const {
@@ -60,12 +60,12 @@ class NodalPressure {
   }
 
   // Adds the forces to field.force; field.gas.pressure: from sum_p V_p p_p N_ip, folded at walls, to p_i, zero elsewhere.
-  // Returns what the walls give.
-  WallAction<dim> add_forces(Field& field, int threads) const {
+  // inverse_volumes: 1 / |cell_i| of the nodes, see PointLoops. Returns what the walls give.
+  WallAction<dim> add_forces(Field& field, const std::vector<double>& inverse_volumes, int threads) const {
     std::vector<double>& pressure = field.gas.pressure;
     for_each_index(static_cast<int>(pressure.size()), threads, [&](int i) {
       const auto at = static_cast<std::size_t>(i);
-      pressure[at] = field.gas.present[at] > 0 ? pressure[at] * inverse_volumes_[at] : 0.0;
+      pressure[at] = field.gas.present[at] > 0 ? pressure[at] * inverse_volumes[at] : 0.0;
     });
     std::vector<WallAction<dim>> rows(static_cast<std::size_t>(grid_.rows()));
     for_own_nodes(field, threads, [&](int i, const Index& at) {
@@ -251,7 +251,7 @@ class NodalPressure {
   }
 
   Grid<dim> grid_;
-  std::vector<double> inverse_volumes_;
+  bool acts_;
 };
 
 }  // namespace plumbline

@@ -1,7 +1,7 @@
 // The smoothing of the maps undone on the nodes. A map by shape functions damps the wave number k of a force, and of the
 // velocity whose gradient strains a point, by S(k) = 1 - theta k^2 h^2 + ... along each axis d, which
 //   Q = 1 + sum_d (s_1 B_d + s_2 B_d^2 + s_3 B_d^3),  (B_d u)_i = theta / M_i sum_j K_ij (u_i - u_j),
-//   K_ij = 2 M_i M_j / (M_i + M_j),  j the neighbours along d,
+//   K_ij = (t_i + t_j) M_i M_j / (M_i + M_j),  j the neighbours along d, t of [Limiter 2] or 1,
 // undoes to leading order with s_1 = 1. K is symmetric, so that every power of B_d is self-adjoint under M and keeps
 // sum_i M_i u_i: forces through Q do exactly the work that strains through Q give back. Across a wall the mirror images are
 // the neighbours. [Sharpening 1]
@@ -102,11 +102,13 @@ class Sharpening {
   }
   // to = so_far + amount B_d u, next = B_d u (null: not wanted) of plain nodes [first, last) of a row. Returns
   // sum_i amount M_i (what the lower neighbour adds to (B_d u)_i less what the upper one does).
-  static Vec apply_plain(int first, int last, int stride, double theta, double amount, const double* mass, const Vec* u,
-                         const Vec* so_far, Vec* to, Vec* next) {
+  template <bool limited>
+  static Vec apply_plain(int first, int last, int d, int stride, double theta, double amount, const double* mass,
+                         const Vec* kept, const Vec* u, const Vec* so_far, Vec* to, Vec* next) {
     const auto pull = [&](int i, int j) __attribute__((always_inline)) {
       const double own = mass[i], other = mass[j];
-      const double share = own > least_mass && other > least_mass ? 2 * theta * other / (own + other) : 0.0;
+      double share = own > least_mass && other > least_mass ? 2 * theta * other / (own + other) : 0.0;
+      if constexpr (limited) share *= 0.5 * (kept[i][d] + kept[j][d]);
       return Vec(share * (u[i] - u[j]));
     };
     Vec apart = Vec::Zero();
@@ -150,9 +152,11 @@ class Sharpening {
             to[at] = so_far[at] + amount * sum;
           });
           const auto [first, last] = beside.plain_nodes();
+          const auto& kept = field.corrected.kept;
+          const auto apply = kept.empty() ? &apply_plain<false> : &apply_plain<true>;
           visit_plain(row, d,
-                      apply_plain(first, last, grid_.stride(d), theta_, amount, field.mass.data(), power->data(),
-                                  so_far.data(), to.data(), next ? next->data() : nullptr));
+                      apply(first, last, d, grid_.stride(d), theta_, amount, field.mass.data(), kept.data(), power->data(),
+                            so_far.data(), to.data(), next ? next->data() : nullptr));
         });
         power = next;
       }
@@ -182,7 +186,10 @@ class Sharpening {
       const Neighbour there = beside(i, d, side);
       if (there.node < 0) continue;
       const double other = mass_of(there.node, index + (there.node > i ? 1 : -1));
-      visit(there.node, there.mirrored, 2 * other / (mass + other));
+      const auto& kept = field.corrected.kept;
+      const auto at = [](int node) { return static_cast<std::size_t>(node); };
+      const double stays = kept.empty() ? 2.0 : kept[at(i)][d] + kept[at(there.node)][d];
+      visit(there.node, there.mirrored, stays * other / (mass + other));
     }
   }
 

@@ -70,6 +70,7 @@ struct VelocityField {
     std::vector<Vec> momentum;  // the same of P_i
   } unfolded;                   // before folding at walls
   struct {
+    std::vector<Vec> kept;                   // how much of the sharpening stays along each axis [Limiter 2]; empty: all
     std::vector<Vec> odd_power, even_power;  // of B_d on one [Sharpening 1]
     std::vector<Vec> straining;              // the one whose gradients strain the points, sharpened
     std::vector<Vec> added;                  // what sharpening adds to the one that carries them

@@ -71,12 +71,11 @@ class Densities {
       space_.loops->find_enclosed_volumes(chain_of(bodies, body).points, body.enclosure->corners, enclosed_);
       space_.walls.fold_even(field, enclosed_);
     }
-    if (inverse_volume_.empty()) inverse_volume_ = space_.loops->inverse_volumes();
     std::vector<double>& density = field.held(field.gas.density);
     field.for_touched(
         space_.grid,
         [&](std::size_t i) {
-          density[i] = !body.enclosure        ? mass[i] * inverse_volume_[i]
+          density[i] = !body.enclosure        ? mass[i] * space_.inverse_volumes[i]
                        : mass[i] > least_mass ? enclosed_[i] / mass[i]
                                               : 0.0;
         },
@@ -97,7 +96,6 @@ class Densities {
   Placing<Geometry> placing_;
   ReadOff<dim> read_off_;
   DensityMethod method_;
-  std::vector<double> inverse_volume_;  // 1 / |cell_i|, m^-dim; axisymmetric per radian; found when first used
   std::vector<double> enclosed_;        // |cell_i| inside the enclosure last asked for
   std::optional<Field> own_field_;      // one body's mass alone
 };

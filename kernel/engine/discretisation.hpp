@@ -27,6 +27,13 @@ inline std::array<double, 3> amounts_of(const Scene& scene) {
   return {scene.sharpening, scene.sharpening_second, scene.sharpening_third};
 }
 
+// Whether anything is to be known per volume of the nodes' cells.
+inline bool needs_volumes(const Scene& scene) {
+  const bool gas = std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                               [](const Body& body) { return body.material->has_density(); });
+  return gas && (scene.density == DensityMethod::grid || scene.nodal_pressure || scene.sharpening_in_expansion < 1);
+}
+
 template <class Geometry>
 struct Discretisation {
   static constexpr int dim = Geometry::dim;
@@ -41,9 +48,11 @@ struct Discretisation {
   Transfer transfer;
   std::unique_ptr<const Loops> loops;
   ShapeTraits shape;
+  std::vector<double> inverse_volumes;  // 1 / |cell_i|, m^-dim; axisymmetric per radian; empty where no part needs them
   Sharpening<dim> sharpening;
   Limiter<dim> limiter;
   NodalPressure<dim> pressure;
+  double sharpening_in_expansion;  // the least share of it
   MaterialContext context;
   int threads;
 
@@ -53,10 +62,11 @@ struct Discretisation {
         transfer(transfer_of(scene.transfer, scene.transfer_order)),
         loops(std::get<MakeLoops<Geometry>>(shape_named(scene.shape).loops)(scene.grid, transfer)),
         shape(loops->shape()),
+        inverse_volumes(needs_volumes(scene) ? loops->inverse_volumes() : std::vector<double>()),
         sharpening(grid, shape.blur, amounts_of(scene)),
         limiter(grid),
-        pressure(grid,
-                 scene.nodal_pressure && !Geometry::axisymmetric ? loops->inverse_volumes() : std::vector<double>()),
+        pressure(grid, scene.nodal_pressure && !Geometry::axisymmetric),
+        sharpening_in_expansion(scene.sharpening_in_expansion),
         context{dim,
                 grid.h(),
                 scene.density == DensityMethod::continuity,
@@ -136,6 +146,12 @@ struct Discretisation {
     field.for_touched(grid, [&](std::size_t i) { field.mass[i] = 0; });
   }
 
+  // For all that is sharpened until velocities are mapped anew, by the velocity that was.
+  void limit_sharpening(Field& field, const std::vector<Vec>& velocity) const {
+    if (sharpening.none() || sharpening_in_expansion == 1 || inverse_volumes.empty()) return;
+    limiter.find_kept(field, inverse_volumes, sharpening_in_expansion, velocity, field.held(field.gas.slopes),
+                      field.held(field.corrected.kept), threads);
+  }
   // The nodal velocity whose gradients strain the points: sharpened as the accelerations are. [Sharpening 1]
   const std::vector<Vec>& straining_velocity(Field& field, const std::vector<Vec>& velocity) const {
     if (sharpening.none()) return velocity;

@@ -62,6 +62,7 @@ class NodalMomentum {
     const double taken = 1 - space_.transfer.keep;  // of the velocities that the walls have changed
     record.map_wall.linear += taken * action.linear;
     record.map_wall.angular += taken * action.angular;
+    space_.limit_sharpening(field, field.start);
     return mass;
   }
 
@@ -88,7 +89,7 @@ class NodalMomentum {
       add_body_force(field, dt, record);
       if (!field.gas.pressure.empty()) {
         space_.walls.fold_even(field, field.gas.pressure);
-        record_walls(space_.pressure.add_forces(field, space_.threads), dt, record);
+        record_walls(space_.pressure.add_forces(field, space_.inverse_volumes, space_.threads), dt, record);
       }
       record_walls(space_.walls.fold(field, field.force), dt, record);
       advance_alone(field, dt, record);

@@ -143,20 +143,24 @@ TEST_P(EveryCombination, ContinuityDensityStepsAsThePrintedEquationsSay) {
   }
 }
 
-// The same through sharpened nodes and, where a step ends with heat, with heat exchanged. [Sharpening 1] [Exchange 1]
+// The same through sharpened nodes and, where a step ends with heat, with heat exchanged; once with less sharpening where the gas
+// expands. [Sharpening 1] [Limiter 2] [Exchange 1]
 TEST_P(EveryCombination, SharpenedStepsAsThePrintedEquationsSay) {
   for (const scenes::Combination& c : scenes::working_combinations()) {
     if (c.integrator != GetParam()) continue;
     SCOPED_TRACE(testing::Message() << c);
     for (scenes::Space space : scenes::spaces) {
-      SCOPED_TRACE(space);
-      Scene scene = scenes::rough_gas_in_space(space, c.shape, c.transfer, gravity_in(space));
-      scene.sharpening = 0.75;
-      scene.sharpening_second = 0.5;
-      scene.sharpening_third = 2;
-      scene.sharpened_motion = scene.sharpened_density = true;
-      scene.heat_exchange = 2;
-      expect_like_naive(scene, c.integrator, 0.01);
+      for (const double in_expansion : {1.0, 0.25}) {
+        SCOPED_TRACE(space);
+        Scene scene = scenes::rough_gas_in_space(space, c.shape, c.transfer, gravity_in(space));
+        scene.sharpening = 0.75;
+        scene.sharpening_second = 0.5;
+        scene.sharpening_third = 2;
+        scene.sharpening_in_expansion = in_expansion;
+        scene.sharpened_motion = scene.sharpened_density = true;
+        scene.heat_exchange = 2;
+        expect_like_naive(scene, c.integrator, 0.01);
+      }
     }
   }
 }

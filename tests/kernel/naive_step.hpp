@@ -477,9 +477,57 @@ class NaiveStep {
     const bool there = j < nodes_.size() && std::abs((nodes_[j].x - nodes_[i].x).norm() - away) < 0.1 * h_;
     return there ? std::optional(j) : std::nullopt;
   }
+  // The neighbour of a node that has mass.
+  std::optional<std::size_t> massive(std::size_t i, int d, int side) const {
+    const auto j = beside(i, d, side);
+    return j && nodes_[*j].m > 0 ? j : std::nullopt;
+  }
+  // Of two sides their mean, or that by the share of their densities in those of the pair. [Limiter 1] [Limiter 2]
+  double slope_at(const std::vector<Vec>& u, std::size_t i, int d, bool by_density) const {
+    double sum = 0, weights = 0;
+    const auto density = [&](std::size_t k) { return nodes_[k].m / nodes_[k].volume; };
+    for (int side : {-1, 1}) {
+      const auto j = massive(i, d, side);
+      if (!j) continue;
+      const double weight = by_density ? density(*j) / (density(i) + density(*j)) : 1;
+      sum += weight * side * (u[*j][d] - u[i][d]) / h_;
+      weights += weight;
+    }
+    return weights > 0 ? sum / weights : 0;
+  }
+  // psi of a nodal velocity. [Limiter 1]
+  double linear_share(const std::vector<Vec>& u, std::size_t i, int d, bool by_density) const {
+    const auto low = massive(i, d, -1), high = massive(i, d, 1);
+    const double g = slope_at(u, i, d, by_density);
+    if (!low || !high || g == 0) return 0;
+    const double before = slope_at(u, *low, d, by_density) / g, after = slope_at(u, *high, d, by_density) / g;
+    return std::clamp(std::min({(before + after) / 2, 2 * before, 2 * after}), 0.0, 1.0);
+  }
+  // t of what is sharpened, by the velocity that was mapped. [Limiter 2]
+  std::vector<Vec> kept_of_sharpening() const {
+    std::vector<Vec> kept(nodes_.size(), Vec::Ones());
+    if (scene_.sharpening_in_expansion == 1) return kept;
+    std::vector<Vec> u;
+    for (const NaiveNode& node : nodes_) u.push_back(node.start);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      for (int d = 0; d < dim_; ++d) {
+        if (nodes_[i].m == 0 || slope_at(u, i, d, true) <= 0) continue;
+        const auto density = [&](int side) {
+          const auto j = massive(i, d, side);
+          return j ? nodes_[*j].m / nodes_[*j].volume : 0.0;
+        };
+        const double low = density(-1), high = density(1);
+        const double uneven = std::abs(high - low) / (high + low);
+        const double bent = std::max(0.0, 1 - 2 * (1 - uneven) * linear_share(u, i, d, true));
+        kept[i][d] -= (1 - scene_.sharpening_in_expansion) * bent * std::min(1.0, 32 * uneven);
+      }
+    }
+    return kept;
+  }
   // Each node against its neighbours, one axis after another, up to the third power. [Sharpening 1]
   std::vector<Vec> sharpened(const std::vector<Vec>& u) const {
     std::vector<Vec> q = u;
+    const std::vector<Vec> kept = kept_of_sharpening();
     for (int d = 0; d < dim_ && scene_.sharpening > 0; ++d) {
       std::vector<Vec> power = u;
       for (const double amount : {scene_.sharpening, scene_.sharpening_second, scene_.sharpening_third}) {
@@ -488,7 +536,9 @@ class NaiveStep {
           for (int side : {-1, 1}) {
             const auto j = beside(i, d, side);
             const double m = nodes_[i].m, other = j ? nodes_[*j].m : 0;
-            if (m > 0 && other > 0) next[i] += theta() * 2 * other / (m + other) * (power[i] - power[*j]);
+            if (!(m > 0 && other > 0)) continue;
+            const double share = (kept[i][d] + kept[*j][d]) * theta() * other / (m + other);
+            next[i] += share * (power[i] - power[*j]);
           }
           q[i] += amount * next[i];
         }
@@ -933,26 +983,10 @@ class NaiveStep {
   double limited(std::size_t p, Of which) const {
     const std::vector<Vec>& u = straining_velocity(which);
     double sum = 0;
-    const auto massive = [&](std::size_t i, int d, int side) {
-      const auto j = beside(i, d, side);
-      return j && nodes_[*j].m > 0 ? j : std::nullopt;
-    };
-    const auto slope_at = [&](std::size_t i, int d) {
-      const auto low = massive(i, d, -1), high = massive(i, d, 1);
-      const double change = u[high.value_or(i)][d] - u[low.value_or(i)][d];
-      return low || high ? change / (h_ * (low && high ? 2 : 1)) : 0.0;
-    };
     for (std::size_t k = first_pair_[p]; k < first_pair_[p + 1]; ++k) {
       for (int d = 0; d < dim_; ++d) {
         const std::size_t i = pairs_[k].node;
-        const double g = slope_at(i, d);
-        const auto low = massive(i, d, -1), high = massive(i, d, 1);
-        double linear = 0;
-        if (low && high && g != 0) {
-          const double before = slope_at(*low, d) / g, after = slope_at(*high, d) / g;
-          linear = std::clamp(std::min({(before + after) / 2, 2 * before, 2 * after}), 0.0, 1.0);
-        }
-        sum += pairs_[k].n * (1 - linear) * std::max(0.0, -g);
+        sum += pairs_[k].n * (1 - linear_share(u, i, d, false)) * std::max(0.0, -slope_at(u, i, d, false));
       }
     }
     return std::min(points[p].closing, sum);

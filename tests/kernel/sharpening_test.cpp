@@ -50,9 +50,13 @@ TEST(Sharpening, UndoesTheLeadingTermOfTheSmoothing) {
 
 // --- the operator on nodes ------------------------------------------------------------------------------------------
 
-// Of powers of the Laplacians along the axes: the first alone, and all three.
+// Of powers of the Laplacians along the axes: the first alone, and all three; kept everywhere, or not.
 using Amounts = std::array<double, 3>;
-constexpr Amounts powers[] = {{1, 0, 0}, {1, 0.5, 2}};
+struct Operator {
+  Amounts amounts;
+  bool limited;
+};
+constexpr Operator operators[] = {{{1, 0, 0}, false}, {{1, 0.5, 2}, false}, {{1, 0, 0}, true}, {{1, 0.5, 2}, true}};
 
 // A grid all of whose nodes are touched, or but for a hole, with random masses.
 template <int dim>
@@ -67,6 +71,12 @@ struct Nodes {
     for (auto& row : field.touched) row = {0, grid.row_length()};
     for (double& mass : field.mass) mass = even ? 2 : random(0.1, 1);
     walls.fold_mass(field);
+  }
+  // Of what is sharpened each node keeps another share along each axis. [Limiter 2]
+  void keep_shares_at_random() {
+    for (Vec& share : field.held(field.corrected.kept)) {
+      for (int d = 0; d < dim; ++d) share[d] = random(0, 1);
+    }
   }
   std::vector<Vec> random_velocity() {
     std::vector<Vec> v(field.mass.size());
@@ -240,8 +250,9 @@ TEST(Sharpening, KeepsWhatIsUniform) {
 template <int dim>
 void expect_self_adjoint() {
   for (bool walled : {false, true}) {
-    for (const Amounts& amounts : powers) {
+    for (const auto& [amounts, limited] : operators) {
       Nodes<dim> nodes(mixed_walls(dim, walled));
+      if (limited) nodes.keep_shares_at_random();
       const auto a = nodes.random_velocity(), b = nodes.random_velocity();
       const auto q = [&](const auto& v) { return nodes.sharpened(v, 0.125, amounts); };
       const double scale = std::sqrt(nodes.product(a, a) * nodes.product(b, b));
@@ -260,9 +271,11 @@ TEST(Sharpening, IsSelfAdjointUnderTheMasses) {
 // Of accelerations: what it adds to momentum is what walls take (nothing without walls), and what it adds to the angular
 // momentum is what it says. [Sharpening 1]
 template <int dim>
-void expect_momenta_booked(bool walled, const Amounts& amounts) {
-  SCOPED_TRACE(testing::Message() << dim << "-D, walls " << walled << ", third power " << amounts[2]);
+void expect_momenta_booked(bool walled, const Operator& of) {
+  const auto& [amounts, limited] = of;
+  SCOPED_TRACE(testing::Message() << dim << "-D, walls " << walled << ", third power " << amounts[2] << ", " << limited);
   Nodes<dim> nodes(mixed_walls(dim, walled));
+  if (limited) nodes.keep_shares_at_random();
   const auto a = nodes.random_velocity();
   std::vector<typename Nodes<dim>::Vec> q(a.size(), Nodes<dim>::Vec::Zero());
   const auto added = Sharpening<dim>(nodes.grid, 0.125, amounts).apply_to_accelerations(nodes.field, a, q, 1);
@@ -282,10 +295,10 @@ void expect_momenta_booked(bool walled, const Amounts& amounts) {
 }
 TEST(Sharpening, BooksWhatItAddsToTheMomenta) {
   for (bool walled : {false, true}) {
-    for (const Amounts& amounts : powers) {
-      expect_momenta_booked<1>(walled, amounts);
-      expect_momenta_booked<2>(walled, amounts);
-      expect_momenta_booked<3>(walled, amounts);
+    for (const Operator& of : operators) {
+      expect_momenta_booked<1>(walled, of);
+      expect_momenta_booked<2>(walled, of);
+      expect_momenta_booked<3>(walled, of);
     }
   }
 }

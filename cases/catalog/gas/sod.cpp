@@ -47,8 +47,8 @@ std::vector<StudyPlan> studies() {
           study("equal-volume", "default with points of equal volume",
                 first_order + " Here the mass of a point jumps at the contact, too.", doubling)
               .with({{"points", "equal-volume"}, {"ppc", 3.0}}),
-          study("nodes", "default with pressures at the nodes, s_2 = 1", first_order, doubling)
-              .with({{"pressure_at", "nodes"}, {"sharpening.second", 1.0}}),
+          study("nodes", "default with pressures at the nodes, sharpened as much where the gas expands", first_order, doubling)
+              .with({{"pressure_at", "nodes"}, {"sharpening.expansion", 1.0}}),
           study("plane", "default in the plane", first_order + " Aligned with the grid, the plane is the line.", {100})
               .with({{"dimension", 2.0}}),
           study("york1997", "York 1997", "First order was claimed; cell crossing prevents it.", {100, 200, 400, 800})

@@ -154,9 +154,10 @@ Settings in_plane(const std::string& scheme, double per_cell, const std::string&
 }
 
 // Pressures at the nodes reach further: a point those that share a node with it, and on each way of its change to a force three
-// nodes beside the faces of a cell.
+// nodes beside the faces of a cell. Each further power of sharpening reaches one node further on either way.
 Amplification amplification(const Settings& settings, double dt) {
-  const int reach = settings.text("pressure_at") == "nodes" ? 12 : 5;
+  const int powers = settings.number("sharpening.third") > 0 ? 3 : settings.number("sharpening.second") > 0 ? 2 : 1;
+  const int reach = (settings.text("pressure_at") == "nodes" ? 12 : 5) + 2 * (powers - 1);
   const Experiment experiment = experiment_of(gas(), settings);
   return Amplification(experiment.patch({1, reach}), experiment.integrator, experiment.positions, dt);
 }

@@ -111,6 +111,8 @@ std::vector<Key> described_keys() {
       number("sharpening", "how much of the maps' smoothing of forces and strain rates is undone on the nodes", 1),
       number("sharpening.second", "s_2: and of its square along each axis"),
       number("sharpening.third", "s_3: and of its cube"),
+      number("sharpening.expansion",
+             "how much of all that stays where a gas of uneven density expands and its flow is not linear", 1),
       choice("motion", {"own", "sharpened"},
              "what points move with: their own velocity, or with it what sharpening adds to the one that strains them"),
       choice("read_off", {"mapped", "sharpened"},
@@ -191,8 +193,9 @@ const std::vector<Row>& schemes_table() {
       {"dilatation",          {},                       {},                      {"cell", "point"},             {}},
       {"points",              {"equal-mass", "equal-volume"}, {},                {},                            {"equal-mass", "equal-volume"}},
       {"sharpening",          {1.0, 0.0},               {},                      {},                            {1.0, 0.0}},
-      {"sharpening.second",   {0.0, 0.0},               {},                      {},                            {0.0, 0.0}},
+      {"sharpening.second",   {1.0, 0.0},               {},                      {},                            {0.0, 0.0}},
       {"sharpening.third",    {0.0, 0.0},               {},                      {},                            {0.0, 0.0}},
+      {"sharpening.expansion", {0.5, 1.0},              {},                      {},                            {1.0, 1.0}},
       {"motion",              {"sharpened", "own"},     {},                      {},                            {"sharpened", "own"}},
       {"read_off",            {"sharpened", "mapped"},  {},                      {},                            {"sharpened", "mapped"}},
       {"pressure_at",         {"points", "points"},     {},                      {},                            {}},
@@ -274,6 +277,7 @@ void apply_choices(const Settings& settings, Scene& scene) {
     scene.sharpening = settings.number("sharpening");
     scene.sharpening_second = settings.number("sharpening.second");
     scene.sharpening_third = settings.number("sharpening.third");
+    scene.sharpening_in_expansion = settings.number("sharpening.expansion");
     scene.sharpened_motion = settings.text("motion") == "sharpened";
     scene.sharpened_density = settings.text("read_off") == "sharpened";
     scene.filter = {settings.number("filter.sound"), settings.number("filter.compression")};
