@@ -29,7 +29,8 @@ class Limiter {
   // closing = K of the velocity u, on the touched nodes with mass, ghosts of walls excepted; slopes: scratch, of the nodes.
   void apply(const VelocityField<dim>& field, const std::vector<Vec>& u, std::vector<Vec>& slopes,
              std::vector<double>& closing, int threads) const {
-    find_slopes(field, u, slopes, [](int, int) { return 1.0; }, threads);
+    find_slopes(
+        field, u, slopes, [](int, int) { return 1.0; }, threads);
     for_touched_beside(grid_, field, threads, [&](int i, const Beside& beside) {
       double& all = closing[static_cast<std::size_t>(i)] = 0;
       for (int d = 0; d < dim; ++d) {
@@ -72,8 +73,8 @@ class Limiter {
 
   // weight(i, j): of what the neighbour j says of the slope at i, not negative.
   template <class Weight>
-  void find_slopes(const VelocityField<dim>& field, const std::vector<Vec>& u, std::vector<Vec>& slopes, Weight&& weight,
-                   int threads) const {
+  void find_slopes(const VelocityField<dim>& field, const std::vector<Vec>& u, std::vector<Vec>& slopes,
+                   Weight&& weight, int threads) const {
     for_touched_beside(grid_, field, threads, [&](int i, const Beside& beside) {
       slopes[static_cast<std::size_t>(i)] = slope(beside, u, i, weight);
     });

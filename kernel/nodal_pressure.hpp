@@ -35,9 +35,7 @@ class NodalPressure {
   using Field = VelocityField<dim>;
 
   // acts: otherwise pressures act at the points.
-  NodalPressure(const Grid<dim>& grid, bool acts)
-      : grid_(grid),
-        acts_(acts) {}
+  NodalPressure(const Grid<dim>& grid, bool acts) : grid_(grid), acts_(acts) {}
 
   bool none() const { return !acts_; }
 

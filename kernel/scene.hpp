@@ -54,7 +54,7 @@ struct Scene {
   std::string normals = "connectivity";  // how membranes that carry their strain know their tangents: normals_methods()
   double sharpening = 0;  // 0: none, 1: the leading term of the maps' smoothing undone, see sharpening.hpp; [0, 1]
   double sharpening_second = 0, sharpening_third = 0;  // >= 0: of the powers beyond it, where `sharpening` is not 0
-  double sharpening_in_expansion = 1;  // least share of it where gases expand, see limiter.hpp; [0, 1]
+  double sharpening_in_expansion = 1;                  // least share of it where gases expand, see limiter.hpp; [0, 1]
   bool sharpened_motion = false;                       // points move with the velocity that strains them [Sharpening 2]
   bool sharpened_density =
       false;  // and read densities off nodes where the maps' smoothing of these is undone [Read-off 1]

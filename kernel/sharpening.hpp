@@ -155,8 +155,8 @@ class Sharpening {
           const auto& kept = field.corrected.kept;
           const auto apply = kept.empty() ? &apply_plain<false> : &apply_plain<true>;
           visit_plain(row, d,
-                      apply(first, last, d, grid_.stride(d), theta_, amount, field.mass.data(), kept.data(), power->data(),
-                            so_far.data(), to.data(), next ? next->data() : nullptr));
+                      apply(first, last, d, grid_.stride(d), theta_, amount, field.mass.data(), kept.data(),
+                            power->data(), so_far.data(), to.data(), next ? next->data() : nullptr));
         });
         power = next;
       }

@@ -96,8 +96,8 @@ class Densities {
   Placing<Geometry> placing_;
   ReadOff<dim> read_off_;
   DensityMethod method_;
-  std::vector<double> enclosed_;        // |cell_i| inside the enclosure last asked for
-  std::optional<Field> own_field_;      // one body's mass alone
+  std::vector<double> enclosed_;    // |cell_i| inside the enclosure last asked for
+  std::optional<Field> own_field_;  // one body's mass alone
 };
 
 }  // namespace plumbline

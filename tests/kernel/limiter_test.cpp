@@ -95,7 +95,9 @@ TEST(Limiter, KnowsEdgesAndWalls) {
 TEST(Limiter, DoesNotAskNodesThatCarryNextToNothing) {
   const auto line = [](double velocity_at_edge) {
     return Line([=](int k) { return k == 15 ? velocity_at_edge : 0.01 * k * k; },
-                [](int k) { return k > 15 ? 0.0 : k == 15 ? 1e-15 : falling(k); });
+                [](int k) { return k > 15    ? 0.0
+                                   : k == 15 ? 1e-15
+                                             : falling(k); });
   };
   Line slow = line(2), fast = line(1e3);
   for (int k = 5; k < 15; ++k) EXPECT_NEAR(slow.kept_at(k, 0.25), fast.kept_at(k, 0.25), 1e-10) << k;

@@ -144,14 +144,16 @@ TEST_P(EveryCombination, ContinuityDensityStepsAsThePrintedEquationsSay) {
 }
 
 // The same through sharpened nodes and, where a step ends with heat, with heat exchanged; once with less sharpening where the gas
-// expands. [Sharpening 1] [Limiter 2] [Exchange 1]
+// expands, of transfers that leave points velocities of their own: with the others nodes that only one point reaches move alike, and
+// the sign of a slope that is zero but for rounding decides how much is kept there. [Sharpening 1] [Limiter 2] [Exchange 1]
 TEST_P(EveryCombination, SharpenedStepsAsThePrintedEquationsSay) {
   for (const scenes::Combination& c : scenes::working_combinations()) {
     if (c.integrator != GetParam()) continue;
     SCOPED_TRACE(testing::Message() << c);
     for (scenes::Space space : scenes::spaces) {
       for (const double in_expansion : {1.0, 0.25}) {
-        SCOPED_TRACE(space);
+        if (in_expansion < 1 && c.transfer != "apic" && c.transfer != "flip") continue;
+        SCOPED_TRACE(testing::Message() << space << ", " << in_expansion);
         Scene scene = scenes::rough_gas_in_space(space, c.shape, c.transfer, gravity_in(space));
         scene.sharpening = 0.75;
         scene.sharpening_second = 0.5;

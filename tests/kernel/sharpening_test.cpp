@@ -273,7 +273,8 @@ TEST(Sharpening, IsSelfAdjointUnderTheMasses) {
 template <int dim>
 void expect_momenta_booked(bool walled, const Operator& of) {
   const auto& [amounts, limited] = of;
-  SCOPED_TRACE(testing::Message() << dim << "-D, walls " << walled << ", third power " << amounts[2] << ", " << limited);
+  SCOPED_TRACE(testing::Message() << dim << "-D, walls " << walled << ", third power " << amounts[2] << ", "
+                                  << limited);
   Nodes<dim> nodes(mixed_walls(dim, walled));
   if (limited) nodes.keep_shares_at_random();
   const auto a = nodes.random_velocity();

@@ -24,6 +24,7 @@ energy = 1 / (gamma * (gamma - 1))  # c = 1
 inertia = 1 / 3  # of the cubic spline
 blur = 1 / 6  # theta of [Sharpening 1]
 filter_sound = 2.0  # k_f of [Filter 1]
+second = 1.0  # s_2 of [Sharpening 1]; in a gas at rest nothing expands, and all of it is kept [Limiter 2]
 U, V, C, E = slice(0, 2), slice(2, 4), slice(4, 8), 8
 unknowns = 9
 
@@ -86,8 +87,9 @@ def step_matrix(theta, dt, along=2, at_nodes=False, sharpened=True):
     def own(state, p, part):
         return state[p * unknowns : (p + 1) * unknowns][part]
 
-    sharpening = 1 + sharpened * blur * np.sum(2 - 2 * np.cos(theta))
     theta = np.asarray(theta)
+    one_axis = blur * (2 - 2 * np.cos(theta))  # B_d
+    sharpening = 1 + sharpened * np.sum(one_axis + second * one_axis**2)
     to_faces = sum(b * np.cos((k + 0.5) * theta) for k, b in enumerate((37, -8, 1))) / 30  # of sixth order
     difference = 2j * np.sin(theta / 2) * to_faces
 
