@@ -83,9 +83,9 @@ Case noh_case(std::string name, int dimension, StudyPlan plan, std::vector<CaseG
 }
 
 // The first gas that is stopped is heated before the shock has its profile.
-CaseGate wall_heating_gate(double cells, double most) {
+CaseGate wall_heating_gate(double cells) {
   return gate(
-      "default/wall-heating-" + to_text(cells), value_at("wall_heating", cells), at_most(most),
+      "default/wall-heating-" + to_text(cells), value_at("wall_heating", cells), at_most(0.15),
       requirement("internal energy near the wall at most so much above what is behind the shock: there the density "
                   "lacks as much"));
 }
@@ -98,7 +98,7 @@ Case against_wall() {
                        joined({required_order("default", "density.L1", 0.8,
                                               "a shock and the layer at the wall allow 1; 0.8 as of the shock tubes"),
                                shock_gates("default", 400, 1.0 / 400, 4),
-                               {energy_gate("default"), coverage_gate("default", 100), wall_heating_gate(100, 0.15),
+                               {energy_gate("default"), coverage_gate("default", 100), wall_heating_gate(100),
                                 mirror_gate("mirrored", "default", 100)}}));
   made.studies.push_back(study("mirrored", "two streams without the wall between them", "As with the wall.", {100})
                              .with({{"mirrored", "yes"}}));
@@ -120,7 +120,7 @@ Case against_axis() {
                                {shock_position_gate("default", 200, 1.0 / 200),
                                 shock_position_gate("default", 400, 1.0 / 400).in(Tier::full),
                                 plateau_gate("default", 400, plateau).in(Tier::full),
-                                radial_coverage_gate("default", 200), wall_heating_gate(100, 0.2)}}));
+                                radial_coverage_gate("default", 200), wall_heating_gate(100)}}));
   made.sets = {{"ppc", 2.0}};
   return made;
 }
@@ -138,7 +138,7 @@ Case against_centre() {
        plateau_gate("default", 52, plateau).fails(cause, {0.105 * plateau, 0.135 * plateau}, "2026-11-25 dbede7c"),
        gate("default/plateau-52-coarse", value_at("plateau_density", 52), at_least(54),
             requirement("above five sixths of 64: what a shock at ten cells permits")),
-       wall_heating_gate(52, 0.2)});
+       wall_heating_gate(52)});
   made.sets = {{"ppc", 2.0}};
   made.may_be_undefined = {
       {"shock_position",
