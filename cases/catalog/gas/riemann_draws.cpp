@@ -179,7 +179,8 @@ std::vector<CaseGate> gates() {
   const std::string carried =
       "motion of the grid's size in denser gas moves the contact and radiates into thin gas; the filter acts at the "
       "speed of sound of the mean over the mass at a node, at a contact the slow one of the denser gas. Of "
-      "the 18 tubes whose densities at the contact differ more than fifteenfold the median is 2.7, of the others 1.36";
+      "the 18 tubes whose densities at the contact differ more than fifteenfold the median is 2.7 with s_2 = 0, of the "
+      "others 1.36";
   const std::string read =
       "at a contact pressures are read as the density that two maps spread over a few cells, times the energy that "
       "jumps from point to point; finite volumes keep the pressure there all but exactly";
