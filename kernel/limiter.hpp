@@ -31,86 +31,64 @@ class Limiter {
              std::vector<double>& closing, int threads) const {
     find_slopes(
         field, u, slopes, [](int, int) { return 1.0; }, threads);
-    for_touched_beside(grid_, field, threads, [&](int i, const Beside& beside) {
-      double& all = closing[static_cast<std::size_t>(i)] = 0;
-      for (int d = 0; d < dim; ++d) {
-        const double g = slopes[static_cast<std::size_t>(i)][d];
-        if (g < 0) all -= (1 - linear_share(beside, slopes, i, d)) * g;
-      }
-    });
+    const Vec* const slope = slopes.data();
+    double* const all = closing.data();
+    for_sides(
+        grid_, field, threads, [=](int i, int d, const Side& below, const Side& above) __attribute__((always_inline)) {
+          const double closes = (1 - linear_share(slope, i, d, below, above)) * std::max(0.0, -slope[i][d]);
+          const double so_far = all[i];
+          all[i] = closes + (d == 0 ? 0.0 : so_far);
+        });
   }
 
   // kept = t of the velocity u, a = least; inverse_volumes: of the nodes' cells, see PointLoops; on the same nodes.
   void find_kept(const VelocityField<dim>& field, const std::vector<double>& inverse_volumes, double least,
                  const std::vector<Vec>& u, std::vector<Vec>& slopes, std::vector<Vec>& kept, int threads) const {
-    const std::vector<double>& mass = field.mass_of_gas();
-    const auto density = [&](int node) {
-      const auto at = static_cast<std::size_t>(node);
-      return mass[at] * inverse_volumes[at];
-    };
-    const auto share = [&](int i, int j) {
-      const double own = density(i), other = density(j);
-      return other > 0 ? other / (own + other) : 0.0;
+    const double *const mass = field.mass_of_gas().data(), *const inverse_volume = inverse_volumes.data();
+    const auto density = [=](int node) { return mass[node] * inverse_volume[node]; };
+    const auto share = [=](int i, int j) {
+      const double other = density(j);
+      return ratio(other, density(i) + other);
     };
     find_slopes(field, u, slopes, share, threads);
-    for_touched_beside(grid_, field, threads, [&](int i, const Beside& beside) {
-      Vec& all = kept[static_cast<std::size_t>(i)] = Vec::Ones();
-      for (int d = 0; d < dim; ++d) {
-        if (!(slopes[static_cast<std::size_t>(i)][d] > 0)) continue;
-        const int below = beside(i, d, 0).node, above = beside(i, d, 1).node;
-        const double low = below < 0 ? 0.0 : density(below), high = above < 0 ? 0.0 : density(above);
-        const double uneven = low + high > 0 ? std::abs(high - low) / (high + low) : 0.0;
-        const double bent = std::max(0.0, 1 - 2 * (1 - uneven) * linear_share(beside, slopes, i, d));
-        all[d] -= (1 - least) * bent * std::min(1.0, change_that_counts * uneven);
-      }
-    });
+    const Vec* const slope = slopes.data();
+    Vec* const all = kept.data();
+    const double limited = 1 - least;
+    for_sides(
+        grid_, field, threads, [=](int i, int d, const Side& below, const Side& above) __attribute__((always_inline)) {
+          const double low = below.share * density(below.node), high = above.share * density(above.node);
+          const double uneven = ratio(std::abs(high - low), low + high);
+          const double bent = std::max(0.0, 1 - 2 * (1 - uneven) * linear_share(slope, i, d, below, above));
+          const double most = slope[i][d] > 0 ? 1.0 : 0.0;
+          all[i][d] = 1 - limited * bent * std::min(most, change_that_counts * uneven);
+        });
   }
 
  private:
   static constexpr double change_that_counts = 32;
 
-  using Beside = RowNeighbours<dim>;
-
-  // weight(i, j): of what the neighbour j says of the slope at i, not negative.
+  // g of each direction; from one side where the other has no neighbour. weight(i, j): of what the neighbour j says of the
+  // slope at i, not negative.
   template <class Weight>
   void find_slopes(const VelocityField<dim>& field, const std::vector<Vec>& u, std::vector<Vec>& slopes,
                    Weight&& weight, int threads) const {
-    for_touched_beside(grid_, field, threads, [&](int i, const Beside& beside) {
-      slopes[static_cast<std::size_t>(i)] = slope(beside, u, i, weight);
-    });
+    const Vec* const value = u.data();
+    Vec* const slope = slopes.data();
+    const double h = grid_.h();
+    for_sides(
+        grid_, field, threads, [=](int i, int d, const Side& below, const Side& above) __attribute__((always_inline)) {
+          const double low = below.share * weight(i, below.node), high = above.share * weight(i, above.node);
+          const double sum = low * (value[i][d] - below.sign * value[below.node][d]) +
+                             high * (above.sign * value[above.node][d] - value[i][d]);
+          slope[i][d] = ratio(sum, (low + high) * h);
+        });
   }
 
-  // g of each direction; from one side where the other has no neighbour.
-  template <class Weight>
-  Vec slope(const Beside& beside, const std::vector<Vec>& u, int i, Weight&& weight) const {
-    Vec g = Vec::Zero();
-    for (int d = 0; d < dim; ++d) {
-      double sum = 0;
-      for (int side = 0; side < 2; ++side) {
-        const Neighbour there = beside(i, d, side);
-        if (there.node < 0) continue;
-        const double value = u[static_cast<std::size_t>(there.node)][d];  // odd in a wall
-        const double change = (there.mirrored ? -value : value) - u[static_cast<std::size_t>(i)][d];
-        const double share = weight(i, there.node);
-        g[d] += share * ((side == 0 ? -change : change) / grid_.h());
-        sum += share;
-      }
-      if (sum > 0) g[d] /= sum;
-    }
-    return g;
-  }
-
-  // psi of direction d, whose slope is not zero.
-  double linear_share(const Beside& beside, const std::vector<Vec>& slopes, int i, int d) const {
-    double least = 1, mean = 0;
-    for (int side = 0; side < 2; ++side) {
-      const Neighbour there = beside(i, d, side);
-      if (there.node < 0) return 0;
-      const double r = slopes[static_cast<std::size_t>(there.node)][d] / slopes[static_cast<std::size_t>(i)][d];
-      least = std::min(least, 2 * r);
-      mean += r / 2;
-    }
-    return std::max(0.0, std::min(least, mean));
+  // psi of direction d; of no slope: zero.
+  static double linear_share(const Vec* slope, int i, int d, const Side& below, const Side& above) {
+    const double own = slope[i][d], low = below.share * slope[below.node][d], high = above.share * slope[above.node][d];
+    const double least = std::min(std::min(own * own, 2 * own * low), 2 * own * high);
+    return ratio(std::max(0.0, std::min(least, 0.5 * own * (low + high))), own * own);
   }
 
   Grid<dim> grid_;

@@ -104,4 +104,43 @@ void for_touched_beside(const Grid<dim>& grid, const VelocityField<dim>& field, 
   });
 }
 
+// Beside a node along an axis: the node to read there, 1 where it carries mass (else 0, and it may be the node itself), and the
+// sign of what is odd in a wall, -1 for an image.
+struct Side {
+  int node;
+  double share;
+  double sign;
+};
+
+// 1 where a node carries mass, else 0.
+inline double carries(double mass) { return mass > least_mass ? 1.0 : 0.0; }
+
+// dividend / divisor; of no divisor, which is not negative, zero. Branches would keep compilers from packing a loop.
+inline double ratio(double dividend, double divisor) { return dividend / std::max(divisor, 1e-300); }
+
+// visit(i, d, side below, side above) for each touched node and axis, the axes of a node in their order; visits of different
+// rows may run side by side. Of the plain nodes in loops that compilers pack if visit is inlined and has no branches.
+template <int dim, class Visit>
+void for_sides(const Grid<dim>& grid, const VelocityField<dim>& field, int threads, Visit&& visit) {
+  const double* const mass = field.mass.data();
+  for_each_piece(grid.rows(), threads, [&](int row) {
+    const RowNeighbours<dim> beside(grid, field, row);
+    const auto [first, last] = beside.plain_nodes();
+    for (int d = 0; d < dim; ++d) {
+      field.for_touched_in(grid, row, [&](std::size_t at) {
+        const int i = static_cast<int>(at);
+        if (beside.plain(i)) return;
+        const auto side = [&](int which) {
+          const Neighbour there = beside(i, d, which);
+          return Side{there.node < 0 ? i : there.node, there.node < 0 ? 0.0 : 1.0, there.mirrored ? -1.0 : 1.0};
+        };
+        visit(i, d, side(0), side(1));
+      });
+      const int stride = grid.stride(d);
+      for (int i = first; i < last; ++i)
+        visit(i, d, Side{i - stride, carries(mass[i - stride]), 1.0}, Side{i + stride, carries(mass[i + stride]), 1.0});
+    }
+  });
+}
+
 }  // namespace plumbline

@@ -100,21 +100,23 @@ class Sharpening {
     if (walled(0, 1)) to = std::min(to, last(0) + 1);
     for (int i = from; i < to; ++i) visit(row * grid_.row_length() + i);
   }
-  // to = so_far + amount B_d u, next = B_d u (null: not wanted) of plain nodes [first, last) of a row. Returns
-  // sum_i amount M_i (what the lower neighbour adds to (B_d u)_i less what the upper one does).
+  // to = so_far + amount B_d u, next = B_d u (null: not wanted) of plain nodes [first, last) of a row; kept: if limited.
+  // Returns sum_i amount M_i (what the lower neighbour adds to (B_d u)_i less what the upper one does), on a line zero: there
+  // nothing turns, and compilers pack the loop.
   template <bool limited>
   static Vec apply_plain(int first, int last, int d, int stride, double theta, double amount, const double* mass,
                          const Vec* kept, const Vec* u, const Vec* so_far, Vec* to, Vec* next) {
-    const auto pull = [&](int i, int j) __attribute__((always_inline)) {
-      const double own = mass[i], other = mass[j];
-      double share = own > least_mass && other > least_mass ? 2 * theta * other / (own + other) : 0.0;
+    const auto pull = [=](int i, int j) __attribute__((always_inline)) {
+      const double other = std::min(mass[i], mass[j]) > least_mass ? mass[j] : 0.0;
+      double share = 2 * theta * ratio(other, mass[i] + mass[j]);
       if constexpr (limited) share *= 0.5 * (kept[i][d] + kept[j][d]);
       return Vec(share * (u[i] - u[j]));
     };
     Vec apart = Vec::Zero();
+#pragma GCC ivdep  // so_far may be to, node by node
     for (int i = first; i < last; ++i) {
       const Vec below = pull(i, i - stride), above = pull(i, i + stride), sum = below + above;
-      apart += mass[i] * (below - above);
+      if constexpr (dim > 1) apart += mass[i] * (below - above);
       to[i] = so_far[i] + amount * sum;
       if (next) next[i] = sum;
     }

@@ -24,36 +24,56 @@ class ReadOff {
   // Of the touched nodes, ghosts of walls excepted.
   void apply(const VelocityField<dim>& field, std::vector<double>& density, int threads) {
     if (theta_ == 0) return;
+    below_.resize(density.size());
+    above_.resize(density.size());
     for (int pass = 0; pass < 2; ++pass) {
       before_ = density;
-      for_touched_beside(grid_, field, threads, [&](int i, const RowNeighbours<dim>& beside) {
-        const auto at = static_cast<std::size_t>(i);
-        if (!(field.mass[at] > least_mass)) return;
-        for (int d = 0; d < dim; ++d) {
-          const Neighbour sides[] = {beside(i, d, 0), beside(i, d, 1)};
-          for (int side = 0; side < 2; ++side) density[at] -= outward_flux(field, i, d, side, sides);
-        }
-      });
+      find_beside(field, threads);
+      sharpen(field, density, threads);
     }
   }
 
  private:
-  double at(int node) const { return node < 0 ? 0.0 : before_[static_cast<std::size_t>(node)]; }
+  using Vec = Eigen::Matrix<double, dim, 1>;
 
-  // F through the face on one side of node i, away from it; sides: its neighbours along d.
-  double outward_flux(const VelocityField<dim>& field, int i, int d, int side, const Neighbour (&sides)[2]) const {
-    const Neighbour there = sides[side];
-    if (there.node < 0) return 0;
-    const double own = at(i), other = at(there.node), before = at(sides[1 - side].node);
-    const double beyond = at(neighbour(grid_, field, there.node, d, there.mirrored ? 1 - side : side).node);
-    const double change = other - own, sign = change < 0 ? -1 : 1, least = std::min({before, own, other, beyond});
-    return sign * std::max(0.0, std::min({theta_ * std::abs(change), sign * (own - before), sign * (beyond - other),
-                                          theta_ * least}));
+  // The densities beside each node.
+  void find_beside(const VelocityField<dim>& field, int threads) {
+    const double* const before = before_.data();
+    Vec *const low = below_.data(), *const high = above_.data();
+    for_sides(
+        grid_, field, threads, [=](int i, int d, const Side& below, const Side& above) __attribute__((always_inline)) {
+          low[i][d] = below.share * before[below.node];
+          high[i][d] = above.share * before[above.node];
+        });
+  }
+
+  void sharpen(const VelocityField<dim>& field, std::vector<double>& density, int threads) const {
+    const double *const mass = field.mass.data(), *const before = before_.data(), theta = theta_;
+    const Vec *const low = below_.data(), *const high = above_.data();
+    double* const after = density.data();
+    for_sides(
+        grid_, field, threads, [=](int i, int d, const Side& below, const Side& above) __attribute__((always_inline)) {
+          // Beside an image stands what stands on the other side of its node.
+          const double under = below.sign > 0 ? low[below.node][d] : high[below.node][d];
+          const double over = above.sign > 0 ? high[above.node][d] : low[above.node][d];
+          const double own = before[i], down = low[i][d], up = high[i][d];
+          after[i] -= carries(mass[i]) * (flux(theta, up, own, down, below.share * under) +
+                                          flux(theta, down, own, up, above.share * over));
+        });
+  }
+
+  // F from a node to one beside it, between what is beyond either.
+  static double flux(double theta, double before, double own, double other, double beyond) {
+    const double change = other - own, sign = change < 0 ? -1.0 : 1.0;
+    const double least = std::min(std::min(before, own), std::min(other, beyond));
+    const double most = theta * std::min(std::abs(change), least);
+    return sign * std::max(0.0, std::min(most, std::min(sign * (own - before), sign * (beyond - other))));
   }
 
   Grid<dim> grid_;
   double theta_;
   std::vector<double> before_;
+  std::vector<Vec> below_, above_;  // the densities beside the nodes, before; zero: no node with mass
 };
 
 }  // namespace plumbline
