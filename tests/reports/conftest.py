@@ -49,11 +49,11 @@ def results(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def page(results, tmp_path_factory):
-    """The report of that folder as a single file; read-only for the tests."""
+    """The report of that folder as a single file, its numbers in the folder csv beside it; read-only for the tests."""
     import render
 
     output = tmp_path_factory.mktemp("page") / "index.html"
-    assert render.main([str(results[0]), str(output), "--single-file"]) == 4
+    assert render.main([str(results[0]), str(output), "--single-file", "--csv", str(output.parent / "csv")]) == 4
     return output
 
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <stdexcept>
+#include <string_view>
 
 #include "cases/catalog/stability/trial_case.hpp"
 #include "cases/harness/files/json_text.hpp"
@@ -32,11 +33,21 @@ struct Kept {
   std::vector<Value> values;
 };
 
-std::vector<Kept> read_kept() {
-  std::string text;
-  for (const char* line : kept_lines) text += line;
+// Lines hold an entry each, those of a reference beside one another: whoever asks for one need not read all.
+std::string_view reference_of(std::string_view line) {
+  constexpr std::string_view before = R"("reference": ")";
+  const std::size_t found = line.find(before);
+  if (found == line.npos) return {};
+  line.remove_prefix(found + before.size());
+  return line.substr(0, line.find('"'));
+}
+
+std::vector<Kept> kept_of(std::string_view reference) {
   std::vector<Kept> all;
-  for (const Json& entry : parse_json(text)) {
+  for (std::string_view line : kept_lines) {
+    if (reference_of(line) != reference) continue;
+    if (line.ends_with(',')) line.remove_suffix(1);
+    const Json entry = parse_json(std::string(line));
     Kept kept{.reference = entry.at("reference"),
               .by = entry.at("by"),
               .settings = entry.at("settings"),
@@ -50,9 +61,13 @@ std::vector<Kept> read_kept() {
   return all;
 }
 
-const std::vector<Kept>& all_kept() {
-  static const std::vector<Kept> all = read_kept();
-  return all;
+std::vector<std::string> compared_references() {
+  std::vector<std::string> names;
+  for (const std::string_view line : kept_lines) {
+    const std::string_view name = reference_of(line);
+    if (!name.empty() && (names.empty() || names.back() != name)) names.emplace_back(name);
+  }
+  return names;
 }
 
 // Without a number to be kept: two flows that are computed on meshes and compared in the mean, by
@@ -82,8 +97,7 @@ Findings compared(const std::string& name) {
   ProfileColumn number{"number", "1", "number kept", {}}, values{"value", "1", "value", {}},
       deviations{"deviation", "1", "deviation over its tolerance", {}};
   double largest = 0;
-  for (const Kept& kept : all_kept()) {
-    if (kept.reference != name) continue;
+  for (const Kept& kept : kept_of(name)) {
     const std::map<std::string, double> found = answered(kept);
     for (const Kept::Value& one : kept.values) {
       const auto value = found.find(one.name);
@@ -101,15 +115,12 @@ Findings compared(const std::string& name) {
   return findings;
 }
 
-bool has_second(const std::string& name) {
-  return std::any_of(all_kept().begin(), all_kept().end(), [&](const Kept& kept) { return kept.reference == name; });
-}
-
 Findings catalog() {
   ProfileColumn number{"number", "1", "reference, by name", {}}, has{"second", "1", "has a second computation", {}};
   double without = 0;
+  const std::vector<std::string> seconds = compared_references();
   for (const reference::Reference* one : reference::references()) {
-    const bool second = has_second(one->name());
+    const bool second = std::find(seconds.begin(), seconds.end(), one->name()) != seconds.end();
     const bool flow = std::find(computed_flows.begin(), computed_flows.end(), one->name()) != computed_flows.end();
     if (!second && !flow) ++without;
     number.values.push_back(static_cast<double>(number.values.size() + 1));
@@ -120,14 +131,6 @@ Findings catalog() {
   findings.profile.abscissa = "number";
   findings.profile.columns = {std::move(number), std::move(has)};
   return findings;
-}
-
-std::vector<std::string> compared_references() {
-  std::vector<std::string> names;
-  for (const Kept& kept : all_kept()) {
-    if (names.empty() || names.back() != kept.reference) names.push_back(kept.reference);
-  }
-  return names;
 }
 
 std::vector<Trial> trials() {

@@ -91,85 +91,101 @@ TEST(Cases, ARunNeedsAStep) {
 
 // --- what every registered case must declare ----------------------------------------------------------------------
 
-class EveryCase : public ::testing::TestWithParam<const Case*> {};
-INSTANTIATE_TEST_SUITE_P(Cases, EveryCase, ::testing::ValuesIn(cases()), [](const auto& each) {
-  std::string name = each.param->name;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
-
-TEST_P(EveryCase, SaysWhatItIs) {
-  const Statement s = GetParam()->statement();
-  for (const std::string& text :
-       {s.title, s.source, s.claim, s.physics, s.sketch, s.reference_name, s.reference_text, s.reference_bound}) {
-    EXPECT_FALSE(text.empty());
-  }
-  EXPECT_FALSE(s.equations.empty());
-  for (const Statement::TheoryOrder& order : s.theory_orders) EXPECT_FALSE(order.why.empty());
-  EXPECT_NE(s.sketch.find("</svg>"), std::string::npos);
-  EXPECT_EQ(s.cells_along.empty(), !GetParam()->trials.empty());
-}
-
-TEST_P(EveryCase, HasNoKeyTwice) {
-  std::set<std::string> names;
-  const Settings settings = GetParam()->settings("default", {});
-  for (const Key& key : settings.keys()) {
-    EXPECT_TRUE(names.insert(key.name).second) << key.name;
-    EXPECT_FALSE(key.description.empty()) << key.name;
+// visit(case) for all of them, each failure with its name.
+template <class Visit>
+void for_every_case(Visit&& visit) {
+  for (const Case* entry : cases()) {
+    SCOPED_TRACE(entry->name);
+    visit(*entry);
   }
 }
 
-TEST_P(EveryCase, StudiesAndGatesHaveNamesOfTheirOwn) {
-  std::set<std::string> studies, gates;
-  for (const StudyPlan& plan : GetParam()->studies) {
-    EXPECT_TRUE(studies.insert(plan.id).second) << plan.id;
-    EXPECT_FALSE(plan.why.empty()) << plan.id;
-    EXPECT_FALSE(plan.values.empty()) << plan.id;
-  }
-  for (const CaseGate& gate : GetParam()->gates) EXPECT_TRUE(gates.insert(gate.gate.id).second) << gate.gate.id;
+TEST(EveryCase, SaysWhatItIs) {
+  for_every_case([](const Case& entry) {
+    const Statement s = entry.statement();
+    for (const std::string& text :
+         {s.title, s.source, s.claim, s.physics, s.sketch, s.reference_name, s.reference_text, s.reference_bound}) {
+      EXPECT_FALSE(text.empty());
+    }
+    EXPECT_FALSE(s.equations.empty());
+    for (const Statement::TheoryOrder& order : s.theory_orders) EXPECT_FALSE(order.why.empty());
+    EXPECT_NE(s.sketch.find("</svg>"), std::string::npos);
+    EXPECT_EQ(s.cells_along.empty(), !entry.trials.empty());
+  });
+}
+
+TEST(EveryCase, HasNoKeyTwice) {
+  for_every_case([](const Case& entry) {
+    std::set<std::string> names;
+    const Settings settings = entry.settings("default", {});
+    for (const Key& key : settings.keys()) {
+      EXPECT_TRUE(names.insert(key.name).second) << key.name;
+      EXPECT_FALSE(key.description.empty()) << key.name;
+    }
+  });
+}
+
+TEST(EveryCase, StudiesAndGatesHaveNamesOfTheirOwn) {
+  for_every_case([](const Case& entry) {
+    std::set<std::string> studies, gates;
+    for (const StudyPlan& plan : entry.studies) {
+      EXPECT_TRUE(studies.insert(plan.id).second) << plan.id;
+      EXPECT_FALSE(plan.why.empty()) << plan.id;
+      EXPECT_FALSE(plan.values.empty()) << plan.id;
+    }
+    for (const CaseGate& gate : entry.gates) EXPECT_TRUE(gates.insert(gate.gate.id).second) << gate.gate.id;
+  });
 }
 
 // A gate whose level its study lacks in that tier would never be judged.
-TEST_P(EveryCase, GatesAreCompleteAndReadLevelsThatTheirStudyHas) {
-  const std::vector<StudyPlan> plans = GetParam()->studies;
-  for (const CaseGate& declared : GetParam()->gates) {
-    EXPECT_NO_THROW(validate(declared.gate)) << declared.gate.id;
-    if (declared.study.rfind("integrator/", 0) == 0) continue;  // made by verify for every integrator
-    const auto plan = std::find_if(plans.begin(), plans.end(),
-                                   [&](const StudyPlan& p) { return p.id == declared.study; });
-    ASSERT_NE(plan, plans.end()) << declared.gate.id;
-    EXPECT_TRUE(declared.tier == Tier::full || plan->tier == Tier::quick) << declared.gate.id;
-    for (const Tier tier : {Tier::quick, Tier::full}) {
-      if (tier == Tier::quick && declared.tier == Tier::full) continue;
-      const auto& values = tier == Tier::full && !plan->full_values.empty() ? plan->full_values : plan->values;
-      for (const double level : declared.levels) {
-        EXPECT_NE(std::find(values.begin(), values.end(), level), values.end()) << declared.gate.id << " at " << level;
+TEST(EveryCase, GatesAreCompleteAndReadLevelsThatTheirStudyHas) {
+  for_every_case([](const Case& entry) {
+    const std::vector<StudyPlan> plans = entry.studies;
+    for (const CaseGate& declared : entry.gates) {
+      EXPECT_NO_THROW(validate(declared.gate)) << declared.gate.id;
+      if (declared.study.rfind("integrator/", 0) == 0) continue;  // made by verify for every integrator
+      const auto plan = std::find_if(plans.begin(), plans.end(),
+                                     [&](const StudyPlan& p) { return p.id == declared.study; });
+      ASSERT_NE(plan, plans.end()) << declared.gate.id;
+      EXPECT_TRUE(declared.tier == Tier::full || plan->tier == Tier::quick) << declared.gate.id;
+      for (const Tier tier : {Tier::quick, Tier::full}) {
+        if (tier == Tier::quick && declared.tier == Tier::full) continue;
+        const auto& values = tier == Tier::full && !plan->full_values.empty() ? plan->full_values : plan->values;
+        for (const double level : declared.levels) {
+          EXPECT_NE(std::find(values.begin(), values.end(), level), values.end())
+              << declared.gate.id << " at " << level;
+        }
       }
     }
-  }
+  });
 }
 
-TEST_P(EveryCase, PlansResolveInBothTiers) {
-  for (const StudyPlan& plan : GetParam()->studies) {
-    for (const Tier tier : {Tier::quick, Tier::full}) EXPECT_NO_THROW(planned_runs(*GetParam(), plan, tier)) << plan.id;
-  }
+TEST(EveryCase, PlansResolveInBothTiers) {
+  for_every_case([](const Case& entry) {
+    for (const StudyPlan& plan : entry.studies) {
+      for (const Tier tier : {Tier::quick, Tier::full}) EXPECT_NO_THROW(planned_runs(entry, plan, tier)) << plan.id;
+    }
+  });
 }
 
-TEST_P(EveryCase, MakesASceneOfItsOwnEachTime) {
-  const Settings settings = GetParam()->settings("default", {});
-  if (!GetParam()->trials.empty()) {
-    EXPECT_THROW(GetParam()->problem(settings), UsageError);
-    return;
-  }
-  const auto problem = GetParam()->problem(settings);
-  EXPECT_GT(problem->end_time(), 0);
-  const Scene first = problem->scene(), second = problem->scene();
-  ASSERT_FALSE(first.bodies.empty());
-  const auto one = first.bodies[0].points.values(column::position),
-             two = second.bodies[0].points.values(column::position);
-  EXPECT_TRUE(std::equal(one.begin(), one.end(), two.begin(), two.end()));
-  EXPECT_EQ(first.shape, settings.text("shape"));
-  EXPECT_EQ(first.transfer, settings.text("transfer"));
+// With the fewest cells that a case names.
+TEST(EveryCase, MakesASceneOfItsOwnEachTime) {
+  for_every_case([](const Case& entry) {
+    if (!entry.trials.empty()) {
+      EXPECT_THROW(entry.problem(entry.settings("default", {})), UsageError);
+      return;
+    }
+    const Settings settings = entry.settings("default", {{"cells", entry.levels.front()}});
+    const auto problem = entry.problem(settings);
+    EXPECT_GT(problem->end_time(), 0);
+    const Scene first = problem->scene(), second = problem->scene();
+    ASSERT_FALSE(first.bodies.empty());
+    const auto one = first.bodies[0].points.values(column::position),
+               two = second.bodies[0].points.values(column::position);
+    EXPECT_TRUE(std::equal(one.begin(), one.end(), two.begin(), two.end()));
+    EXPECT_EQ(first.shape, settings.text("shape"));
+    EXPECT_EQ(first.transfer, settings.text("transfer"));
+  });
 }
 
 }  // namespace
