@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 
 #include "tests/cases/harness/scene_cases.hpp"
 #include "tests/cases/harness/toy_case.hpp"
@@ -41,11 +43,14 @@ double first_step(const Problem& problem, const Settings& settings) {
   return run.last_dt();
 }
 
+// Of one choice of settings: the first step of what it is asked for first says when it ends.
 Case shortened(const Case& whole, long steps, bool forgetful = false) {
   Case made = whole;
+  const auto step = std::make_shared<std::optional<double>>();
   made.problem = [=, of_whole = whole.problem](const Settings& settings) -> std::unique_ptr<Problem> {
     auto problem = of_whole(settings);
-    const double end = std::min(problem->end_time(), static_cast<double>(steps) * first_step(*problem, settings));
+    if (!*step) *step = first_step(*problem, settings);
+    const double end = std::min(problem->end_time(), static_cast<double>(steps) * **step);
     return std::make_unique<EndsEarly>(std::move(problem), end, forgetful);
   };
   return made;
