@@ -100,12 +100,12 @@ class Sharpening {
     if (walled(0, 1)) to = std::min(to, last(0) + 1);
     for (int i = from; i < to; ++i) visit(row * grid_.row_length() + i);
   }
-  // to = so_far + amount B_d u, next = B_d u (null: not wanted) of plain nodes [first, last) of a row; kept: if limited.
+  // to += amount B_d u, next = B_d u (null: not wanted) of plain nodes [first, last) of a row; kept: if limited.
   // Returns sum_i amount M_i (what the lower neighbour adds to (B_d u)_i less what the upper one does), on a line zero: there
   // nothing turns, and compilers pack the loop.
   template <bool limited>
   static Vec apply_plain(int first, int last, int d, int stride, double theta, double amount, const double* mass,
-                         const Vec* kept, const Vec* u, const Vec* so_far, Vec* to, Vec* next) {
+                         const Vec* kept, const Vec* u, Vec* to, Vec* next) {
     const auto pull = [=](int i, int j) __attribute__((always_inline)) {
       const double other = std::min(mass[i], mass[j]) > least_mass ? mass[j] : 0.0;
       double share = 2 * theta * ratio(other, mass[i] + mass[j]);
@@ -113,11 +113,10 @@ class Sharpening {
       return Vec(share * (u[i] - u[j]));
     };
     Vec apart = Vec::Zero();
-#pragma GCC ivdep  // so_far may be to, node by node
     for (int i = first; i < last; ++i) {
       const Vec below = pull(i, i - stride), above = pull(i, i + stride), sum = below + above;
       if constexpr (dim > 1) apart += mass[i] * (below - above);
-      to[i] = so_far[i] + amount * sum;
+      to[i] += amount * sum;
       if (next) next[i] = sum;
     }
     return amount * apart;
@@ -134,10 +133,12 @@ class Sharpening {
         std::vector<Vec>* const next = k + 1 == powers_ ? nullptr
                                                         : &field.held(k % 2 == 0 ? field.corrected.odd_power
                                                                                  : field.corrected.even_power);
-        const std::vector<Vec>& so_far = d == 0 && k == 0 ? from : to;
         const double amount = amounts_[static_cast<std::size_t>(k)];
         for_each_piece(grid_.rows(), threads, [&](int row) {
           if (ghost_row(row)) return;
+          if (d == 0 && k == 0) {
+            for_own_nodes(field, row, [&](int i) { to[static_cast<std::size_t>(i)] = from[static_cast<std::size_t>(i)]; });
+          }
           const RowNeighbours<dim> beside(grid_, field, row);
           for_own_nodes(field, row, [&](int i) {
             if (beside.plain(i)) return;
@@ -151,14 +152,14 @@ class Sharpening {
               if (!mirrored) visit(row, i, j, d, amount * change);
             });
             if (next) (*next)[at] = sum;
-            to[at] = so_far[at] + amount * sum;
+            to[at] += amount * sum;
           });
           const auto [first, last] = beside.plain_nodes();
           const auto& kept = field.corrected.kept;
           const auto apply = kept.empty() ? &apply_plain<false> : &apply_plain<true>;
           visit_plain(row, d,
                       apply(first, last, d, grid_.stride(d), theta_, amount, field.mass.data(), kept.data(),
-                            power->data(), so_far.data(), to.data(), next ? next->data() : nullptr));
+                            power->data(), to.data(), next ? next->data() : nullptr));
         });
         power = next;
       }
