@@ -137,7 +137,8 @@ class Sharpening {
         for_each_piece(grid_.rows(), threads, [&](int row) {
           if (ghost_row(row)) return;
           if (d == 0 && k == 0) {
-            for_own_nodes(field, row, [&](int i) { to[static_cast<std::size_t>(i)] = from[static_cast<std::size_t>(i)]; });
+            for_own_nodes(field, row,
+                          [&](int i) { to[static_cast<std::size_t>(i)] = from[static_cast<std::size_t>(i)]; });
           }
           const RowNeighbours<dim> beside(grid_, field, row);
           for_own_nodes(field, row, [&](int i) {
