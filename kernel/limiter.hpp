@@ -84,7 +84,7 @@ class Limiter {
         });
   }
 
-  // psi of direction d; of no slope: zero.
+  // psi of direction d; of no slope: zero. Terms times own^2, so that one division does for all.
   static double linear_share(const Vec* slope, int i, int d, const Side& below, const Side& above) {
     const double own = slope[i][d], low = below.share * slope[below.node][d], high = above.share * slope[above.node][d];
     const double least = std::min(std::min(own * own, 2 * own * low), 2 * own * high);

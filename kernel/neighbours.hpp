@@ -125,20 +125,23 @@ void for_sides(const Grid<dim>& grid, const VelocityField<dim>& field, int threa
   const double* const mass = field.mass.data();
   for_each_piece(grid.rows(), threads, [&](int row) {
     const RowNeighbours<dim> beside(grid, field, row);
-    const auto [first, last] = beside.plain_nodes();
-    for (int d = 0; d < dim; ++d) {
-      field.for_touched_in(grid, row, [&](std::size_t at) {
-        const int i = static_cast<int>(at);
-        if (beside.plain(i)) return;
+    field.for_touched_in(grid, row, [&](std::size_t at) {
+      const int i = static_cast<int>(at);
+      if (beside.plain(i)) return;
+      for (int d = 0; d < dim; ++d) {
         const auto side = [&](int which) {
           const Neighbour there = beside(i, d, which);
           return Side{there.node < 0 ? i : there.node, there.node < 0 ? 0.0 : 1.0, there.mirrored ? -1.0 : 1.0};
         };
         visit(i, d, side(0), side(1));
-      });
-      const int stride = grid.stride(d);
-      for (int i = first; i < last; ++i)
-        visit(i, d, Side{i - stride, carries(mass[i - stride]), 1.0}, Side{i + stride, carries(mass[i + stride]), 1.0});
+      }
+    });
+    const auto [first, last] = beside.plain_nodes();
+    for (int i = first; i < last; ++i) {
+      for (int d = 0; d < dim; ++d) {
+        const int below = i - grid.stride(d), above = i + grid.stride(d);
+        visit(i, d, Side{below, carries(mass[below]), 1.0}, Side{above, carries(mass[above]), 1.0});
+      }
     }
   });
 }

@@ -105,7 +105,7 @@ class Sharpening {
   // nothing turns, and compilers pack the loop.
   template <bool limited>
   static Vec apply_plain(int first, int last, int d, int stride, double theta, double amount, const double* mass,
-                         const Vec* kept, const Vec* u, Vec* to, Vec* next) {
+                         const Vec* kept, const Vec* u, Vec* __restrict to, Vec* __restrict next) {
     const auto pull = [=](int i, int j) __attribute__((always_inline)) {
       const double other = std::min(mass[i], mass[j]) > least_mass ? mass[j] : 0.0;
       double share = 2 * theta * ratio(other, mass[i] + mass[j]);
@@ -127,6 +127,8 @@ class Sharpening {
   template <class VisitPlain, class Visit>
   void apply_powers(VelocityField<dim>& field, const std::vector<Vec>& from, std::vector<Vec>& to, int threads,
                     VisitPlain&& visit_plain, Visit&& visit) const {
+    field.for_touched(
+        grid_, [&](std::size_t i) { to[i] = from[i]; }, threads);
     for (int d = 0; d < dim; ++d) {
       const std::vector<Vec>* power = &from;
       for (int k = 0; k < powers_; ++k) {
@@ -136,10 +138,6 @@ class Sharpening {
         const double amount = amounts_[static_cast<std::size_t>(k)];
         for_each_piece(grid_.rows(), threads, [&](int row) {
           if (ghost_row(row)) return;
-          if (d == 0 && k == 0) {
-            for_own_nodes(field, row,
-                          [&](int i) { to[static_cast<std::size_t>(i)] = from[static_cast<std::size_t>(i)]; });
-          }
           const RowNeighbours<dim> beside(grid_, field, row);
           for_own_nodes(field, row, [&](int i) {
             if (beside.plain(i)) return;

@@ -43,7 +43,7 @@ double first_step(const Problem& problem, const Settings& settings) {
   return run.last_dt();
 }
 
-// Of one choice of settings: the first step of what it is asked for first says when it ends.
+// For one choice of settings: the end is found once, by a first step.
 Case shortened(const Case& whole, long steps, bool forgetful = false) {
   Case made = whole;
   const auto step = std::make_shared<std::optional<double>>();
