@@ -1,12 +1,12 @@
 #include "reference/chain_run.hpp"
 
 #include <gsl/gsl_errno.h>
-#include <gsl/gsl_odeiv2.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "reference/gsl_owned.hpp"
 #include "reference/root.hpp"
 
 namespace plumbline::reference {
@@ -15,9 +15,9 @@ struct ChainRun::System {
   ChainSettings settings;
   std::size_t nodes;
   gsl_odeiv2_system equations;
-  gsl_odeiv2_step* step;
-  gsl_odeiv2_control* control;
-  gsl_odeiv2_evolve* evolve;
+  Owned<gsl_odeiv2_step> step;
+  Owned<gsl_odeiv2_control> control;
+  Owned<gsl_odeiv2_evolve> evolve;
 
   explicit System(const ChainSettings& s)
       : settings(s),
@@ -28,11 +28,6 @@ struct ChainRun::System {
         evolve(gsl_odeiv2_evolve_alloc(4 * nodes)) {}
   System(const System&) = delete;
   System& operator=(const System&) = delete;
-  ~System() {
-    gsl_odeiv2_evolve_free(evolve);
-    gsl_odeiv2_control_free(control);
-    gsl_odeiv2_step_free(step);
-  }
 
   /// Of node k, counted from 1 below the support, over the mass of the end.
   double mass(std::size_t k) const {
@@ -84,12 +79,12 @@ ChainRun::ChainRun(const ChainSettings& settings) : system_(std::make_unique<Sys
 ChainRun::~ChainRun() = default;
 
 void ChainRun::advance_to(double time) {
-  gsl_odeiv2_evolve_reset(system_->evolve);
-  gsl_odeiv2_step_reset(system_->step);
+  gsl_odeiv2_evolve_reset(system_->evolve.get());
+  gsl_odeiv2_step_reset(system_->step.get());
   while (time_ < time) {
     double step = step_;
-    const int status = gsl_odeiv2_evolve_apply(system_->evolve, system_->control, system_->step, &system_->equations,
-                                               &time_, time, &step, state_.data());
+    const int status = gsl_odeiv2_evolve_apply(system_->evolve.get(), system_->control.get(), system_->step.get(),
+                                               &system_->equations, &time_, time, &step, state_.data());
     if (status != GSL_SUCCESS || !std::isfinite(state_[0])) throw std::domain_error("ChainRun: no step succeeds");
     if (time_ < time || step > step_) step_ = step;  // the last step before `time` may have been cut short
   }

@@ -1,14 +1,12 @@
 #include "reference/cook_panel.hpp"
 
 #include <gsl/gsl_linalg.h>
-#include <gsl/gsl_matrix.h>
-#include <gsl/gsl_vector.h>
 
 #include <array>
 #include <cmath>
-#include <memory>
 
 #include "reference/argument.hpp"
+#include "reference/gsl_owned.hpp"
 
 namespace plumbline::reference {
 namespace {
@@ -70,11 +68,6 @@ Stiffness stiffness(const std::array<Place, 4>& corner, double lambda, double mu
   return k;
 }
 
-struct Free {
-  void operator()(gsl_matrix* m) const { gsl_matrix_free(m); }
-  void operator()(gsl_vector* v) const { gsl_vector_free(v); }
-};
-
 // By the order that the three show (Aitken); the bound is how far that is from what second order gives. Singular corners of the sides
 // without a clamp keep the order below 2 on these meshes.
 Bounded extrapolated(double coarse, double middle, double fine) {
@@ -93,9 +86,9 @@ CookPanel cook_panel_on(const CookPanelProblem& p, int n) {
   // Nodes on the clamped side have no unknowns; the others are numbered up each line of nodes, from left to right.
   const int lines = n + 1, unknowns = 2 * n * lines, band = 2 * (lines + 1) + 1;
   const auto unknown = [&](int i, int j, int axis) { return 2 * ((i - 1) * lines + j) + axis; };
-  const std::unique_ptr<gsl_matrix, Free> matrix(
+  const Owned<gsl_matrix> matrix(
       gsl_matrix_calloc(static_cast<std::size_t>(unknowns), static_cast<std::size_t>(band + 1)));
-  const std::unique_ptr<gsl_vector, Free> load(gsl_vector_calloc(static_cast<std::size_t>(unknowns)));
+  const Owned<gsl_vector> load(gsl_vector_calloc(static_cast<std::size_t>(unknowns)));
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
       constexpr std::array<int, 4> to_right{0, 1, 1, 0}, up{0, 0, 1, 1};
@@ -117,7 +110,7 @@ CookPanel cook_panel_on(const CookPanelProblem& p, int n) {
     for (const int j : {i, i + 1}) *gsl_vector_ptr(load.get(), static_cast<std::size_t>(unknown(n, j, 1))) += share;
   }
   gsl_linalg_cholesky_band_decomp(matrix.get());
-  const std::unique_ptr<gsl_vector, Free> u(gsl_vector_alloc(static_cast<std::size_t>(unknowns)));
+  const Owned<gsl_vector> u(gsl_vector_alloc(static_cast<std::size_t>(unknowns)));
   gsl_linalg_cholesky_band_solve(matrix.get(), load.get(), u.get());
   double work = 0;
   for (std::size_t k = 0; k < u->size; ++k) work += gsl_vector_get(load.get(), k) * gsl_vector_get(u.get(), k) / 2;

@@ -1,12 +1,10 @@
 // The finite bars of mpm_amplification.hpp.
-#include <gsl/gsl_eigen.h>
-
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "reference/argument.hpp"
 #include "reference/grid_maps.hpp"
+#include "reference/gsl_owned.hpp"
 #include "reference/linear_step.hpp"
 #include "reference/nodal_filter.hpp"
 
@@ -14,14 +12,6 @@ namespace plumbline::reference {
 namespace {
 
 using Real = Dense<double>;
-
-struct Free {
-  void operator()(gsl_matrix* p) const { gsl_matrix_free(p); }
-  void operator()(gsl_vector* p) const { gsl_vector_free(p); }
-  void operator()(gsl_eigen_symmv_workspace* p) const { gsl_eigen_symmv_free(p); }
-};
-template <class Handle>
-using Owned = std::unique_ptr<Handle, Free>;
 
 struct SymmetricPairs {
   std::vector<double> values;

@@ -1,17 +1,11 @@
 #include "reference/quadrature.hpp"
 
-#include <gsl/gsl_integration.h>
-
-#include <memory>
+#include "reference/gsl_owned.hpp"
 
 namespace plumbline::reference {
 namespace {
 
 constexpr int points = 32, deepest = 40;
-
-struct Free {
-  void operator()(gsl_integration_glfixed_table* table) const { gsl_integration_glfixed_table_free(table); }
-};
 
 class Rule {
  public:
@@ -44,7 +38,7 @@ class Rule {
 
  private:
   const std::function<Bounded(double)>& f_;
-  std::unique_ptr<gsl_integration_glfixed_table, Free> table_;
+  Owned<gsl_integration_glfixed_table> table_;
 };
 
 }  // namespace

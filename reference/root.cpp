@@ -1,19 +1,15 @@
 #include "reference/root.hpp"
 
 #include <gsl/gsl_errno.h>
-#include <gsl/gsl_roots.h>
 
-#include <memory>
 #include <stdexcept>
+
+#include "reference/gsl_owned.hpp"
 
 namespace plumbline::reference {
 namespace {
 
 double call(double x, void* f) { return (*static_cast<const std::function<double(double)>*>(f))(x); }
-
-struct Free {
-  void operator()(gsl_root_fsolver* solver) const { gsl_root_fsolver_free(solver); }
-};
 
 constexpr int most_iterations = 200;  // about ten are usual; callers polish and certify the result anyway
 
@@ -29,7 +25,7 @@ double brent_root(const std::function<double(double)>& f, double low, double hig
   };
   std::function<double(double)> target = checked;
   gsl_function function{&call, &target};
-  const std::unique_ptr<gsl_root_fsolver, Free> solver(gsl_root_fsolver_alloc(gsl_root_fsolver_brent));
+  const Owned<gsl_root_fsolver> solver(gsl_root_fsolver_alloc(gsl_root_fsolver_brent));
   gsl_root_fsolver_set(solver.get(), &function, low, high);
   for (int i = 0; i < most_iterations; ++i) {
     gsl_root_fsolver_iterate(solver.get());

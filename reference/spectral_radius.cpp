@@ -1,25 +1,14 @@
 #include "reference/spectral_radius.hpp"
 
 #include <gsl/gsl_complex_math.h>
-#include <gsl/gsl_eigen.h>
 #include <gsl/gsl_linalg.h>
 
-#include <memory>
 #include <stdexcept>
+
+#include "reference/gsl_owned.hpp"
 
 namespace plumbline::reference {
 namespace {
-
-struct Free {
-  void operator()(gsl_matrix* p) const { gsl_matrix_free(p); }
-  void operator()(gsl_vector_complex* p) const { gsl_vector_complex_free(p); }
-  void operator()(gsl_matrix_complex* p) const { gsl_matrix_complex_free(p); }
-  void operator()(gsl_permutation* p) const { gsl_permutation_free(p); }
-  void operator()(gsl_eigen_nonsymm_workspace* p) const { gsl_eigen_nonsymm_free(p); }
-  void operator()(gsl_eigen_nonsymmv_workspace* p) const { gsl_eigen_nonsymmv_free(p); }
-};
-template <class Handle>
-using Owned = std::unique_ptr<Handle, Free>;
 
 std::size_t size_of(const SquareMatrix& matrix) { return static_cast<std::size_t>(matrix.size); }
 

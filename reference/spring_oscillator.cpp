@@ -1,13 +1,12 @@
 #include "reference/spring_oscillator.hpp"
 
 #include <gsl/gsl_errno.h>
-#include <gsl/gsl_odeiv2.h>
 
 #include <array>
 #include <cmath>
-#include <memory>
 
 #include "reference/argument.hpp"
+#include "reference/gsl_owned.hpp"
 
 namespace plumbline::reference {
 namespace {
@@ -23,8 +22,7 @@ int oscillator_rates(double /*time*/, const double* y, double* rate, void* param
 
 State integrated(SpringOscillatorProblem problem, double time, int steps) {
   gsl_odeiv2_system system{oscillator_rates, nullptr, 2, &problem};
-  const std::unique_ptr<gsl_odeiv2_step, decltype(&gsl_odeiv2_step_free)> stepper(
-      gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 2), &gsl_odeiv2_step_free);
+  const Owned<gsl_odeiv2_step> stepper(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 2));
   State state{problem.displacement, problem.velocity}, error{};
   const double step = time / steps;
   for (int k = 0; k < steps; ++k) {

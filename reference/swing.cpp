@@ -1,12 +1,12 @@
 #include "reference/swing.hpp"
 
 #include <gsl/gsl_errno.h>
-#include <gsl/gsl_odeiv2.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "reference/gsl_owned.hpp"
 #include "reference/root.hpp"
 
 namespace plumbline::reference {
@@ -15,12 +15,11 @@ struct Swing::Stepper {
   double kappa = 0;
   bool carries = true;  // the string pulls (or pushes)
   gsl_odeiv2_system system{&rate, nullptr, 4, this};
-  gsl_odeiv2_step* step = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 4);
+  Owned<gsl_odeiv2_step> step{gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 4)};
 
   Stepper() = default;
   Stepper(const Stepper&) = delete;
   Stepper& operator=(const Stepper&) = delete;
-  ~Stepper() { gsl_odeiv2_step_free(step); }
 
   static int rate(double, const double y[], double dydt[], void* at) {
     const Stepper& self = *static_cast<const Stepper*>(at);
@@ -48,8 +47,8 @@ Swing::~Swing() = default;
 
 SwingState Swing::after(double step) const {
   SwingState y = state_, error;
-  gsl_odeiv2_step_reset(stepper_->step);
-  gsl_odeiv2_step_apply(stepper_->step, time_, step, y.data(), error.data(), nullptr, nullptr, &stepper_->system);
+  gsl_odeiv2_step_reset(stepper_->step.get());
+  gsl_odeiv2_step_apply(stepper_->step.get(), time_, step, y.data(), error.data(), nullptr, nullptr, &stepper_->system);
   for (double value : y) {
     if (!std::isfinite(value)) throw std::domain_error("Swing: the integration left the finite numbers");
   }

@@ -1,13 +1,12 @@
 #include "reference/taut_sheet.hpp"
 
 #include <gsl/gsl_errno.h>
-#include <gsl/gsl_odeiv2.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "reference/circle.hpp"
+#include "reference/gsl_owned.hpp"
 #include "reference/root.hpp"
 
 namespace plumbline::reference {
@@ -117,8 +116,7 @@ bool TautSheet::step(State& state, double from, double length) const {
   if (length == 0) return true;
   SheetSettings settings = settings_;
   gsl_odeiv2_system system{sheet_rates, nullptr, 4, &settings};
-  const std::unique_ptr<gsl_odeiv2_step, decltype(&gsl_odeiv2_step_free)> stepper(
-      gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 4), &gsl_odeiv2_step_free);
+  const Owned<gsl_odeiv2_step> stepper(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 4));
   State error{};
   return gsl_odeiv2_step_apply(stepper.get(), from, length, state.data(), error.data(), nullptr, nullptr, &system) ==
          GSL_SUCCESS;

@@ -34,11 +34,11 @@ function(plumbline_precompile target)
   endif()
 endfunction()
 
-# Reading headers, and what each file makes of their templates, is most of a compilation: eight sources are one translation
+# Reading headers, and what each file makes of their templates, is most of a compilation: sixteen sources are one translation
 # unit, so that their unnamed namespaces are one as well. OFF compiles each alone, for work on a few of them.
-option(PLUMBLINE_UNITY "Compile eight sources of a target as one" ON)
+option(PLUMBLINE_UNITY "Compile sixteen sources of a target as one" ON)
 function(plumbline_unite target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${PLUMBLINE_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${PLUMBLINE_UNITY} UNITY_BUILD_BATCH_SIZE 16)
   # GCC takes a part of such a unit for a header, whose classes may hold nothing of an unnamed namespace.
   target_compile_options(${target} PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
 endfunction()

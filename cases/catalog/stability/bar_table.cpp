@@ -12,7 +12,7 @@
 namespace plumbline {
 namespace {
 
-constexpr int places = 12;
+constexpr int more_places = 12;
 constexpr double none = 0;
 
 struct TableColumn {
@@ -103,8 +103,8 @@ LimitPair limits_at(const StabilityProblem& bar, const TableColumn& column, cons
 // Evenly spread over a share of a cell; the first as near to its side as makes no difference.
 LimitPair worst_of_places(const StabilityProblem& bar, const TableColumn& column, const Row& row) {
   LimitPair worst{1e300, 1e300};
-  for (int k = 0; k < places; ++k) {
-    const LimitPair here = limits_at(bar, column, row, k == 0 ? 1e-5 : static_cast<double>(k) / places);
+  for (int k = 0; k < more_places; ++k) {
+    const LimitPair here = limits_at(bar, column, row, k == 0 ? 1e-5 : static_cast<double>(k) / more_places);
     worst = {std::min(worst.laboratory, here.laboratory), std::min(worst.reference, here.reference)};
   }
   return worst;

@@ -24,7 +24,7 @@ namespace plumbline {
 namespace {
 
 constexpr int fatal_signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
-struct sigaction before[std::size(fatal_signals)];  // what was done on them
+struct sigaction actions_before[std::size(fatal_signals)];  // what was done on them
 std::terminate_handler terminate_before = nullptr;
 
 std::size_t at(int signal) {
@@ -129,7 +129,7 @@ bool register_at_exit() {
 extern "C" void at_fatal_signal(int signal) {
   const WatchedCall* call = call_of_this_thread();
   if (!armed || !call || !call->integrator) {
-    ::sigaction(signal, &before[at(signal)], nullptr);
+    ::sigaction(signal, &actions_before[at(signal)], nullptr);
     ::raise(signal);
     return;
   }
@@ -203,13 +203,13 @@ PluginWatch::PluginWatch(std::optional<double> limit, bool json_on_stdout)
   struct sigaction told {};
   told.sa_handler = at_fatal_signal;
   told.sa_flags = SA_ONSTACK;  // kept: another thread may meet a signal while the first is told
-  for (const int signal : fatal_signals) ::sigaction(signal, &told, &before[at(signal)]);
+  for (const int signal : fatal_signals) ::sigaction(signal, &told, &actions_before[at(signal)]);
 }
 
 PluginWatch::~PluginWatch() {
   armed = false;
   std::set_terminate(terminate_before);
-  for (const int signal : fatal_signals) ::sigaction(signal, &before[at(signal)], nullptr);
+  for (const int signal : fatal_signals) ::sigaction(signal, &actions_before[at(signal)], nullptr);
 }
 
 }  // namespace plumbline

@@ -8,8 +8,8 @@
 namespace plumbline {
 namespace {
 
-constexpr std::array<std::string_view, all_changes.size()> names{"worse",  "widened", "missing", "inconclusive",
-                                                                 "better", "new",     "same"};
+constexpr std::array<std::string_view, all_changes.size()> change_names{"worse",  "widened", "missing", "inconclusive",
+                                                                        "better", "new",     "same"};
 
 Json optional_number(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
@@ -40,7 +40,7 @@ std::string size_words(const Finding& f) {
 
 }  // namespace
 
-std::string_view name(Change change) { return names[static_cast<std::size_t>(change)]; }
+std::string_view name(Change change) { return change_names[static_cast<std::size_t>(change)]; }
 
 Json range_json(const Range& range) {
   const auto end = [](const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); };

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "cases/harness/compare/parts.hpp"
 
 namespace plumbline {
 namespace {
-
-constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 Finding finding_of(const LimitRecord& record, const std::string& quantity) {
   Finding f;

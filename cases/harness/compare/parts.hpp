@@ -1,6 +1,7 @@
 // The parts of a comparison: each adds a finding for everything that either snapshot has.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "cases/harness/compare/finding.hpp"
@@ -25,6 +26,8 @@ inline constexpr double limit_share = 1e-4;
 inline constexpr double cost_share = 0.10;
 // Instruction counts repeat to 1e-4; inlining moves them by a percent.
 inline constexpr double instruction_share = 0.02;
+// Where a record gives no upper end.
+inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 // A gate as the quantity of its findings: "cells/order (quick)".
 std::string gate_words(const GateRecord& gate);

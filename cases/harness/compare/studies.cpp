@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "cases/harness/compare/parts.hpp"
 #include "cases/harness/verdict/line_fit.hpp"
@@ -11,7 +10,6 @@
 namespace plumbline {
 namespace {
 
-constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr std::size_t least_common_levels = 3;
 
 Finding finding_of(const StudyRecord& study, const std::string& kind, const std::string& quantity) {

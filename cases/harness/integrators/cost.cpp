@@ -11,21 +11,21 @@ namespace {
 
 constexpr int repetitions = 3;
 
-struct Refinement {
+struct TimedRefinement {
   const char *case_name, *measure;
   std::vector<double> cells;
 };
-const std::vector<Refinement>& refinements() {
-  static const std::vector<Refinement> all{{"mms-bar", "displacement.worst", {8, 16, 32, 64}},
-                                           {"bar-riemann", "velocity.L1", {50, 100, 200}},
-                                           {"acoustic-pulse", "velocity.L1", {20, 40, 80, 160}},
-                                           {"sod", "density.L1", {50, 100, 200}},
-                                           {"string-vibration", "period", {10, 20, 40}}};
+const std::vector<TimedRefinement>& timed_refinements() {
+  static const std::vector<TimedRefinement> all{{"mms-bar", "displacement.worst", {8, 16, 32, 64}},
+                                                {"bar-riemann", "velocity.L1", {50, 100, 200}},
+                                                {"acoustic-pulse", "velocity.L1", {20, 40, 80, 160}},
+                                                {"sod", "density.L1", {50, 100, 200}},
+                                                {"string-vibration", "period", {10, 20, 40}}};
   return all;
 }
 
 // Adds the seconds of one more repetition to a curve; the first fills in errors.
-void run_once(const Subject& subject, const Refinement& refinement, std::size_t levels, CostCurve& curve) {
+void run_once(const Subject& subject, const TimedRefinement& refinement, std::size_t levels, CostCurve& curve) {
   const Case& entry = find_case(refinement.case_name);
   StudyPlan plan = integrator_plan(entry, subject.name());
   plan.values.assign(refinement.cells.begin(), refinement.cells.begin() + static_cast<std::ptrdiff_t>(levels));
@@ -86,18 +86,19 @@ double middle(std::vector<double> values) {
 std::vector<std::vector<CostCurve>> cost_curves(const std::vector<const Subject*>& subjects) {
   std::vector<std::vector<CostCurve>> all(subjects.size());
   for (auto& curves : all) {
-    for (const Refinement& refinement : refinements()) curves.push_back({refinement.case_name, refinement.measure});
+    for (const TimedRefinement& refinement : timed_refinements())
+      curves.push_back({refinement.case_name, refinement.measure});
   }
   // Of costly steps runs are timed once, without the finest mesh.
   const bool costly = std::any_of(subjects.begin(), subjects.end(),
                                   [](const Subject* subject) { return subject->has_inner_solver(); });
   for (int repetition = 0; repetition < (costly ? 1 : repetitions); ++repetition) {
-    for (std::size_t r = 0; r < refinements().size(); ++r) {
+    for (std::size_t r = 0; r < timed_refinements().size(); ++r) {
       for (std::size_t s = 0; s < subjects.size(); ++s) {
         CostCurve& curve = all[s][r];
         if (!curve.note.empty()) continue;
         try {
-          run_once(*subjects[s], refinements()[r], refinements()[r].cells.size() - (costly ? 1 : 0), curve);
+          run_once(*subjects[s], timed_refinements()[r], timed_refinements()[r].cells.size() - (costly ? 1 : 0), curve);
         } catch (const MissingTraits& parts) {
           curve.note = CannotWork(parts.lacks).what();
         }
