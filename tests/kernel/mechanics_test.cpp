@@ -3,7 +3,7 @@
 #include "kernel/mechanics.hpp"
 #include "kernel/transfers/transfer.hpp"
 
-#include "tests/kernel/like_naive.hpp"
+#include "tests/kernel/naive/expect.hpp"
 #include "tests/kernel/solids.hpp"
 
 namespace plumbline::mechanics_test {

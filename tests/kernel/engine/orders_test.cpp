@@ -3,8 +3,8 @@
 #include <functional>
 
 #include "kernel/engine/stage_queue.hpp"
-#include "tests/kernel/like_naive.hpp"
-#include "tests/kernel/naive_stages.hpp"
+#include "tests/kernel/naive/expect.hpp"
+#include "tests/kernel/naive/stages.hpp"
 #include "tests/kernel/solids.hpp"
 
 namespace plumbline::orders_test {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "kernel/stages.hpp"
-#include "tests/kernel/naive_step.hpp"
+#include "tests/kernel/naive/step.hpp"
 
 namespace plumbline {
 

@@ -1,7 +1,7 @@
 // The points and flows of a step beside those of the step written straight from the equations.
 #pragma once
 
-#include "tests/kernel/naive_step.hpp"
+#include "tests/kernel/naive/step.hpp"
 #include "tests/kernel/scenes.hpp"
 
 namespace plumbline {
