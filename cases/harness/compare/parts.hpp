@@ -26,7 +26,7 @@ inline constexpr double limit_share = 1e-4;
 inline constexpr double cost_share = 0.10;
 // Instruction counts repeat to 1e-4; inlining moves them by a percent.
 inline constexpr double instruction_share = 0.02;
-// Where a record gives no upper end.
+// Of a range or an interval whose upper end a record does not give.
 inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 // A gate as the quantity of its findings: "cells/order (quick)".
