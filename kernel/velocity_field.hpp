@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -90,6 +91,10 @@ struct VelocityField {
     std::vector<Vec> faces;          // u_f of these
     std::vector<Vec> stretch;        // (u_(i + 1/2) - u_(i - 1/2)) / h
     std::vector<double> divergence;  // their sum D_i
+    std::vector<double> share;       // P_i / p_i of [Quadrature 1]
+    std::vector<double> even_part;   // P_i
+    std::vector<double> mean;        // sum_p V_p N_ip div v_p, then what is added to div v_p [Quadrature 3]
+    std::array<std::vector<double>, 4> along;  // for what goes from one axis to the next
     std::vector<double> loss;        // what the others lost this step, then per mass of gas, J/kg
   } gas;
 

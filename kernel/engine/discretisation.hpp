@@ -11,6 +11,7 @@
 #include "kernel/engine/point_loops.hpp"
 #include "kernel/limiter.hpp"
 #include "kernel/nodal_pressure.hpp"
+#include "kernel/pressure_quadrature.hpp"
 #include "kernel/normals/membrane_tangents.hpp"
 #include "kernel/parallel.hpp"
 #include "kernel/scene.hpp"
@@ -34,6 +35,11 @@ inline bool needs_volumes(const Scene& scene) {
   return gas && (scene.density == DensityMethod::grid || scene.nodal_pressure || scene.sharpening_in_expansion < 1);
 }
 
+// Whether sums of pressures over points may be corrected.
+inline bool corrects_pressures(const Scene& scene) {
+  return scene.density == DensityMethod::grid && !scene.grid.axisymmetric && !scene.nodal_pressure;
+}
+
 template <class Geometry>
 struct Discretisation {
   static constexpr int dim = Geometry::dim;
@@ -52,6 +58,7 @@ struct Discretisation {
   Sharpening<dim> sharpening;
   Limiter<dim> limiter;
   NodalPressure<dim> pressure;
+  PressureQuadrature<dim> quadrature;
   double sharpening_in_expansion;  // the least share of it
   MaterialContext context;
   int threads;
@@ -66,6 +73,7 @@ struct Discretisation {
         sharpening(grid, shape.blur, amounts_of(scene)),
         limiter(grid),
         pressure(grid, scene.nodal_pressure && !Geometry::axisymmetric),
+        quadrature(grid, shape.degree, corrects_pressures(scene) ? scene.quadrature : 0),
         sharpening_in_expansion(scene.sharpening_in_expansion),
         context{dim,
                 grid.h(),
@@ -165,8 +173,26 @@ struct Discretisation {
   bool acts_at_nodes(const Body& body) const {
     return !pressure.none() && body.material->measure() == StressMeasure::pressure;
   }
-  // What of a straining velocity strains a body.
-  typename Loops::Straining straining(const Body& body, Field& field, const std::vector<Vec>& velocity) const {
+  // Whether the forces of its pressures are corrected. own_mass: the gas on its field's nodes is its own. [Quadrature 2]
+  bool corrects(const Body& body, bool own_mass) const {
+    return !quadrature.none() && own_mass && body.material->measure() == StressMeasure::pressure && !body.enclosure;
+  }
+  // What of a straining velocity strains a body. corrected: the forces of its pressures are, and were mapped.
+  typename Loops::Straining straining(const Body& body, const Weights<dim>& at, Field& field,
+                                      const std::vector<Vec>& velocity, bool corrected) const {
+    if constexpr (dim > 1) {
+      if (corrected) {
+        std::vector<double>& mean = field.held(field.gas.mean);
+        field.for_touched(
+            grid, [&](std::size_t i) { mean[i] = 0; }, threads);
+        for_chunks_writing_nodes(
+            at, [&](const Chunk& chunk) { loops->map_divergence(body.points, at, chunk, velocity, mean); });
+        walls.fold_even(field, mean);
+        quadrature.find_correction(field, velocity, inverse_volumes, threads);
+        walls.extend_even(field, mean);
+        return {.velocity = &velocity, .divergence = &mean};
+      }
+    }
     if (!acts_at_nodes(body)) return {.velocity = &velocity};
     find_flow(field, velocity);
     std::vector<double>& divergence = field.held(field.gas.divergence);

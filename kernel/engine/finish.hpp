@@ -19,7 +19,7 @@ auto Motion<G>::finish_body(Bodies& at, std::size_t b, const Record& step, doubl
   Field& field = at.field(b);
   Weights<dim>& places = at.weights[b];
   typename Space::Loops::Motion motion{.dt = dt, .drift = drift, .exchange = exchanges_heat(body, field)};
-  if (step.rates_of != NodalVelocity::midpoint) motion.straining = straining(body, field);
+  if (step.rates_of != NodalVelocity::midpoint) motion.straining = straining(at, b, step);
   carry_sharpened(motion, body, field, field.end);
   if (body.material->takes_heat()) loss_to_gas_.take(body, places, field);
   // Whether its points look where others stand: then all move before any does.

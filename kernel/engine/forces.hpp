@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "kernel/density/read_off.hpp"
 #include "kernel/engine/layout.hpp"
 #include "kernel/engine/step_record.hpp"
 #include "kernel/surface_neighbours.hpp"  // the column clamped
@@ -19,8 +20,11 @@ class Forces {
   using Bodies = Layout<dim>;
   using Field = typename Space::Field;
 
-  // shares: what gases map beside their forces.
-  Forces(const Space& space, Shares shares) : space_(space), shares_(shares) {}
+  // shares: what gases map beside their forces. sharpening: how much of the maps' smoothing of densities is undone.
+  Forces(const Space& space, Shares shares, double sharpening)
+      : space_(space),
+        shares_(shares),
+        read_off_(space.grid, sharpening * space.shape.blur) {}
 
   void clear(Bodies& at, Record& step) const {
     step.forces.emplace();
@@ -46,22 +50,54 @@ class Forces {
   }
 
   // What else body b does to the nodes once its stresses are mapped.
-  void complete(Bodies& at, std::size_t b, Record& step, const StepClock& clock) const {
+  void complete(Bodies& at, std::size_t b, Record& step, const StepClock& clock) {
+    if constexpr (dim > 1) {
+      if (at.corrected(space_, b)) correct(at.bodies[b], at.weights[b], at.field(b));
+    }
     add_stress_turn(at.bodies[b], at.weights[b], step.forces->turn);
     add_clamp(at.bodies[b], at.weights[b], step.forces->clamp);
     map_load(at.bodies[b], at.weights[b], clock.start + step.stress_ahead, at.field(b));
   }
 
-  void map_all(Bodies& at, Record& step, const StepClock& clock) const {
+  void map_all(Bodies& at, Record& step, const StepClock& clock) {
     clear(at, step);
     for (std::size_t b = 0; b < at.bodies.size(); ++b) {
       step.forces->hoop += space_.template sum_over_chunks_writing_nodes<double>(
           at.weights[b], [&](const Chunk& chunk) { return map(at, b, chunk); });
       complete(at, b, step, clock);
     }
+    forget_rates(at, step);
+  }
+
+  // With what a correction knows now, strain rates are others.
+  void forget_rates(const Bodies& at, Record& step) const {
+    for (std::size_t b = 0; b < at.bodies.size(); ++b) {
+      if (at.corrected(space_, b)) step.rates_of.reset();
+    }
   }
 
  private:
+  // [Quadrature 1, 2]
+  void correct(const Body& body, const Weights<dim>& at, Field& field) {
+    std::vector<double>& even = field.held(field.gas.even_part);
+    std::fill(even.begin(), even.end(), 0.0);
+    const std::array<typename Space::Loops::Spread, 1> sums{
+        {{body.points(column::stress), body.points(column::volume), even.data(), 1}}};
+    space_.spread(body.points, at, sums);
+    space_.walls.fold_even(field, even);
+    for_each_index(static_cast<int>(even.size()), space_.threads, [&](int k) {
+      const auto i = static_cast<std::size_t>(k);
+      even[i] *= -space_.inverse_volumes[i];
+    });
+    mapped_ = even;
+    read_off_.apply(field, even, space_.threads);
+    space_.quadrature.find_shares(field, mapped_, even, space_.threads);
+    space_.quadrature.add_forces(field, even, space_.inverse_volumes, space_.threads);
+    space_.walls.extend_even(field, even);
+    space_.for_chunks_writing_nodes(
+        at, [&](const Chunk& chunk) { space_.loops->take_pressure(body.points, at, chunk, even, field); });
+  }
+
   template <class Value>
   void clear(const Field& field, std::vector<Value>& values) const {
     field.for_touched(
@@ -146,6 +182,8 @@ class Forces {
 
   const Space& space_;
   Shares shares_;
+  ReadOff<dim> read_off_;
+  std::vector<double> mapped_;  // p_i of [Quadrature 1]
 };
 
 }  // namespace plumbline

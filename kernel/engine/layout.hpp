@@ -21,6 +21,11 @@ struct Layout {
   std::vector<Weights<dim>> weights = {};  // of each body's points
   std::vector<bool> own_mass = {};         // per body: what its field has mapped, or of gas, is its mass alone
 
+  // Whether forces of a body's pressures are corrected. [Quadrature 2]
+  template <class Space>
+  bool corrected(const Space& space, std::size_t body) const {
+    return space.corrects(bodies[body], own_mass[body]);
+  }
   Field& field(std::size_t body) { return fields[field_of_body[body]]; }
   static const std::vector<typename Field::Vec>& velocity(const Field& field, NodalVelocity which) {
     if (which == NodalVelocity::remapped && field.remapped.empty()) {

@@ -59,7 +59,7 @@ class Motion {
       const auto& carries = carrying == NodalVelocity::end ? field.end : at.velocity(field, step.resolved(carrying));
       typename Space::Loops::Motion motion{.dt = dt,
                                            .drift = drift,
-                                           .straining = strained ? Straining{} : straining(body, field),
+                                           .straining = strained ? Straining{} : straining(at, b, step),
                                            .carrying = carrying == NodalVelocity::end ? nullptr : &carries,
                                            .exchange = exchanges_heat(body, field)};
       carry_sharpened(motion, body, field, carries);
@@ -169,8 +169,10 @@ class Motion {
     }
   }
   // By the midpoint velocity.
-  Straining straining(const Body& body, Field& field) const {
-    return space_.straining(body, field, space_.straining_velocity(field, field.midpoint));
+  Straining straining(Bodies& at, std::size_t b, const Record& step) const {
+    Field& field = at.field(b);
+    return space_.straining(at.bodies[b], at.weights[b], field, space_.straining_velocity(field, field.midpoint),
+                            step.forces && at.corrected(space_, b));
   }
   // What moves points beside the nodal velocity that carries them, until forces are mapped again: of gases whose pressures act at
   // the nodes the flow that strains them [Pressure 4], of others what sharpening adds [Sharpening 2]. The last to be found.

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "kernel/bins.hpp"
@@ -33,6 +34,7 @@ struct ShapeTraits {
   bool fixed_inertia;     // D_p is the same wherever a point stands
   bool boxes;             // points have half sizes
   bool at_start = false;  // weights are those of the places where the points stood at the start
+  int degree = 0;         // of the B-splines that the shape is; 0: it is none [Quadrature 4]
 };
 
 // What a gas puts on the nodes beside its forces.
@@ -86,6 +88,15 @@ class PointLoops {
   // and not to the forces [Pressure 1].
   virtual double map_forces(const Body& body, const Weights<dim>& at, const Chunk& chunk, Shares shares,
                             Field& field) const = 0;
+  // f_i -= sum_p V_p (sum_j N_jp P_j) grad N_ip and nodes_i += sum_p V_p N_ip div v_p, of shapes that are B-splines. [Quadrature 2, 3]
+  virtual void take_pressure(const Columns&, const Weights<dim>&, const Chunk&, const std::vector<double>&,
+                             Field&) const {
+    throw std::logic_error("only of B-splines are the integrals of pressures known");
+  }
+  virtual void map_divergence(const Columns&, const Weights<dim>&, const Chunk&, const std::vector<Vec>&,
+                              std::vector<double>&) const {
+    throw std::logic_error("only of B-splines are the integrals of pressures known");
+  }
   // nodes_i += sum_p N_ip q_p of values q, weighted with the points' masses or not; nodes are `stride` numbers apart.
   struct Spread {
     const double *values, *mass;  // mass null: not weighted
@@ -105,7 +116,7 @@ class PointLoops {
   };
   virtual void gather(const Columns& points, const Weights<dim>& at, const Chunk& chunk,
                       std::span<const Gather> all) const = 0;
-  // The nodal array that strains points; both null: none.
+  // The nodal arrays that strain points; both: the sum of the two [Quadrature 3]; both null: none.
   struct Straining {
     const std::vector<Vec>* velocity = nullptr;       // by its gradients [York 3.23]
     const std::vector<double>* divergence = nullptr;  // their one rate is sum_i N_ip D_i [Pressure 3]

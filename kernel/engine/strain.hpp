@@ -57,7 +57,8 @@ class Strain {
       auto& field = at.field(b);
       const auto& velocity = space_.straining_velocity(field, at.velocity(field, which));
       const typename Space::Loops::Wanted wanted{.loss = step.map_loss ? nullptr : &field.start,
-                                                 .rates = space_.straining(at.bodies[b], field, velocity),
+                                                 .rates = space_.straining(at.bodies[b], at.weights[b], field, velocity,
+                                                                           step.forces && at.corrected(space_, b)),
                                                  .closing = space_.closing(at.bodies[b], field, velocity)};
       lost += space_.template sum_over_chunks<double>(at.weights[b], [&](const Chunk& chunk) {
         return space_.loops->gather_start(at.bodies[b], at.weights[b], chunk, wanted);

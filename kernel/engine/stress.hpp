@@ -20,13 +20,14 @@ class Stress {
       : space_(space),
         densities_(space, scene.density, scene.sharpened_density ? scene.sharpening : 0),
         dilatation_(space),
-        forces_(space, shares) {}
+        forces_(space, shares, scene.sharpened_density ? scene.sharpening : 0) {}
 
   // Stresses of the step's start and `ahead` s more, with the strain rates of a nodal velocity; sums what the map lost, if
   // that is not known yet, and maps the forces too where these are wanted, while the points stand where they were located. Point forces
   // are those of places, which may have drifted.
   void evaluate(Bodies& at, Record& step, const StepClock& clock, double ahead, NodalVelocity velocity,
                 bool and_forces) {
+    const bool forces_known = step.forces.has_value();
     if (and_forces) forces_.clear(at, step);
     step.stress_ahead = ahead;
     velocity = step.resolved(velocity);
@@ -43,7 +44,7 @@ class Stress {
       if (!step.map_loss) wanted.loss = &field.start;
       if (velocity != step.rates_of) {
         const auto& straining = space_.straining_velocity(field, at.velocity(field, velocity));
-        wanted.rates = space_.straining(body, field, straining);
+        wanted.rates = space_.straining(body, places, field, straining, forces_known && at.corrected(space_, b));
         wanted.closing = space_.closing(body, field, straining);
       }
       if (!source.elsewhere) wanted.density = source.nodes;
@@ -85,10 +86,11 @@ class Stress {
     if (and_forces) step.forces->hoop = all.hoop_force;
     if (!step.map_loss) step.map_loss = all.lost;
     step.rates_of = velocity;
+    if (and_forces) forces_.forget_rates(at, step);
   }
 
   // Of the stresses as they are.
-  void map_forces(Bodies& at, Record& step, const StepClock& clock) const { forces_.map_all(at, step, clock); }
+  void map_forces(Bodies& at, Record& step, const StepClock& clock) { forces_.map_all(at, step, clock); }
 
  private:
   const Space& space_;

@@ -9,6 +9,7 @@ struct Cubic {
   static constexpr int support = 4, first = -1, ghosts = 1;
   static constexpr bool smooth_gradients = true;
   static constexpr bool fixed_inertia = true;
+  static constexpr int degree = 3;  // of the B-splines
   static constexpr bool boxes = false;
   static constexpr double blur =
       1.0 / 6;  // theta of S(k) = 1 - theta k^2 h^2 + ...: half the variance of the shape [Sharpening 1]

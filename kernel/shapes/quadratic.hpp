@@ -9,6 +9,7 @@ struct Quadratic {
   static constexpr int support = 3, first = -1, ghosts = 1;
   static constexpr bool smooth_gradients = true;
   static constexpr bool fixed_inertia = true;
+  static constexpr int degree = 2;  // of the B-splines
   static constexpr bool boxes = false;
   static constexpr double blur =
       1.0 / 8;  // theta of S(k) = 1 - theta k^2 h^2 + ...: half the variance of the shape [Sharpening 1]

@@ -121,6 +121,10 @@ std::vector<Key> described_keys() {
       choice("pressure_at", {"points", "nodes"},
              "where pressures of gases act: at points, by gradients of their shape functions, or at nodes, by "
              "differences; in rings and with physical viscosity at points"),
+      number("quadrature",
+             "eps: sums over points of pressures of gases that differ by less than this share over three cells are "
+             "corrected to integrals, in the plane and in space, with B-splines and density=grid; 0: none",
+             1),
       number("filter.sound",
              "k_f: maps take what nodes do not carry at k_f times the speed of sound over the cell size"),
       number("filter.compression",
@@ -199,6 +203,7 @@ const std::vector<Row>& schemes_table() {
       {"motion",              {"sharpened", "own"},     {},                      {},                            {"sharpened", "own"}},
       {"read_off",            {"sharpened", "mapped"},  {},                      {},                            {"sharpened", "mapped"}},
       {"pressure_at",         {"points", "points"},     {},                      {},                            {}},
+      {"quadrature",          {0.1, 0.0},               {},                      {},                            {}},
       {"filter.sound",        {2.0, 0.0},               {},                      {},                            {2.0, 0.0}},
       {"filter.compression",  {4.0, 0.0},               {},                      {},                            {4.0, 0.0}},
       {"heat_exchange",       {4.0, 0.0},               {},                      {},                            {4.0, 0.0}},
@@ -282,6 +287,7 @@ void apply_choices(const Settings& settings, Scene& scene) {
     scene.sharpened_density = settings.text("read_off") == "sharpened";
     scene.filter = {settings.number("filter.sound"), settings.number("filter.compression")};
     scene.heat_exchange = settings.number("heat_exchange");
+    if (!coupled) scene.quadrature = settings.number("quadrature");
     scene.nodal_pressure = !coupled && settings.text("pressure_at") == "nodes";
   }
   if (settings.has("dilatation")) scene.mean_dilatation = settings.text("dilatation") == "cell";

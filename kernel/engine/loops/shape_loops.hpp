@@ -30,6 +30,15 @@ concept FlowingShape = requires(double f, double (&c)[Shape::support]) {
   Shape::above(f, c);
 };
 
+// Of the B-splines that a shape is; 0: it is none.
+template <class Shape>
+constexpr int degree_of() {
+  if constexpr (requires { Shape::degree; })
+    return Shape::degree;
+  else
+    return 0;
+}
+
 template <class Geometry, class Shape>
 class ShapeLoops final : public PointLoops<Geometry> {
  public:
@@ -45,7 +54,9 @@ class ShapeLoops final : public PointLoops<Geometry> {
         per_h_(1 / grid_.h()),
         transfer_(transfer) {}
 
-  ShapeTraits shape() const override { return {Shape::support, Shape::blur, Shape::fixed_inertia, Shape::boxes}; }
+  ShapeTraits shape() const override {
+    return {Shape::support, Shape::blur, Shape::fixed_inertia, Shape::boxes, false, degree};
+  }
   std::vector<double> inverse_volumes() const override { return inverse_cell_volumes<Shape>(grid_); }
   void find_enclosed_volumes(const Columns& chain, const std::vector<std::array<double, 2>>& corners,
                              std::vector<double>& volume) const override {
@@ -68,6 +79,10 @@ class ShapeLoops final : public PointLoops<Geometry> {
                      : map_motion<false, false>(body, at, chunk, field);
   }
   double map_forces(const Body& body, const At& at, const Chunk& chunk, Shares shares, Field& field) const override;
+  void take_pressure(const Columns& points, const At& at, const Chunk& chunk, const std::vector<double>& pressure,
+                     Field& field) const override;
+  void map_divergence(const Columns& points, const At& at, const Chunk& chunk, const std::vector<Vec>& velocity,
+                      std::vector<double>& sums) const override;
   void spread(const Columns& points, const At& at, const Chunk& chunk, std::span<const Spread> all) const override;
 
   void gather(const Columns& points, const At& at, const Chunk& chunk, std::span<const Gather> all) const override;
@@ -86,6 +101,8 @@ class ShapeLoops final : public PointLoops<Geometry> {
 
  private:
   static constexpr int support = Shape::support;
+  static constexpr int degree = degree_of<Shape>();
+  static constexpr bool corrects = degree > 0 && dim > 1 && !Geometry::axisymmetric;
   static constexpr int nodes = Stencil<dim, Shape, double>::nodes;
   static constexpr int rotations = Geometry::rotations;
   static constexpr std::size_t about = dim == 2 ? 2 : 0;  // the first rotation's place in a Turn
@@ -113,9 +130,9 @@ class ShapeLoops final : public PointLoops<Geometry> {
     Pack base[dim];
   };
 
-  // One of a Straining's arrays.
+  // A Straining's arrays.
   struct BinStraining {
-    bool at_nodes = false;  // the second
+    bool by_velocity = false, by_divergence = false;
     BinVectors velocity;
     BinNumbers divergence;
   };
@@ -283,7 +300,8 @@ template <class G, class S>
 template <class G, class S>
 [[gnu::always_inline]] inline void ShapeLoops<G, S>::collect(const Print& print, const Straining& by,
                                                              BinStraining& bin) {
-  bin.at_nodes = by.divergence != nullptr;
+  bin.by_velocity = by.velocity != nullptr;
+  bin.by_divergence = by.divergence != nullptr;
   if (by.velocity) collect(print, *by.velocity, bin.velocity);
   if (by.divergence) collect(print, *by.divergence, bin.divergence);
 }

@@ -42,6 +42,58 @@ void ShapeLoops<G, S>::map_motion(const Body& body, const At& at, const Chunk& c
 }
 
 template <class G, class S>
+void ShapeLoops<G, S>::take_pressure(const Columns& points, const At& at, const Chunk& chunk,
+                                     const std::vector<double>& pressure, Field& field) const {
+  if constexpr (!corrects) {
+    Base::take_pressure(points, at, chunk, pressure, field);
+  } else {
+    const Places<dim> places = at.places(points, S::boxes);
+    const double* volume = points(column::volume);
+    for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
+      BinNumbers even;
+      Pack forces[nodes * dim];
+      collect(print, pressure, even);
+      clear(forces);
+      for_packs(
+          first, last, [&](int p, int count) __attribute__((always_inline)) {
+            const PackStencil weights = stencil(places, anchor, p);
+            const Pack here = weights.gather_array([&](int k) { return even[k]; }).value;
+            weights.spread_divergence(kept(-load(volume + p), count) * here, forces, dim);
+          });
+      add_to_nodes<dim>(print, forces, component(field.force, 0));
+    });
+  }
+}
+
+template <class G, class S>
+void ShapeLoops<G, S>::map_divergence(const Columns& points, const At& at, const Chunk& chunk,
+                                      const std::vector<Vec>& velocity, std::vector<double>& sums) const {
+  if constexpr (!corrects) {
+    Base::map_divergence(points, at, chunk, velocity, sums);
+  } else {
+    const Places<dim> places = at.places(points, S::boxes);
+    const double* volume = points(column::volume);
+    for_bins(at.bins, chunk, [&](const Print& print, const double(&anchor)[dim], int first, int last) {
+      BinVectors flow;
+      Pack shares[nodes];
+      collect(print, velocity, flow);
+      clear(shares);
+      for_packs(
+          first, last, [&](int p, int count) __attribute__((always_inline)) {
+            const PackStencil weights = stencil(places, anchor, p);
+            Pack divergence = 0.0;
+            for_directions<dim>([&](auto direction) __attribute__((always_inline)) {
+              constexpr int d = direction;
+              divergence += weights.gather_array([&](int k) { return flow[k][d]; }).gradient[d];
+            });
+            weights.spread(kept(load(volume + p), count) * divergence, shares, 1);
+          });
+      add_to_nodes<1>(print, shares, sums.data());
+    });
+  }
+}
+
+template <class G, class S>
 template <StressMeasure measure, Shares shares>
 double ShapeLoops<G, S>::map_forces(const Body& body, const At& at, const Chunk& chunk, Field& field) const {
   constexpr bool isotropic = measure == StressMeasure::pressure, full = measure == StressMeasure::full;

@@ -8,16 +8,16 @@
 
 namespace plumbline {
 
-// Strain rates of a pack from the jets of the velocity components [York 3.23], or from nodes [Pressure 3].
+// Strain rates of a pack from the jets of the velocity components [York 3.23], from nodes [Pressure 3], or both [Quadrature 3].
 template <class G, class S>
 [[gnu::always_inline]] inline void ShapeLoops<G, S>::store_strain_rates(const RateColumns& rates,
                                                                         const PackStencil& weights, const Pack& radius,
                                                                         int p, int count,
                                                                         const BinStraining& by) const {
-  if (by.at_nodes) {
-    store(rates.at[0] + p, weights.gather_array([&](int k) { return by.divergence[k]; }).value, count);
-    return;
-  }
+  const auto of_nodes = [&]() __attribute__((always_inline)) {
+    return weights.gather_array([&](int k) { return by.divergence[k]; }).value;
+  };
+  if (!by.by_velocity) return store(rates.at[0] + p, of_nodes(), count);
   const auto jet = [&](int d) __attribute__((always_inline)) {
     return weights.gather_array([&](int k) { return by.velocity[k][d]; });
   };
@@ -33,6 +33,7 @@ template <class G, class S>
       divergence += own.gradient[d];
       if (G::axisymmetric && d == 0) divergence += own.value / radius;
     });
+    if (by.by_divergence) divergence += of_nodes();
     store(rates.at[0] + p, divergence, count);
     return;
   }
