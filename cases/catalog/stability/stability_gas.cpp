@@ -148,52 +148,68 @@ Findings viscosities() {
   return findings;
 }
 
-Settings in_plane(const std::string& scheme, double per_cell, const std::string& pressure_at = "points") {
-  return stability_settings(gas(), scheme,
-                            {{"dim", 2.0}, {"ppc", per_cell}, {"side", "opening"}, {"pressure_at", pressure_at}});
+const Override uncorrected{"quadrature", 0.0}, at_nodes{"pressure_at", std::string("nodes")};
+
+Settings in_plane(const std::string& scheme, double per_cell, const std::vector<Override>& more = {}) {
+  std::vector<Override> overrides{{"dim", 2.0}, {"ppc", per_cell}, {"side", "opening"}};
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  return stability_settings(gas(), scheme, overrides);
 }
 
-// Pressures at the nodes reach further: a point those that share a node with it, and on each way of its change to a force three
-// nodes beside the faces of a cell. Each further power of sharpening reaches one node further on either way.
+// Pressures at the nodes, and of nodes in sums that are corrected, reach further: a point those that share a node with it, and on
+// each way of its change to a force three nodes along an axis. Each further power of sharpening reaches one node further on
+// either way.
 Amplification amplification(const Settings& settings, double dt) {
   const int powers = settings.number("sharpening.third") > 0 ? 3 : settings.number("sharpening.second") > 0 ? 2 : 1;
-  const int reach = (settings.text("pressure_at") == "nodes" ? 12 : 5) + 2 * (powers - 1);
+  const bool further = settings.text("pressure_at") == "nodes" || settings.number("quadrature") > 0;
+  const int reach = (further ? 12 : 5) + 2 * (powers - 1);
   const Experiment experiment = experiment_of(gas(), settings);
   return Amplification(experiment.patch({1, reach}), experiment.integrator, experiment.positions, dt);
 }
 
 // Growth in the plane in a step, of the wave that grows most.
-double growth_in_plane(const std::string& scheme, double per_cell, double dt) {
-  return worst_wave(amplification(in_plane(scheme, per_cell), dt), 2).radius - 1;
+double growth_in_plane(const Settings& settings, double dt) { return worst_wave(amplification(settings, dt), 2).radius - 1; }
+
+// Of a scheme by which waves grow: how fast, and growth in a step over that in half as long a step.
+void find_growth(const std::string& name, const Settings& settings, Findings& findings) {
+  const double fine = growth_in_plane(settings, 0.1), coarse = growth_in_plane(settings, 0.2);
+  findings.measures.push_back(finding(name + ".rate", std::log1p(coarse) / 0.2, "c/h"));
+  findings.measures.push_back(finding(name + ".ratio", coarse / fine));
+}
+
+// A growth below 1e-6 a step is none: by so much the derivatives' error moves neutral waves.
+double rate_of_growth(const Settings& settings, double dt) {
+  const double grown = growth_in_plane(settings, dt);
+  return grown > 1e-6 ? std::log1p(grown) / dt : 0.0;
 }
 
 Findings plane() {
   Findings findings;
-  for (const std::string scheme : {"default", "york1997"}) {
-    const double fine = growth_in_plane(scheme, 4, 0.1), coarse = growth_in_plane(scheme, 4, 0.2);
-    findings.measures.push_back(finding(scheme + ".rate", std::log1p(coarse) / 0.2, "c/h"));
-    findings.measures.push_back(finding(scheme + ".ratio", coarse / fine));
-  }
+  findings.measures = {finding("default.rate", rate_of_growth(in_plane("default", 4), 0.2), "c/h")};
+  find_growth("york1997", in_plane("york1997", 4), findings);
   return findings;
 }
 
-// The same of pressures at the nodes, of a short and a long step, and of points in greater number. A growth below 1e-6 a step
-// is none: by so much the derivatives' error moves neutral waves.
-Findings nodes_in_plane() {
-  const auto growth = [](double per_cell, double dt) {
-    const double grown = worst_wave(amplification(in_plane("default", per_cell, "nodes"), dt), 2).radius - 1;
-    return grown > 1e-6 ? std::log1p(grown) / dt : 0.0;
-  };
+Findings uncorrected_in_plane() {
   Findings findings;
-  findings.measures = {finding("short", growth(4, 0.2), "c/h"), finding("long", growth(4, 0.8), "c/h"),
-                       finding("of_nine", growth(9, 0.2), "c/h")};
+  find_growth("default", in_plane("default", 4, {uncorrected}), findings);
+  return findings;
+}
+
+// Of a short and a long step, and of points in greater number.
+Findings no_growth_in_plane(const std::vector<Override>& more) {
+  const Settings four = in_plane("default", 4, more), nine = in_plane("default", 9, more);
+  Findings findings;
+  findings.measures = {finding("short", rate_of_growth(four, 0.2), "c/h"),
+                       finding("long", rate_of_growth(four, 0.8), "c/h"),
+                       finding("of_nine", rate_of_growth(nine, 0.2), "c/h")};
   return findings;
 }
 
 Findings points_in_plane() {
+  const auto growth = [](double per_cell) { return growth_in_plane(in_plane("default", per_cell, {uncorrected}), 0.2); };
   Findings findings;
-  findings.measures = {
-      finding("default.of_sixteen", growth_in_plane("default", 16, 0.2) / growth_in_plane("default", 4, 0.2))};
+  findings.measures = {finding("default.of_sixteen", growth(16) / growth(4))};
   return findings;
 }
 
@@ -203,12 +219,14 @@ struct Spectrum {
   std::vector<double> others;  // falling
 };
 
+// Derivatives are good to 1e-9, and an eigenvalue of a Jordan block of two, a place by its velocity, spreads by the root of that.
+constexpr double spread = 3e-5;
+
 Spectrum spectrum_of(const Amplification& a, const WaveNumber& theta, double left) {
-  constexpr double near =
-      1e-4;  // derivatives are good to 1e-9; an eigenvalue of a Jordan block of two spreads by its root
+  constexpr double near = 1e-4;
   Spectrum found;
   for (const std::complex<double>& value : eigenvalues(a.at(theta))) {
-    if (std::abs(value - 1.0) < 1e-6)
+    if (std::abs(value - 1.0) < spread)
       ++found.neutral;
     else if (std::abs(value - left) < near)
       ++found.filtered;
@@ -229,7 +247,7 @@ Findings whole_spectrum() {
   const Amplification a = amplification(settings, dt);
   Findings findings;
   findings.profile.abscissa = "wave_number";
-  std::vector<double> at, largest, sound, least;
+  std::vector<double> at, largest, second, least;
   double fewest_neutral = HUGE_VAL, fewest_filtered = HUGE_VAL, growing_on_axis = 0, growing_on_diagonal = 0;
   for (int k = 1; k < waves; ++k) {  // at pi the waves of sound are filtered about as fast as the null space
     const double t = std::numbers::pi * k / waves;
@@ -237,13 +255,13 @@ Findings whole_spectrum() {
       const Spectrum found = spectrum_of(a, {t, diagonal ? t : 0}, left);
       fewest_neutral = std::min<double>(fewest_neutral, found.neutral);
       fewest_filtered = std::min<double>(fewest_filtered, found.filtered);
-      const auto grow = std::count_if(found.others.begin(), found.others.end(), [](double m) { return m > 1 + 1e-6; });
+      const auto grow = std::count_if(found.others.begin(), found.others.end(), [](double m) { return m > 1 + spread; });
       double& most = diagonal ? growing_on_diagonal : growing_on_axis;
       most = larger(most, static_cast<double>(grow));
-      if (!diagonal || found.others.size() < 4) continue;
+      if (!diagonal || found.others.size() < 2) continue;
       at.push_back(t);
       largest.push_back(found.others[0]);
-      sound.push_back(found.others[1]);
+      second.push_back(found.others[1]);
       least.push_back(found.others.back());
     }
   }
@@ -253,10 +271,10 @@ Findings whole_spectrum() {
                        finding("growing.diagonal", growing_on_diagonal)};
   findings.profile.columns = {
       {"wave_number", "1/h", "of the wave in either direction, times the cell", at},
-      {"largest", "1", "modulus of the mode that grows", largest},
+      {"largest", "1", "largest modulus of the others", largest},
       {"neutral", "1", "of ten displacements and energies in the null space of the forces", neutral},
-      {"sound", "1", "of the two waves of sound", sound},
-      {"shear", "1", "of the mode that answers the growing one", least},
+      {"second", "1", "and the second largest", second},
+      {"least", "1", "and the least", least},
       {"filtered", "1", "of 22 velocities and gradients in the null space of the map to the nodes", filtered}};
   return findings;
 }
@@ -291,10 +309,22 @@ std::vector<Trial> trials() {
       {"spectrum", "All modes of waves in the plane", "Along an axis and the diagonal, 2 x 2 points a cell, 0.2 h/c.",
        whole_spectrum},
       {"plane", "Growth in the plane, at steps of 0.1 and 0.2 h/c", "All wave numbers, 2 x 2 points a cell.", plane},
+      {"plane-uncorrected", "Growth in the plane with sums over points left as they are, at steps of 0.1 and 0.2 h/c",
+       "All wave numbers, 2 x 2 points a cell.", uncorrected_in_plane},
+      {"plane-corrected", "Growth in the plane, longer steps and more points",
+       "2 x 2 points a cell at 0.2 and 0.8 h/c, 3 x 3 at 0.2.",
+       [] {
+         return no_growth_in_plane({});
+       },
+       Tier::full},
       {"plane-nodes", "Growth in the plane with pressures at the nodes",
-       "2 x 2 points a cell at 0.2 and 0.8 h/c, 3 x 3 at 0.2.", nodes_in_plane, Tier::full},
-      {"plane-points", "Growth in the plane with more points", "4 x 4 points a cell over 2 x 2, at steps of 0.2 h/c.",
-       points_in_plane, Tier::full}};
+       "2 x 2 points a cell at 0.2 and 0.8 h/c, 3 x 3 at 0.2.",
+       [] {
+         return no_growth_in_plane({at_nodes});
+       },
+       Tier::full},
+      {"plane-points", "Growth in the plane with more points, sums over points left as they are",
+       "4 x 4 points a cell over 2 x 2, at steps of 0.2 h/c.", points_in_plane, Tier::full}};
 }
 
 std::vector<CaseGate> gates() {
@@ -346,8 +376,7 @@ std::vector<CaseGate> gates() {
                   "space a "
                   "step leaves 1 - k_f c Δt/h")),
       gate("spectrum/growing-axis", value_of("growing.axis"), exactly(0), at_rest),
-      gate("spectrum/growing-diagonal", value_of("growing.diagonal"), exactly(0), at_rest)
-          .fails("the wave of shear of plane/default-rate, one of 36 modes", {1, 1}),
+      gate("spectrum/growing-diagonal", value_of("growing.diagonal"), exactly(0), at_rest),
 
       gate("plane/york1997-rate", value_of("york1997.rate"), at_most(1e-5), at_rest)
           .fails("the mixed derivative of bilinear shapes, but not their second ones, changes forces as points move: "
@@ -355,18 +384,22 @@ std::vector<CaseGate> gates() {
                  {0.55, 0.7}),
       gate("plane/york1997-ratio", value_of("york1997.ratio"), between(1.9, 2.2),
            theory("FLIP damps nothing: growth per time does not depend on the step, growth per step is in proportion")),
-      gate("plane/default-rate", value_of("default.rate"), at_most(1e-5), at_rest)
-          .fails("sums over points of second derivatives of shapes are not the integrals that vanish; the filter damps "
-                 "what that makes grow at a rate, and the slower the more it takes",
-                 {0.026, 0.034}, "2026-11-28 ed8c7a6"),
+      gate("plane/default-rate", value_of("default.rate"), at_most(1e-5), at_rest),
+      gate("plane-uncorrected/rate", value_of("default.rate"), between(0.02931, 0.02937),
+           theory("0.02934 by an analysis apart from the kernel, tests/reference/gas_at_rest_test.py, to a thousandth for "
+                  "the wave numbers that both look at: sums over points of second derivatives of shapes are not the "
+                  "integrals that vanish")),
       gate(
-          "plane/default-ratio", value_of("default.ratio"), between(1.9, 2.2),
+          "plane-uncorrected/ratio", value_of("default.ratio"), between(1.9, 2.2),
           theory("damped at a rate, driven by a force: growth per time does not depend on the step, growth per step is "
                  "in proportion")),
+      gate("plane-corrected/short", value_of("short"), at_most(1e-5), at_rest).in(Tier::full),
+      gate("plane-corrected/long", value_of("long"), at_most(1e-5), at_rest).in(Tier::full),
+      gate("plane-corrected/of-nine", value_of("of_nine"), at_most(1e-5), at_rest).in(Tier::full),
       gate("plane-nodes/short", value_of("short"), at_most(1e-5), at_rest).in(Tier::full),
       gate("plane-nodes/long", value_of("long"), at_most(1e-5), at_rest).in(Tier::full),
       gate("plane-nodes/of-nine", value_of("of_nine"), at_most(1e-5), at_rest).in(Tier::full),
-      gate("plane-points/default", value_of("default.of_sixteen"), at_most(0.5),
+      gate("plane-points/uncorrected", value_of("default.of_sixteen"), at_most(0.5),
            theory("what the sums miss of the integrals falls with the square of the points' distance, to a quarter; as "
                   "much "
                   "again is left to the place of the lattice"))

@@ -148,7 +148,7 @@ TEST(Forces, BalanceAndHaveTheMomentOfTheStress) {
     asked = time;
     points(column::body_force, 1)[0] = -9;
   };
-  const Forces<Plane> forces(on.space, Shares::none);
+  Forces<Plane> forces(on.space, Shares::none, 0);
   Record step;
   step.stress_ahead = 0.25;
   forces.map_all(on.at, step, {3});

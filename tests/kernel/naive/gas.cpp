@@ -64,6 +64,122 @@ void NaiveStep::press_nodes() {
   }
 }
 
+double NaiveStep::overlap(int k, bool of_slope) const {
+  const double places[] = {0.3399810435848563, 0.8611363115940526}, weights[] = {0.6521451548625461, 0.3478548451374538};
+  double sum = 0;
+  for (int piece = -4; piece < 4; ++piece) {
+    for (int g = 0; g < 4; ++g) {
+      const double u = piece / 2.0 + 0.25 * (1 + (g % 2 == 0 ? 1 : -1) * places[g / 2]);
+      sum += 0.25 * weights[g / 2] * spline(u, 0) * (of_slope ? slope(u - k, 0) : spline(u - k, 0));
+    }
+  }
+  return sum;
+}
+
+template <class Visit>
+bool NaiveStep::for_overlapping(std::size_t i, Visit&& visit) const {
+  const int across = dim_ > 1 ? 3 : 0, deep = dim_ > 2 ? 3 : 0;
+  for (int c = -deep; c <= deep; ++c) {
+    for (int b = -across; b <= across; ++b) {
+      for (int a = -3; a <= 3; ++a) {
+        std::optional<std::size_t> j = beside(i, 0, a);
+        if (j && dim_ > 1) j = beside(*j, 1, b);
+        if (j && dim_ > 2) j = beside(*j, 2, c);
+        if (!j) return false;
+        visit(*j, std::array<int, 3>{a, b, c});
+      }
+    }
+  }
+  return true;
+}
+
+void NaiveStep::correct_forces() {
+  std::vector<double> mapped(nodes_.size(), 0.0);
+  for_pairs([&](NaivePoint& p, NaiveNode& i, double n, const Vec&) {
+    mapped[static_cast<std::size_t>(&i - nodes_.data())] -= p.volume * p.stress(0, 0) * n / i.volume;
+  });
+  std::vector<double> even = mapped;
+  sharpen_densities(even);
+  even_share_.assign(nodes_.size(), 0.0);
+  for (auto& nodal : corrections_) nodal.clear();
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    double least = mapped[i], most = mapped[i];
+    const bool all = for_overlapping(i, [&](std::size_t j, const std::array<int, 3>&) {
+      least = std::min(least, mapped[j]);
+      most = std::max(most, mapped[j]);
+    });
+    const double apart = all && least > 0 ? (most - least) / (scene_.quadrature * most) : 1;
+    const double chi = std::pow(std::max(0.0, 1 - apart * apart), 2);
+    even[i] *= chi;
+    even_share_[i] = chi > 0 ? even[i] / mapped[i] : 0;
+  }
+  double both[7], rises[7];
+  for (int k = -3; k <= 3; ++k) {
+    both[k + 3] = overlap(k, false);
+    rises[k + 3] = overlap(k, true);
+  }
+  for (std::size_t j = 0; j < nodes_.size(); ++j) {  // int N_j grad N_i
+    if (even[j] == 0) continue;
+    for_overlapping(j, [&](std::size_t i, const std::array<int, 3>& steps) {
+      for (int d = 0; d < dim_; ++d) {
+        double integral = nodes_[j].volume / h_;
+        for (int e = 0; e < dim_; ++e) integral *= (e == d ? rises : both)[steps[static_cast<std::size_t>(e)] + 3];
+        nodes_[i].force[d] += even[j] * integral;
+      }
+    });
+  }
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    double here = 0;
+    for_nodes_of(p, [&](const NaiveNode& i, double n, const Vec&) {
+      here += n * even[static_cast<std::size_t>(&i - nodes_.data())];
+    });
+    for (std::size_t k = first_pair_[p]; k < first_pair_[p + 1]; ++k) {
+      nodes_[pairs_[k].node].force -= points[p].volume * here * pairs_[k].g;
+    }
+  }
+}
+
+double NaiveStep::correction(std::size_t p, Of which) const {
+  const std::vector<Vec>& u = straining_velocity(which);
+  std::vector<double>& nodal = corrections_[static_cast<std::size_t>(which)];
+  if (nodal.empty()) {
+    nodal.assign(nodes_.size(), 0.0);
+    for (std::size_t q = 0; q < points.size(); ++q) {
+      double divergence = 0;
+      for_nodes_of(q, [&](const NaiveNode& i, double, const Vec& g) {
+        divergence += g.dot(u[static_cast<std::size_t>(&i - nodes_.data())]);
+      });
+      for_nodes_of(q, [&](const NaiveNode& i, double n, const Vec&) {
+        nodal[static_cast<std::size_t>(&i - nodes_.data())] -= points[q].volume * n * divergence / i.volume;
+      });
+    }
+    double both[7], rises[7];
+    for (int k = -3; k <= 3; ++k) {
+      both[k + 3] = overlap(k, false);
+      rises[k + 3] = overlap(k, true);
+    }
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (even_share_[i] == 0) {
+        nodal[i] = 0;
+        continue;
+      }
+      for_overlapping(i, [&](std::size_t j, const std::array<int, 3>& steps) {
+        for (int d = 0; d < dim_; ++d) {
+          double integral = u[j][d] / h_;
+          for (int e = 0; e < dim_; ++e) integral *= (e == d ? rises : both)[steps[static_cast<std::size_t>(e)] + 3];
+          nodal[i] += integral;
+        }
+      });
+      nodal[i] *= even_share_[i];
+    }
+  }
+  double sum = 0;
+  for_nodes_of(p, [&](const NaiveNode& i, double n, const Vec&) {
+    sum += n * nodal[static_cast<std::size_t>(&i - nodes_.data())];
+  });
+  return sum;
+}
+
 double NaiveStep::wider_spline(double u) const {
   double sum = 0;
   const double start = u - 0.5, until = u + 0.5;

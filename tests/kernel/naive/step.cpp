@@ -129,6 +129,7 @@ Mat NaiveStep::deformation(const Columns& from, std::size_t p) const {
 
 void NaiveStep::to_grid() {
   for (auto& velocity : straining_) velocity.clear();
+  even_share_.clear();
   for (NaiveNode& node : nodes_) {
     node.m = 0;
     node.momentum.setZero();
@@ -154,6 +155,7 @@ void NaiveStep::forces() {
     if (rings()) i.force[0] -= p.volume * p.stress(2, 2) * n / frozen(p)[0];  // hoop stress pulls inwards
   });
   if (at_nodes()) press_nodes();
+  if (corrects()) correct_forces();
   forces_known_ = true;
 }
 

@@ -135,6 +135,19 @@ class NaiveStep {
   double divergence(std::size_t p, Of which) const;
   // [Pressure 1, 3]
   void press_nodes();
+  bool corrects() const {
+    return gas_ && scene_.quadrature > 0 && dim_ > 1 && !rings() && gas_->viscosity == 0 && !at_nodes() &&
+           scene_.density == DensityMethod::grid && (linear_ || quadratic_ || scene_.shape == "cubic");
+  }
+  // int N N(. - k) or int N N'(. - k) over cells, by Gauss's rule of four places on half cells: exact for these pieces. [Quadrature 4]
+  double overlap(int k, bool of_slope) const;
+  // visit(j, steps from i to j along each axis) of the nodes that reach what i reaches; false: one of them does not exist.
+  template <class Visit>
+  bool for_overlapping(std::size_t i, Visit&& visit) const;
+  // [Quadrature 1, 2]
+  void correct_forces();
+  // What D_p has beside div v_p. [Quadrature 3]
+  double correction(std::size_t p, Of which) const;
   // B: the mean of the shape over a cell, by Simpson's rule on quarters of a cell, exact for these cubic pieces. [Pressure 4]
   double wider_spline(double u) const;
   // w where a point stood. [Pressure 4]
@@ -221,6 +234,8 @@ class NaiveStep {
   std::vector<std::size_t> first_pair_;
   std::vector<Vec> at_, tangent_of_;
   mutable std::array<std::vector<Vec>, 4> straining_;  // nodal velocities whose gradients strain, by Of
+  std::vector<double> even_share_;  // P_i / p_i of the forces of this step; empty: not known [Quadrature 1]
+  mutable std::array<std::vector<double>, 4> corrections_;  // on the nodes [Quadrature 3]
   mutable std::array<std::vector<Vec>, 4> faces_;      // of these, u_f above the nodes [Pressure 2]
   bool forces_known_ = false, drifted_ = false;
   double stored_first_ = 0;

@@ -24,6 +24,7 @@ const std::vector<Vec>& NaiveStep::straining_velocity(Of which) const {
                                                 : i.again);
     }
     straining = sharpened(straining);
+    corrections_[static_cast<std::size_t>(which)].clear();
     std::vector<Vec>& faces = faces_[static_cast<std::size_t>(which)];
     faces.assign(at_nodes() ? nodes_.size() : 0, Vec::Zero());
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -45,6 +46,7 @@ Mat NaiveStep::gradient_of_velocity(std::size_t p, Of which) const {
     l += v * g.transpose();
     if (rings()) l(2, 2) += n * v[0] / at_[p][0];
   });
+  if (corrects() && !even_share_.empty()) l(0, 0) += correction(p, which);  // stress and viscosity see the trace alone
   return l;
 }
 
