@@ -382,7 +382,8 @@ bool NaiveStep::viscosity_would_cool() {
   bool any = false;
   for (std::size_t p = 0; p < points.size(); ++p) {
     const Mat e = strain_rate(p, Of::middle);
-    const double heat = points[p].stress.cwiseProduct(e).sum() + points[p].pressure * e.trace();
+    const Mat viscous = points[p].stress + points[p].pressure * Mat::Identity();  // zero, not a rounding, where nothing is
+    const double heat = viscous.cwiseProduct(e).sum();
     if (heat >= 0) continue;
     points[p].stress = stress_of(p, e, 0, Of::middle);
     any = true;
