@@ -41,10 +41,10 @@ class PressureQuadrature {
       }
     }
     if (none()) return;
-    static constexpr std::array<std::array<double, reach + 1>, 3> both{{{4.0 / 6, 1.0 / 6},
-                                                                        {66.0 / 120, 26.0 / 120, 1.0 / 120},
-                                                                        {2416.0 / 5040, 1191.0 / 5040, 120.0 / 5040,
-                                                                         1.0 / 5040}}};
+    static constexpr std::array<std::array<double, reach + 1>, 3> both{
+        {{4.0 / 6, 1.0 / 6},
+         {66.0 / 120, 26.0 / 120, 1.0 / 120},
+         {2416.0 / 5040, 1191.0 / 5040, 120.0 / 5040, 1.0 / 5040}}};
     static constexpr std::array<std::array<double, reach>, 3> rises{
         {{1.0 / 2}, {10.0 / 24, 1.0 / 24}, {245.0 / 720, 56.0 / 720, 1.0 / 720}}};
     mass_ = both[static_cast<std::size_t>(degree - 1)];

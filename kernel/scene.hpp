@@ -60,9 +60,10 @@ struct Scene {
       false;  // and read densities off nodes where the maps' smoothing of these is undone [Read-off 1]
   bool nodal_pressure = false;  // pressures of gases act at the nodes: not in rings, and not of gases with physical
                                 // viscosity [Pressure 2]
-  double quadrature = 0;        // eps, [0, 1]: sums over points of pressures that differ by less are corrected to integrals, in
-                                // the plane and in space, where the shape is a B-spline; 0: nowhere [Quadrature 1]
-  double split = 0;             // > 0: gas points larger than this many cells are split, see splitting.hpp; 0: never
+  double quadrature =
+      0;             // eps, [0, 1]: sums over points of pressures that differ by less are corrected to integrals, in
+                     // the plane and in space, where the shape is a B-spline; 0: nowhere [Quadrature 1]
+  double split = 0;  // > 0: gas points larger than this many cells are split, see splitting.hpp; 0: never
   bool loss_to_gas =
       false;  // what maps, and strains of membranes, take from points without an energy equation heats the
               // gas at their nodes [Coupling 1]

@@ -95,7 +95,7 @@ struct VelocityField {
     std::vector<double> even_part;   // P_i
     std::vector<double> mean;        // sum_p V_p N_ip div v_p, then what is added to div v_p [Quadrature 3]
     std::array<std::vector<double>, 4> along;  // for what goes from one axis to the next
-    std::vector<double> loss;        // what the others lost this step, then per mass of gas, J/kg
+    std::vector<double> loss;                  // what the others lost this step, then per mass of gas, J/kg
   } gas;
 
   // Calls visit(node) for every touched node of a row.

@@ -11,7 +11,7 @@ struct Linear {
   static constexpr int ghosts = 0;                 // node layers beyond a wall that a point inside can reach
   static constexpr bool smooth_gradients = false;  // across the sides of cells
   static constexpr bool fixed_inertia = false;     // D depends on where the point stands in its cell
-  static constexpr int degree = 1;  // of the B-splines
+  static constexpr int degree = 1;                 // of the B-splines
   static constexpr bool boxes = false;
   static constexpr double blur =
       1.0 / 12;  // theta of S(k) = 1 - theta k^2 h^2 + ...: half the variance of the shape [Sharpening 1]

@@ -212,15 +212,15 @@ TEST_P(EveryCombination, NodalPressuresStepAsThePrintedEquationsSay) {
 Scene even_gas(scenes::Space space, const std::string& shape, const std::string& transfer) {
   const int cells = space == scenes::Space::solid ? 9 : 13, per_cell = space == scenes::Space::solid ? 1 : 2;
   GridSpec grid = scenes::box(space, {cells, cells, cells}, 0.1);
-  const std::vector<scenes::Place> places =
-      scenes::jittered(scenes::lattice(grid, per_cell, {1, 1, 1}, {cells - 1, cells - 1, cells - 1}), 0.02, grid.dim);
+  const std::vector<scenes::Place> places = scenes::jittered(
+      scenes::lattice(grid, per_cell, {1, 1, 1}, {cells - 1, cells - 1, cells - 1}), 0.02, grid.dim);
   for (int d = 0; d < grid.dim; ++d) grid.origin[d] = -0.05;  // no node at an edge is all but massless
-  Body body = scenes::gas_body(scenes::inviscid_law(), space, places, scenes::lattice_volume(grid, per_cell),
-                               [](const scenes::Place& x) {
-                                 const double wave = std::sin(5 * x[0] + 3 * x[1] - 4 * x[2]);
-                                 return scenes::GasState{1 + 0.1 * wave, 2 - 0.1 * wave,
-                                                         {0.2 * std::cos(4 * x[1]), 0.3 * std::sin(6 * x[0]), 0.1 * x[0]}};
-                               });
+  Body body = scenes::gas_body(
+      scenes::inviscid_law(), space, places, scenes::lattice_volume(grid, per_cell), [](const scenes::Place& x) {
+        const double wave = std::sin(5 * x[0] + 3 * x[1] - 4 * x[2]);
+        return scenes::GasState{
+            1 + 0.1 * wave, 2 - 0.1 * wave, {0.2 * std::cos(4 * x[1]), 0.3 * std::sin(6 * x[0]), 0.1 * x[0]}};
+      });
   Scene scene = scenes::scene_of(grid, {std::move(body)}, shape, transfer, gravity_in(space));
   scene.quadrature = 1;
   return scene;

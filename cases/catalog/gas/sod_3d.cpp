@@ -21,12 +21,15 @@ std::vector<StudyPlan> studies() {
 }
 
 std::vector<CaseGate> gates() {
-  const Because as_good = requirement("what corrects sums over points is there for flows that shear; a tube, which does not, "
-                                      "may not lose a twentieth of its accuracy");
+  const Because as_good = requirement(
+      "what corrects sums over points is there for flows that shear; a tube, which does not, "
+      "may not lose a twentieth of its accuracy");
   return {same_numbers_gate("uncorrected", "line", 50),
           same_numbers_gate("uncorrected", "line", 100),
-          gate("default/density-as-uncorrected", error_over("density.L1", "uncorrected", "sums as they are", 100), at_most(1.05), as_good),
-          gate("default/velocity-as-uncorrected", error_over("velocity.L1", "uncorrected", "sums as they are", 100), at_most(1.05), as_good),
+          gate("default/density-as-uncorrected", error_over("density.L1", "uncorrected", "sums as they are", 100),
+               at_most(1.05), as_good),
+          gate("default/velocity-as-uncorrected", error_over("velocity.L1", "uncorrected", "sums as they are", 100),
+               at_most(1.05), as_good),
           same_numbers_gate("equal-volume", "equal-volume-line", 50),
           energy_gate("default"),
           coverage_gate("default", 100),

@@ -17,7 +17,8 @@ Seen look(const std::string& scheme, const std::string& geometry, const std::vec
   const StabilityProblem& can = find_stability_problem("axisymmetric");
   std::vector<Override> overrides = more;
   overrides.emplace_back("geometry", geometry);
-  if (scheme == "default") overrides.emplace_back("quadrature", 0.0);  // rings have nothing else: the plane beside them neither
+  if (scheme == "default")
+    overrides.emplace_back("quadrature", 0.0);  // rings have nothing else: the plane beside them neither
   const Settings settings = stability_settings(can, scheme, overrides);
   const Prediction predicted = can.predicted(settings, 1e-3);
   const Observation observed = can.observed(settings, predicted.reach);

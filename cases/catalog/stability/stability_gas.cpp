@@ -168,7 +168,9 @@ Amplification amplification(const Settings& settings, double dt) {
 }
 
 // Growth in the plane in a step, of the wave that grows most.
-double growth_in_plane(const Settings& settings, double dt) { return worst_wave(amplification(settings, dt), 2).radius - 1; }
+double growth_in_plane(const Settings& settings, double dt) {
+  return worst_wave(amplification(settings, dt), 2).radius - 1;
+}
 
 // Of a scheme by which waves grow: how fast, and growth in a step over that in half as long a step.
 void find_growth(const std::string& name, const Settings& settings, Findings& findings) {
@@ -207,7 +209,9 @@ Findings no_growth_in_plane(const std::vector<Override>& more) {
 }
 
 Findings points_in_plane() {
-  const auto growth = [](double per_cell) { return growth_in_plane(in_plane("default", per_cell, {uncorrected}), 0.2); };
+  const auto growth = [](double per_cell) {
+    return growth_in_plane(in_plane("default", per_cell, {uncorrected}), 0.2);
+  };
   Findings findings;
   findings.measures = {finding("default.of_sixteen", growth(16) / growth(4))};
   return findings;
@@ -255,7 +259,8 @@ Findings whole_spectrum() {
       const Spectrum found = spectrum_of(a, {t, diagonal ? t : 0}, left);
       fewest_neutral = std::min<double>(fewest_neutral, found.neutral);
       fewest_filtered = std::min<double>(fewest_filtered, found.filtered);
-      const auto grow = std::count_if(found.others.begin(), found.others.end(), [](double m) { return m > 1 + spread; });
+      const auto grow = std::count_if(found.others.begin(), found.others.end(),
+                                      [](double m) { return m > 1 + spread; });
       double& most = diagonal ? growing_on_diagonal : growing_on_axis;
       most = larger(most, static_cast<double>(grow));
       if (!diagonal || found.others.size() < 2) continue;
@@ -312,16 +317,9 @@ std::vector<Trial> trials() {
       {"plane-uncorrected", "Growth in the plane with sums over points left as they are, at steps of 0.1 and 0.2 h/c",
        "All wave numbers, 2 x 2 points a cell.", uncorrected_in_plane},
       {"plane-corrected", "Growth in the plane, longer steps and more points",
-       "2 x 2 points a cell at 0.2 and 0.8 h/c, 3 x 3 at 0.2.",
-       [] {
-         return no_growth_in_plane({});
-       },
-       Tier::full},
+       "2 x 2 points a cell at 0.2 and 0.8 h/c, 3 x 3 at 0.2.", [] { return no_growth_in_plane({}); }, Tier::full},
       {"plane-nodes", "Growth in the plane with pressures at the nodes",
-       "2 x 2 points a cell at 0.2 and 0.8 h/c, 3 x 3 at 0.2.",
-       [] {
-         return no_growth_in_plane({at_nodes});
-       },
+       "2 x 2 points a cell at 0.2 and 0.8 h/c, 3 x 3 at 0.2.", [] { return no_growth_in_plane({at_nodes}); },
        Tier::full},
       {"plane-points", "Growth in the plane with more points, sums over points left as they are",
        "4 x 4 points a cell over 2 x 2, at steps of 0.2 h/c.", points_in_plane, Tier::full}};
@@ -386,9 +384,10 @@ std::vector<CaseGate> gates() {
            theory("FLIP damps nothing: growth per time does not depend on the step, growth per step is in proportion")),
       gate("plane/default-rate", value_of("default.rate"), at_most(1e-5), at_rest),
       gate("plane-uncorrected/rate", value_of("default.rate"), between(0.02931, 0.02937),
-           theory("0.02934 by an analysis apart from the kernel, tests/reference/gas_at_rest_test.py, to a thousandth for "
-                  "the wave numbers that both look at: sums over points of second derivatives of shapes are not the "
-                  "integrals that vanish")),
+           theory(
+               "0.02934 by an analysis apart from the kernel, tests/reference/gas_at_rest_test.py, to a thousandth for "
+               "the wave numbers that both look at: sums over points of second derivatives of shapes are not the "
+               "integrals that vanish")),
       gate(
           "plane-uncorrected/ratio", value_of("default.ratio"), between(1.9, 2.2),
           theory("damped at a rate, driven by a force: growth per time does not depend on the step, growth per step is "

@@ -65,7 +65,8 @@ void NaiveStep::press_nodes() {
 }
 
 double NaiveStep::overlap(int k, bool of_slope) const {
-  const double places[] = {0.3399810435848563, 0.8611363115940526}, weights[] = {0.6521451548625461, 0.3478548451374538};
+  const double places[] = {0.3399810435848563, 0.8611363115940526},
+               weights[] = {0.6521451548625461, 0.3478548451374538};
   double sum = 0;
   for (int piece = -4; piece < 4; ++piece) {
     for (int g = 0; g < 4; ++g) {
@@ -382,7 +383,8 @@ bool NaiveStep::viscosity_would_cool() {
   bool any = false;
   for (std::size_t p = 0; p < points.size(); ++p) {
     const Mat e = strain_rate(p, Of::middle);
-    const Mat viscous = points[p].stress + points[p].pressure * Mat::Identity();  // zero, not a rounding, where nothing is
+    const Mat viscous = points[p].stress +
+                        points[p].pressure * Mat::Identity();  // zero, not a rounding, where nothing is
     const double heat = viscous.cwiseProduct(e).sum();
     if (heat >= 0) continue;
     points[p].stress = stress_of(p, e, 0, Of::middle);

@@ -236,7 +236,7 @@ class NaiveStep {
   mutable std::array<std::vector<Vec>, 4> straining_;  // nodal velocities whose gradients strain, by Of
   std::vector<double> even_share_;  // P_i / p_i of the forces of this step; empty: not known [Quadrature 1]
   mutable std::array<std::vector<double>, 4> corrections_;  // on the nodes [Quadrature 3]
-  mutable std::array<std::vector<Vec>, 4> faces_;      // of these, u_f above the nodes [Pressure 2]
+  mutable std::array<std::vector<Vec>, 4> faces_;           // of these, u_f above the nodes [Pressure 2]
   bool forces_known_ = false, drifted_ = false;
   double stored_first_ = 0;
 };

@@ -84,6 +84,7 @@ TEST(Schemes, DefaultOfGas) {
   EXPECT_EQ(settings.text("motion"), "sharpened");
   EXPECT_EQ(settings.text("read_off"), "sharpened");
   EXPECT_EQ(settings.text("pressure_at"), "points");
+  EXPECT_EQ(settings.number("quadrature"), 0.1);
   EXPECT_EQ(settings.number("filter.sound"), 2);
   EXPECT_EQ(settings.number("filter.compression"), 4);
   EXPECT_EQ(settings.number("heat_exchange"), 4);
@@ -106,6 +107,7 @@ TEST(Schemes, DefaultOfGasAndMembranes) {
   EXPECT_EQ(settings.text("normals"), "connectivity");
   EXPECT_FALSE(settings.has("split"));
   EXPECT_FALSE(settings.has("pressure_at"));
+  EXPECT_FALSE(settings.has("quadrature"));
 }
 
 // Points of a gas whose pressures act at the nodes move by the integrals of the shape's kernels. [Pressure 4]
