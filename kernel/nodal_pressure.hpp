@@ -8,8 +8,9 @@
 //   w_d(x) = sum_f u_f B(x_d - x_f) prod_(e /= d) N_e,  dB/dx = (N(x + h/2) - N(x - h/2)) / h.                 [Pressure 4]
 // sum_p V_p p_p D_p = sum_i f_i . u_i: points lose in heat what their pressures do in work. A flow without discrete
 // divergence is not driven, wherever points stand, and no wave of shear grows in a gas at rest; with forces by the gradients
-// of the points' shape functions it does, where their sums are not corrected [Quadrature 2]. And points that come back to where they stood have the energies that they had:
-// those of points that move with another velocity do not, and grow where the density is not uniform.
+// of the points' shape functions it does, where their sums are not corrected [Quadrature 2]. And points that come back to where
+// they stood have the energies that they had: those of points that move with another velocity do not, and grow where the density
+// is not uniform.
 // b is the interpolation of sixth order, (1, -8, 37, 37, -8, 1) / 60, of which a node that is more than 8 times lighter than the
 // heaviest of the six takes no more than it has mass, m = min(1, 8 M_j / M_most) of its share; what they leave goes to the two
 // nodes beside the face by their masses. So no node gets more force than its mass can bear. Beside a node without mass a face

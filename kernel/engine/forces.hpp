@@ -1,7 +1,9 @@
 // Forces of stresses and loads on the nodes. [York 3.17, 3.18] [EC-APIC 4]
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "kernel/density/read_off.hpp"
 #include "kernel/engine/layout.hpp"

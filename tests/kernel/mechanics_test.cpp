@@ -207,8 +207,7 @@ TEST_P(EveryCombination, NodalPressuresStepAsThePrintedEquationsSay) {
   }
 }
 
-// A gas whose pressures are within a third of each other, on irregular points of uneven masses: nine nodes along each axis have
-// all nodes within reach.
+// A gas of pressures that differ by a tenth, on irregular points of uneven masses, wide enough for nodes whose reach is all gas.
 Scene even_gas(scenes::Space space, const std::string& shape, const std::string& transfer) {
   const int cells = space == scenes::Space::solid ? 9 : 13, per_cell = space == scenes::Space::solid ? 1 : 2;
   GridSpec grid = scenes::box(space, {cells, cells, cells}, 0.1);

@@ -64,17 +64,30 @@ void NaiveStep::press_nodes() {
   }
 }
 
-double NaiveStep::overlap(int k, bool of_slope) const {
+NaiveStep::Overlaps NaiveStep::overlaps() const {
   const double places[] = {0.3399810435848563, 0.8611363115940526},
                weights[] = {0.6521451548625461, 0.3478548451374538};
-  double sum = 0;
-  for (int piece = -4; piece < 4; ++piece) {
-    for (int g = 0; g < 4; ++g) {
-      const double u = piece / 2.0 + 0.25 * (1 + (g % 2 == 0 ? 1 : -1) * places[g / 2]);
-      sum += 0.25 * weights[g / 2] * spline(u, 0) * (of_slope ? slope(u - k, 0) : spline(u - k, 0));
+  Overlaps sums{};
+  for (int k = -3; k <= 3; ++k) {
+    const auto at = static_cast<std::size_t>(k + 3);
+    for (int piece = -4; piece < 4; ++piece) {
+      for (int g = 0; g < 4; ++g) {
+        const double u = piece / 2.0 + 0.25 * (1 + (g % 2 == 0 ? 1 : -1) * places[g / 2]);
+        const double share = 0.25 * weights[g / 2] * spline(u, 0);
+        sums.values[at] += share * spline(u - k, 0);
+        sums.slopes[at] += share * slope(u - k, 0);
+      }
     }
   }
-  return sum;
+  return sums;
+}
+
+double NaiveStep::Overlaps::gradient(const std::array<int, 3>& steps, int d, int dim) const {
+  double product = 1;
+  for (int e = 0; e < dim; ++e) {
+    product *= (e == d ? slopes : values)[static_cast<std::size_t>(steps[static_cast<std::size_t>(e)] + 3)];
+  }
+  return product;
 }
 
 template <class Visit>
@@ -114,18 +127,12 @@ void NaiveStep::correct_forces() {
     even[i] *= chi;
     even_share_[i] = chi > 0 ? even[i] / mapped[i] : 0;
   }
-  double both[7], rises[7];
-  for (int k = -3; k <= 3; ++k) {
-    both[k + 3] = overlap(k, false);
-    rises[k + 3] = overlap(k, true);
-  }
+  const Overlaps known = overlaps();
   for (std::size_t j = 0; j < nodes_.size(); ++j) {  // int N_j grad N_i
     if (even[j] == 0) continue;
     for_overlapping(j, [&](std::size_t i, const std::array<int, 3>& steps) {
       for (int d = 0; d < dim_; ++d) {
-        double integral = nodes_[j].volume / h_;
-        for (int e = 0; e < dim_; ++e) integral *= (e == d ? rises : both)[steps[static_cast<std::size_t>(e)] + 3];
-        nodes_[i].force[d] += even[j] * integral;
+        nodes_[i].force[d] += even[j] * nodes_[j].volume / h_ * known.gradient(steps, d, dim_);
       }
     });
   }
@@ -154,22 +161,14 @@ double NaiveStep::correction(std::size_t p, Of which) const {
         nodal[static_cast<std::size_t>(&i - nodes_.data())] -= points[q].volume * n * divergence / i.volume;
       });
     }
-    double both[7], rises[7];
-    for (int k = -3; k <= 3; ++k) {
-      both[k + 3] = overlap(k, false);
-      rises[k + 3] = overlap(k, true);
-    }
+    const Overlaps known = overlaps();
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       if (even_share_[i] == 0) {
         nodal[i] = 0;
         continue;
       }
       for_overlapping(i, [&](std::size_t j, const std::array<int, 3>& steps) {
-        for (int d = 0; d < dim_; ++d) {
-          double integral = u[j][d] / h_;
-          for (int e = 0; e < dim_; ++e) integral *= (e == d ? rises : both)[steps[static_cast<std::size_t>(e)] + 3];
-          nodal[i] += integral;
-        }
+        for (int d = 0; d < dim_; ++d) nodal[i] += u[j][d] / h_ * known.gradient(steps, d, dim_);
       });
       nodal[i] *= even_share_[i];
     }

@@ -139,8 +139,14 @@ class NaiveStep {
     return gas_ && scene_.quadrature > 0 && dim_ > 1 && !rings() && gas_->viscosity == 0 && !at_nodes() &&
            scene_.density == DensityMethod::grid && (linear_ || quadratic_ || scene_.shape == "cubic");
   }
-  // int N N(. - k) or int N N'(. - k) over cells, by Gauss's rule of four places on half cells: exact for these pieces. [Quadrature 4]
-  double overlap(int k, bool of_slope) const;
+  // int N N(. - k) and int N N'(. - k) over cells for k = -3 to 3, by Gauss's rule of four places on half cells: exact for these
+  // pieces. [Quadrature 4]
+  struct Overlaps {
+    std::array<double, 7> values, slopes;
+    // int N dN'/dx_d, N' the shape of a node these steps away, in cells.
+    double gradient(const std::array<int, 3>& steps, int d, int dim) const;
+  };
+  Overlaps overlaps() const;
   // visit(j, steps from i to j along each axis) of the nodes that reach what i reaches; false: one of them does not exist.
   template <class Visit>
   bool for_overlapping(std::size_t i, Visit&& visit) const;
