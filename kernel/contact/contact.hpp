@@ -54,6 +54,7 @@ struct ContactEntry : Choice {
   static constexpr const char* kind = "contact";
   std::tuple<MakeContact<1>, MakeContact<2>, MakeContact<3>> make;
   bool has_friction = false;  // whether it heeds Scene::friction
+  bool by_pairs = false;      // of points, see PairPotential; nothing is made for the nodes
 };
 
 // In the order of their names; "none" makes nothing.

@@ -2,10 +2,10 @@
 
 #include <Eigen/QR>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
+#include "kernel/contact/near_points.hpp"
 #include "kernel/contact/separation.hpp"
 #include "kernel/contact/shared_nodes.hpp"
 #include "kernel/register_part.hpp"
@@ -74,35 +74,15 @@ auto TouchingContact<dim>::points_near(const Scene& scene, const std::vector<std
   return near;
 }
 
-// By cells as wide as the widest spacing: who touches whom stands in the same cell or beside it. [Touching 1]
+// [Touching 1]
 template <int dim>
 void TouchingContact<dim>::find_touching(std::vector<Near>& first, std::vector<Near>& second) const {
   double widest = 0;
   for (const Near& p : first) widest = std::max(widest, p.spacing);
   for (const Near& q : second) widest = std::max(widest, q.spacing);
-  using Cell = std::array<int, 3>;
-  const auto cell_of = [&](const Vec& x) {
-    Cell cell{};
-    for (int d = 0; d < dim; ++d) cell[static_cast<std::size_t>(d)] = static_cast<int>(std::floor(x[d] / widest));
-    return cell;
-  };
-  std::map<Cell, std::vector<std::size_t>> cells;
-  for (std::size_t k = 0; k < second.size(); ++k) cells[cell_of(second[k].x)].push_back(k);
-  for (Near& p : first) {
-    const Cell home = cell_of(p.x);
-    for (int k = 0; k < (dim == 1 ? 3 : dim == 2 ? 9 : 27); ++k) {
-      Cell there = home;
-      there[0] += k % 3 - 1;
-      if (dim > 1) there[1] += k / 3 % 3 - 1;
-      if (dim > 2) there[2] += k / 9 - 1;
-      const auto found = cells.find(there);
-      if (found == cells.end()) continue;
-      for (std::size_t other : found->second) {
-        Near& q = second[other];
-        if ((p.x - q.x).norm() < 0.5 * (p.spacing + q.spacing)) p.touches = q.touches = true;
-      }
-    }
-  }
+  for_near<dim>(first, second, widest, [](Near& p, Near& q) {
+    if ((p.x - q.x).norm() < 0.5 * (p.spacing + q.spacing)) p.touches = q.touches = true;
+  });
 }
 
 template <int dim>

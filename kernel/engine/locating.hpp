@@ -5,6 +5,7 @@
 #include <numeric>
 #include <vector>
 
+#include "kernel/contact/pair_potential.hpp"
 #include "kernel/engine/boxes.hpp"
 #include "kernel/engine/layout.hpp"
 #include "kernel/engine/placing.hpp"
@@ -74,7 +75,7 @@ class Locating {
  private:
   // What a step sets before it reads it.
   const std::vector<ColumnId>& stale_columns(const Body& body) {
-    stale_ = {column::transfer_loss};
+    stale_ = {column::transfer_loss, column::contact_force, column::contact_velocity};
     if (!space_.context.continuity_density) stale_.push_back(column::density);
     if (!options_.evaluates_stress_first) return stale_;
     stale_.insert(stale_.end(), {column::strain_rate, column::sound_speed, column::closing});

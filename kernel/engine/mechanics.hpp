@@ -57,6 +57,7 @@ class Mechanics final : public Engine {
         body.points.add(column::sound_speed);
       }
       motion_.add_columns(body, layout_.field(b));
+      stress_.add_columns(body);
       if (scene.mean_dilatation) MeanDilatation<Geometry>::add_columns(body);
     }
   }
@@ -64,6 +65,7 @@ class Mechanics final : public Engine {
   void locate_points() override {
     locating_.locate(layout_);
     step_.begin();
+    stress_.find_pairs(layout_);
   }
 
   void map_mass_and_momentum() override {
@@ -83,6 +85,7 @@ class Mechanics final : public Engine {
     if (momentum_.contact_changes_start()) to_grid_.settle_loss(layout_, step_);
     const bool first = !step_.advance;
     step_.advance = momentum_.advance(layout_.fields, step_.forces.value_or(MappedForces<dim>{}), dt, first);
+    step_.advance->contact.work += stress_.work_of_pairs(layout_, dt);
     holding_.hold_advanced(layout_, *step_.advance);
     step_.power.reset();
     step_.rates_of.reset();

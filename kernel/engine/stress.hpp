@@ -4,6 +4,7 @@
 #include "kernel/engine/densities.hpp"
 #include "kernel/engine/forces.hpp"
 #include "kernel/engine/mean_dilatation.hpp"
+#include "kernel/engine/pair_forces.hpp"
 
 namespace plumbline {
 
@@ -20,7 +21,13 @@ class Stress {
       : space_(space),
         densities_(space, scene.density, scene.sharpened_density ? scene.sharpening : 0),
         dilatation_(space),
-        forces_(space, shares, scene.sharpened_density ? scene.sharpening : 0) {}
+        forces_(space, shares, scene.sharpened_density ? scene.sharpening : 0),
+        pairs_(space, scene) {}
+
+  void add_columns(Body& body) const { pairs_.add_columns(body); }
+
+  // Which points of other bodies are near, once the points are located.
+  void find_pairs(Bodies& at) { pairs_.find(at); }
 
   // Stresses of the step's start and `ahead` s more, with the strain rates of a nodal velocity; sums what the map lost, if
   // that is not known yet, and maps the forces too where these are wanted, while the points stand where they were located. Point forces
@@ -31,6 +38,7 @@ class Stress {
     if (and_forces) forces_.clear(at, step);
     step.stress_ahead = ahead;
     velocity = step.resolved(velocity);
+    pairs_.press(at, ahead == 0 ? 0 : ahead - clock.drifted, velocity);
     StartSums all;
     for (std::size_t b = 0; b < at.bodies.size(); ++b) {
       Body& body = at.bodies[b];
@@ -83,20 +91,30 @@ class Stress {
         body.material->evaluate_stress(body.points, {chunk.first, chunk.last}, then);
       });
     }
-    if (and_forces) step.forces->hoop = all.hoop_force;
+    if (and_forces) {
+      pairs_.map(at, step.forces->turn);
+      step.forces->hoop = all.hoop_force;
+    }
     if (!step.map_loss) step.map_loss = all.lost;
     step.rates_of = velocity;
     if (and_forces) forces_.forget_rates(at, step);
   }
 
   // Of the stresses as they are.
-  void map_forces(Bodies& at, Record& step, const StepClock& clock) { forces_.map_all(at, step, clock); }
+  void map_forces(Bodies& at, Record& step, const StepClock& clock) {
+    forces_.map_all(at, step, clock);
+    pairs_.map(at, step.forces->turn);
+  }
+
+  // Work of contact between points over dt, once the nodes have been advanced, J.
+  double work_of_pairs(Bodies& at, double dt) const { return dt * pairs_.power(at, NodalVelocity::midpoint); }
 
  private:
   const Space& space_;
   Densities<Geometry> densities_;
   MeanDilatation<Geometry> dilatation_;
   Forces<Geometry> forces_;
+  PairForces<Geometry> pairs_;
 };
 
 }  // namespace plumbline

@@ -158,6 +158,11 @@ J2Law J2Plasticity::law() const {
   return {c.lambda + 2.0 / 3.0 * c.mu, c.mu, yield_stress, hardening_modulus};
 }
 
+std::optional<RestState> J2Plasticity::rest(int) const {
+  const LameConstants c = lame_constants(youngs_modulus, poissons_ratio);
+  return RestState{density, c.lambda + 2 * c.mu};
+}
+
 void J2Plasticity::add_columns(Columns& points, int dim) const {
   check();
   add_deformation(points, dim);

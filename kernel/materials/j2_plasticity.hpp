@@ -48,6 +48,7 @@ struct J2Plasticity final : Material {
   double stored_energy(const Columns& points, PointRange range) const override;
   double heat(const Columns& points, PointRange range) const override;
   StepBounds step_bounds(const Columns& points, PointRange range, int dim) const override;
+  std::optional<RestState> rest(int dim) const override;
   Fault first_fault(const Columns& points, PointRange range) const override;
 
   J2Law law() const;

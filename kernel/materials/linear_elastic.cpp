@@ -77,6 +77,11 @@ double LinearElastic::wave_speed(int dim) const {
   return std::sqrt((c.lambda + 2 * c.mu) / density);
 }
 
+std::optional<RestState> LinearElastic::rest(int dim) const {
+  const LameConstants c = constants(dim);
+  return RestState{density, c.lambda + 2 * c.mu};
+}
+
 void LinearElastic::add_columns(Columns& points, int) const {
   points.add(column::strain, points.components(column::stress));
 }

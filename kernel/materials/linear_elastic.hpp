@@ -26,6 +26,7 @@ struct LinearElastic final : Material {
   void evaluate_stress(Columns& points, PointRange range, const MaterialContext& context) const override;
   double stored_energy(const Columns& points, PointRange range) const override;
   StepBounds step_bounds(const Columns& points, PointRange range, int dim) const override;
+  std::optional<RestState> rest(int dim) const override;
   Fault first_fault(const Columns& points, PointRange range) const override;
 
   // lambda and mu of the plane or space; on a line (0, E/2).

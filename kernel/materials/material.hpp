@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,12 @@ inline constexpr int stress_components(StressMeasure measure, int dim, bool axis
 
 // Where a material keeps the energy that its stress power becomes.
 enum class Store { none, internal, elastic };
+
+// An elastic solid at rest.
+struct RestState {
+  double density;  // rho_0, kg/m^3
+  double modulus;  // of compression along one axis, lambda + 2 mu, Pa
+};
 
 // What bounds the step: dt < cfl h / fastest and dt < cfl h^2 / (2 dim diffusivity).
 struct StepBounds {
@@ -115,6 +122,9 @@ class Material {
   // Whether those of points whose weights are of the start (column position_at_start) are of waves among the places of the
   // start; otherwise they are of waves in space, and such shapes allow for how much F shortens at most. [Lagrangian 4]
   virtual bool bounds_at_start() const { return false; }
+
+  // Of solids.
+  virtual std::optional<RestState> rest(int /*dim*/) const { return {}; }
 
   // First inadmissible point: its index and what is wrong; -1 if all are admissible. field: a column's name.
   struct Fault {

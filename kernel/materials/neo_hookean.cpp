@@ -211,6 +211,11 @@ auto with_loops(const Columns& points, Visit&& visit) {
 
 }  // namespace
 
+std::optional<RestState> NeoHookean::rest(int) const {
+  const LameConstants c = constants();
+  return RestState{density, c.lambda + 2 * c.mu};
+}
+
 void NeoHookean::add_columns(Columns& points, int dim) const { add_deformation(points, dim); }
 
 void NeoHookean::share_dilatation(Columns& points) const {

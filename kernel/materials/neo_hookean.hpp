@@ -29,6 +29,7 @@ struct NeoHookean final : Material {
   void evaluate_stress(Columns& points, PointRange range, const MaterialContext& context) const override;
   double stored_energy(const Columns& points, PointRange range) const override;
   StepBounds step_bounds(const Columns& points, PointRange range, int dim) const override;
+  std::optional<RestState> rest(int dim) const override;
   Fault first_fault(const Columns& points, PointRange range) const override;
 
   LameConstants constants() const { return lame_constants(youngs_modulus, poissons_ratio); }

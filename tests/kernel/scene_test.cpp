@@ -26,7 +26,8 @@ TEST(Scene, NamesItsChoices) {
                                                        "lagrangian-quadratic", "linear", "quadratic"}));
   EXPECT_EQ(names(transfers()), (std::vector<std::string>{"apic", "blend", "flip", "fmpm", "pic", "xpic"}));
   EXPECT_EQ(names(densities()), (std::vector<std::string>{"cell", "quadratic", "continuity", "grid"}));
-  EXPECT_EQ(names(contacts()), (std::vector<std::string>{"none", "touching", "york-9.7", "york-9.8", "york-9.9"}));
+  EXPECT_EQ(names(contacts()),
+            (std::vector<std::string>{"none", "pairs", "touching", "york-9.7", "york-9.8", "york-9.9"}));
 }
 
 TEST(Scene, FindsDensityMethodsByName) {

@@ -6,6 +6,7 @@
 
 #include "cases/harness/description/archive.hpp"
 #include "cases/harness/description/measures.hpp"
+#include "kernel/contact/pair_potential.hpp"
 
 namespace plumbline {
 
@@ -39,7 +40,7 @@ double lowest_point(const Body& body, int d) {
 void EnergyWatch::observe(const Simulation& simulation) {
   if (!started_) start_ = last_ = simulation.ledger().initial_stores.total();
   started_ = true;
-  const double energy = simulation.ledger().stores.total();
+  const double energy = simulation.ledger().stores.total() + contact_energy(simulation.scene());
   rise_ = larger(rise_, (energy - last_) / start_);
   highest_ = larger(highest_, energy / start_);
   last_ = energy;

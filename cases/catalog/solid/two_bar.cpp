@@ -171,6 +171,12 @@ std::vector<StudyPlan> studies() {
       study("quadratic-small-step", "quadratic B-splines with half the step",
             "One mesh: of B-splines the affine velocity is worth the same everywhere.", {20})
           .with({{"speed", 20.0}, {"cfl", 0.25}, {"shape", "quadratic"}}),
+      study("pairs", "points of two bodies repel each other, at ten times the speed", front, {20, 40, 80})
+          .with({{"speed", 20.0}, {"contact", "pairs"}})
+          .in_full({20, 40, 80, 160}),
+      study("pairs-york-step", "the same on quadratic B-splines at York's step",
+            "One mesh: whether energy is created at the step that York prints.", {20})
+          .with({{"speed", 20.0}, {"contact", "pairs"}, {"shape", "quadratic"}, {"dt", 7e-4}}),
       study("none", "one velocity for all", "One mesh: nothing lets the bars part.", {20}).with({{"contact", "none"}}),
       study("york-none", "York's run without release", york, {20}).of_york().with({{"contact", "none"}}),
       study("york1997", "York's run, criterion 9.7", york, {20}).of_york(),
@@ -211,6 +217,27 @@ std::vector<CaseGate> duration_gates() {
           in_time("default", 20).fails(slow, {0.029 * lasts, 0.035 * lasts}, bands),
           in_time("default", 40).fails(slow, {0.0253 * lasts, 0.031 * lasts}, bands),
           in_time("default", 80).in(Tier::full)};
+}
+
+// Pairs give way, which lasts: less on each finer mesh.
+std::vector<CaseGate> pairs_gates() {
+  const double lasts = reference::plane_contact_duration({}).value;
+  const auto parts = [](double cells, double least) {
+    return gate(
+        "pairs/restitution-" + to_text(cells), value_at("restitution", cells), at_least(least),
+        requirement("at least 0.90, 0.92 and 0.925 at h = 0.25, 0.125 and 0.0625, where elasticity gives 0.952"));
+  };
+  const auto least_fall = [](const StudyResult& s) {
+    std::vector<double> durations = values_of(s, "contact_duration");
+    std::reverse(durations.begin(), durations.end());
+    return Measured::of(least_rise(durations));
+  };
+  return {parts(20, 0.90), parts(40, 0.92), parts(80, 0.925),
+          gate("pairs/contact-duration-80", error_at("contact_duration", 80), at_most(0.1 * lasts),
+               requirement("within 10 % of 2L/c: what pairs give way must not be bought with time")),
+          gate("pairs/contact-duration-falls",
+               number_of("least fall of the contact's duration from level to level", least_fall), at_least(0),
+               theory("what the pairs give way is in proportion to the spacing of the points"))};
 }
 
 // Every refinement brings the bars to part faster, and none faster than the reference.
@@ -343,9 +370,12 @@ std::vector<CaseGate> gates() {
                  conservation_gates("fast", {20, 40, 80}),
                  duration_gates(),
                  contact_gates(),
+                 conservation_gates("pairs", {20, 40, 80}),
+                 conservation_gates("pairs-york-step", {20}),
+                 pairs_gates(),
                  york_gates(),
                  energy_gates(),
-                 {restart_gate("default", "runs with contact")}});
+                 {restart_gate("default", "runs with contact"), restart_gate("pairs", "runs with pairs of points")}});
 }
 
 Case two_bar() {

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "cases/harness/parts/encounter.hpp"
+#include "cases/harness/parts/pair_gates.hpp"
 #include "cases/harness/parts/parts.hpp"
 
 namespace plumbline {
@@ -13,7 +14,6 @@ namespace {
 
 constexpr int encounters = 20;
 constexpr unsigned long contact_seed = 50;
-constexpr double slowed = 1e-6;  // of the approach speed, the least that has to be taken
 
 template <int dim>
 using NodeVelocities = std::vector<Eigen::Matrix<double, dim, 1>> VelocityField<dim>::*;
@@ -223,13 +223,14 @@ void add_gates(const ContactEntry& law, const std::string& where, std::vector<Me
   row("again", "nodes where contact acts in one force pass of a step and not in the other", 0, Origin::identity,
       "nodes are chosen once a step, or the passes do not converge", "a later pass chooses anew", other_nodes<dim>);
   if (!make(Encounter<dim>(law).grid(), 2)) return;  // the law that lets bodies pass
-  row("approach", "share of the approach speed that is left where bodies touch", 1 - slowed, Origin::theory,
+  row("approach", "share of the approach speed that is left where bodies touch", 1 - least_slowed, Origin::theory,
       "bodies that touch and approach are slowed down", "contact is not found, or does nothing", approach<dim>);
 }
 
 }  // namespace
 
 std::vector<MeasuredGate> contact_gates(const ContactEntry& law) {
+  if (law.by_pairs) return pair_gates(law);
   std::vector<MeasuredGate> all;
   add_gates<1>(law, "line", all);
   add_gates<2>(law, "plane", all);

@@ -8,6 +8,8 @@
 
 namespace plumbline {
 
+inline constexpr double least_slowed = 1e-6;  // of the approach speed, what contact has to take at least
+
 // In each number of dimensions that the law is made for.
 std::vector<MeasuredGate> contact_gates(const ContactEntry& law);
 

@@ -27,14 +27,14 @@ void check(const History& history, double noise) {
   }
 }
 
-struct Turn {
+struct TurningPoint {
   std::size_t index;  // the first of equal samples
   bool maximum;
 };
 
 // A sample is a turn once the values have come back from it by more than the threshold.
-std::vector<Turn> find_turns(std::span<const double> values, double threshold) {
-  std::vector<Turn> turns;
+std::vector<TurningPoint> find_turns(std::span<const double> values, double threshold) {
+  std::vector<TurningPoint> turns;
   enum class Way { unknown, up, down } way = Way::unknown;
   std::size_t top = 0, bottom = 0;
   for (std::size_t i = 1; i < values.size(); ++i) {
@@ -93,7 +93,7 @@ Parabola fit_parabola(const std::vector<double>& u, const std::vector<double>& y
 
 // Vertex of the least-squares parabola through the samples of the window, or nothing where it is no extreme of the
 // kind wanted inside the window. Times and values are centred: that keeps the digits of a fine step at a late time.
-std::optional<Extreme> vertex_in(const History& history, const Window& window, const Turn& turn) {
+std::optional<Extreme> vertex_in(const History& history, const Window& window, const TurningPoint& turn) {
   const auto [times, values] = history;
   const double begin = times[window.first], span = times[window.last] - begin;
   const std::size_t count = window.last - window.first + 1;
@@ -112,7 +112,7 @@ std::optional<Extreme> vertex_in(const History& history, const Window& window, c
   return Extreme{begin + (vertex + mean) * span, values[turn.index] + p.c0 + p.c1 * vertex / 2, turn.maximum};
 }
 
-Extreme interpolate(const History& history, const Turn& turn, double noise) {
+Extreme interpolate(const History& history, const TurningPoint& turn, double noise) {
   const auto [times, values] = history;
   const Window flat = stretch(values, turn.index, 0);
   const Extreme middle{(times[flat.first] + times[flat.last]) / 2, values[turn.index], turn.maximum};
@@ -128,7 +128,7 @@ std::vector<Extreme> find_extremes(std::span<const double> times, std::span<cons
   const History history{times, values};
   check(history, noise);
   std::vector<Extreme> extremes;
-  for (const Turn& turn : find_turns(values, reversal_factor * noise))
+  for (const TurningPoint& turn : find_turns(values, reversal_factor * noise))
     extremes.push_back(interpolate(history, turn, noise));
   return extremes;
 }
