@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "kernel/contact/pair_potential.hpp"
 #include "kernel/engine/discretisation.hpp"
 #include "kernel/stages.hpp"
 
@@ -108,7 +109,7 @@ void refuse_weights_of_start(const Scene& scene) {
     throw std::invalid_argument("the shape " + scene.shape + " " + why);
   };
   if (Geometry::axisymmetric) refuse("works on a line, in the plane and in space, not about an axis");
-  if (scene.contact != "none" && scene.bodies.size() > 1) {
+  if (scene.contact != "none" && scene.bodies.size() > 1 && !meets_by_pairs(scene)) {
     refuse("cannot work with the contact law " + scene.contact +
            ": nodes are shared by points that stood beside each other "
            "at the start");

@@ -5,6 +5,11 @@
 #include "kernel/engine/loops/list_entry.hpp"
 
 namespace plumbline {
+
+template class Cpdi<1>;
+template class Cpdi<2>;
+template class Cpdi<3>;
+
 namespace {
 
 template <class Geometry>

@@ -164,4 +164,8 @@ class Cpdi final : public ListedShape<dim> {
   Domains<dim> domains_;
 };
 
+extern template class Cpdi<1>;
+extern template class Cpdi<2>;
+extern template class Cpdi<3>;
+
 }  // namespace plumbline

@@ -96,7 +96,7 @@ std::vector<double> inverse_listed_volumes(const GridSpec& spec, MakeListed<dim>
   const Surroundings<dim> around(spec, make(Grid<dim>(spec))->traits().support);
   const Grid<dim> all = around.grid();
   const auto shape = make(all);
-  std::vector<double> volume(static_cast<std::size_t>(Grid<dim>(spec).node_count()));
+  std::vector<double> whole(static_cast<std::size_t>(all.node_count()));
   Probes<dim> probes(all);
   NodeList<dim> nodes;
   for (int line = 0; line < probes.lines(); ++line) {
@@ -110,10 +110,13 @@ std::vector<double> inverse_listed_volumes(const GridSpec& spec, MakeListed<dim>
     shape->list(points, at, all_points(points), nodes);
     for (int p = 0; p < points.points(); ++p) {
       const double of_probe = probes.volume(p);
-      for (const auto& [node, n, gradient] : nodes.of(p)) {
-        if (const int own = around.own_node(all, node); own >= 0) volume[static_cast<std::size_t>(own)] += n * of_probe;
-      }
+      for (const auto& [node, n, gradient] : nodes.of(p)) whole[static_cast<std::size_t>(node)] += n * of_probe;
     }
+  }
+  std::vector<double> volume(static_cast<std::size_t>(Grid<dim>(spec).node_count()));
+  for (int node = 0; node < all.node_count(); ++node) {
+    if (const int own = around.own_node(all, node); own >= 0)
+      volume[static_cast<std::size_t>(own)] += whole[static_cast<std::size_t>(node)];
   }
   for (double& v : volume) v = v > 0 ? 1 / v : 0.0;
   return volume;

@@ -86,6 +86,17 @@ TEST(Collision, LedgerOfPairsClosesWhilePointsDrift) {
   }
 }
 
+// Nodes where bodies were at the start meet nobody; points do.
+TEST(Collision, LedgerOfPairsClosesWithWeightsOfTheStart) {
+  for (const char* transfer : {"apic", "flip"}) {
+    Simulation simulation(blocks(2, "lagrangian-quadratic", transfer, "pairs"), "midpoint", {.dt = 1e-3});
+    for (int step = 0; step < 100; ++step) simulation.step(1e-3);
+    SCOPED_TRACE(transfer);
+    scenes::expect_ledger_closes(simulation.ledger(), 1e-13);
+    EXPECT_GT(scenes::by_id(simulation.scene().bodies[1], column::velocity)[0], 1e-2) << "they met";
+  }
+}
+
 TEST(Collision, BodiesThatNeverMeetAreLeftBitForBit) {
   for (const char* transfer : {"apic", "flip"}) {
     const auto run = [&](const char* contact) {
