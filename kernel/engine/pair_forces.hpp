@@ -42,7 +42,7 @@ class PairForces {
     pairs_.press(at.bodies, 2 * ahead);
   }
 
-  // Their torque about where points were located is none unless they have moved since.
+  // turn: adds the torque about where weights are taken, N m, none if points stand there.
   void map(Bodies& at, Spin<dim>& turn) const {
     for_involved(at, [&](Body& body, const Weights<dim>& places, auto& field) {
       std::array<typename Space::Loops::Spread, dim> forces;

@@ -75,8 +75,8 @@ TEST(Collision, LedgerClosesBesideWalls) {
   }
 }
 
-// Pairs press where points stand; steps that let points drift first put that on the nodes of before, and book the torque.
-TEST(Collision, LedgerOfPairsClosesWhilePointsDrift) {
+// Pairs press with the velocities of the step's start in these, and move apart once more where points drift.
+TEST(Collision, LedgerOfPairsClosesByStepsThatDrift) {
   for (const char* integrator : {"leapfrog", "energy"}) {
     Simulation simulation(blocks(2, "quadratic", "apic", "pairs"), integrator, {.dt = 1e-3});
     for (int step = 0; step < 60; ++step) simulation.step(1e-3);

@@ -207,7 +207,8 @@ TEST(Schemes, EveryPartMayBeChosen) {
                                                        "lagrangian-quadratic", "linear", "quadratic"));
   EXPECT_THAT(choices(Kind::gas, "transfer"), ElementsAre("apic", "blend", "flip", "fmpm", "pic", "xpic"));
   EXPECT_THAT(choices(Kind::gas, "density"), ElementsAre("cell", "quadratic", "continuity", "grid"));
-  EXPECT_THAT(choices(Kind::solid, "contact"), ElementsAre("none", "default", "york-9.7", "york-9.8", "york-9.9"));
+  EXPECT_THAT(choices(Kind::solid, "contact"),
+              ElementsAre("none", "pairs", "default", "york-9.7", "york-9.8", "york-9.9"));
 }
 
 }  // namespace
