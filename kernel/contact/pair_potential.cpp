@@ -14,7 +14,7 @@ namespace {
 
 constexpr double pair_reach = 1.6;          // r_0 over a spacing
 constexpr double pair_stiffness = 1.0 / 8;  // K over the modulus
-constexpr double pairs_kept_within = 2;     // reaches: no step brings others together
+constexpr double pairs_kept_within = 2;     // reaches; who comes from further away in a step presses in the next
 
 template <int dim>
 std::unique_ptr<Contact<dim>> nothing_at_nodes(const Grid<dim>&, int) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "kernel/materials/material_entry.hpp"
@@ -79,14 +80,20 @@ struct Bonds final : Material {
     return sum;
   }
   StepBounds step_bounds(const Columns& points, PointRange range, int dim) const override {
-    const double stiff = dim == 1 ? 1 : 1.2;  // (1 - nu) / ((1 + nu) (1 - 2 nu))
-    return {.fastest = std::sqrt(stiff * youngs_modulus / density) + fastest_point(points, range, dim)};
+    return {.fastest = std::sqrt(modulus(dim) / density) + fastest_point(points, range, dim)};
   }
+  std::optional<RestState> rest(int dim) const override { return RestState{density, modulus(dim)}; }
   Fault first_fault(const Columns& points, PointRange range) const override {
     return first_not_finite(points, range, bond_energy, "the energy of bonds must be finite");
   }
 
  private:
+  // Of compression, Pa.
+  double modulus(int dim) const {
+    const double stiff = dim == 1 ? 1 : 1.2;  // (1 - nu) / ((1 + nu) (1 - 2 nu))
+    return stiff * youngs_modulus;
+  }
+
   struct Bond {
     int other;
     double pull, energy;                // N; J
