@@ -13,8 +13,8 @@ namespace plumbline {
 // `distance`, m, and for others that are nearer than about three times that. In the order of the first cloud.
 template <int dim, class Point, class Visit>
 void for_near(std::vector<Point>& first, std::vector<Point>& second, double distance, Visit&& visit) {
-  using Cell =
-      std::array<int, 3>;  // of a lattice as wide as the distance: whoever is near stands in the same cell or beside it
+  // Of a lattice as wide as the distance: whoever is near stands in the same cell or beside it.
+  using Cell = std::array<int, 3>;
   const auto cell_of = [&](const Point& point) {
     Cell cell{};
     for (int d = 0; d < dim; ++d)
