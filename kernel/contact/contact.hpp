@@ -46,6 +46,19 @@ class Contact {
   virtual bool changes_start() const = 0;
 };
 
+// Sets the end velocities of fields at a node from the midpoints that contact has changed, v~ = 2 vm - v, and tells of them.
+template <int dim>
+void visit_changed(std::vector<VelocityField<dim>>& fields, int node, const std::vector<std::size_t>& of,
+                   const typename Contact<dim>::Visit& visit) {
+  const auto i = static_cast<std::size_t>(node);
+  for (const std::size_t f : of) {
+    VelocityField<dim>& field = fields[f];
+    const Eigen::Matrix<double, dim, 1> own = field.end[i];
+    field.end[i] = 2 * field.midpoint[i] - field.start[i];
+    visit({node, field.mass[i], field.start[i], own, field.start[i], field.end[i]});
+  }
+}
+
 template <int dim>
 using MakeContact = std::unique_ptr<Contact<dim>> (*)(const Grid<dim>&, int support);
 

@@ -8,23 +8,24 @@
 #include "kernel/contact/contact.hpp"
 #include "kernel/contact/near_points.hpp"
 #include "kernel/register_part.hpp"
+#include "kernel/shapes/shape.hpp"
 
 namespace plumbline {
 namespace {
 
-constexpr double pair_reach = 1.6;          // r_0 over a spacing
-constexpr double pair_stiffness = 1.0 / 8;  // K over the modulus
-constexpr double pairs_kept_within = 2;     // reaches; who comes from further away in a step presses in the next
+constexpr double pair_stiffness = 1.0 / 4;  // K over the modulus
+constexpr double most_spacing = 2.0 / 3;    // of points that rub, over that of nodes: h + l/2 - r_0/2 is h/2 or more
+constexpr double pairs_kept_within = 1.25;  // reaches; who comes from further away in a step presses in the next
 
 template <int dim>
 std::unique_ptr<Contact<dim>> nothing_at_nodes(const Grid<dim>&, int) {
   return nullptr;
 }
 
-const RegisterPart pairs_entry(ContactEntry{{"pairs", "a potential of the distances between points of two bodies",
+const RegisterPart pairs_entry(ContactEntry{{"pairs", "a potential of the distances between points of two bodies, and Coulomb friction where they press",
                                              "reports/docs/theory/contact-and-coupling.md"},
                                             {nothing_at_nodes<1>, nothing_at_nodes<2>, nothing_at_nodes<3>},
-                                            false,
+                                            true,
                                             true});
 
 template <int dim>
@@ -76,6 +77,11 @@ class Spacings {
   double density_, power_;
 };
 
+double widest_spacing(const Body& body, int dim) {
+  if (body.points.points() == 0) return 0;
+  return Spacings(body, dim, body.material->rest(dim)->density).widest(body.points.points());
+}
+
 template <int dim>
 struct PointOfPair {
   Eigen::Matrix<double, dim, 1> x;
@@ -99,11 +105,11 @@ std::vector<PointOfPair<dim>> points_near(const Body& body, const RestState& res
   return all;
 }
 
-// The mean of max(0, s) while s goes from one value to another.
-double mean_overlap(double start, double end) {
+// The mean of max(0, s)^3 while s goes from one value to another.
+double mean_cube(double start, double end) {
   const double least = std::min(start, end), most = std::max(start, end);
-  if (least >= 0) return 0.5 * (least + most);
-  return most > 0 ? 0.5 * most * most / (most - least) : 0.0;
+  if (least >= 0) return (least + most) * (least * least + most * most) / 4;
+  return most > 0 ? std::pow(most, 4) / (4 * (most - least)) : 0.0;
 }
 
 template <int dim>
@@ -130,45 +136,57 @@ void PairPotential<dim>::find(const std::vector<Body>& bodies) {
 template <int dim>
 void PairPotential<dim>::find_between(const std::vector<Body>& bodies, std::size_t a, std::size_t b) {
   const RestState first_rest = *bodies[a].material->rest(dim), second_rest = *bodies[b].material->rest(dim);
-  const double widest = std::max(Spacings(bodies[a], dim, first_rest.density).widest(bodies[a].points.points()),
-                                 Spacings(bodies[b], dim, second_rest.density).widest(bodies[b].points.points()));
+  const double widest = std::max(widest_spacing(bodies[a], dim), widest_spacing(bodies[b], dim));
   const double far = pairs_kept_within * pair_reach * widest;
   const BoundingBox<dim> first_box(bodies[a].points), second_box(bodies[b].points);
   if ((first_box.low - far > second_box.high).any() || (second_box.low - far > first_box.high).any()) return;
   auto first = points_near<dim>(bodies[a], first_rest, second_box, far);
   auto second = points_near<dim>(bodies[b], second_rest, first_box, far);
   for_near<dim>(first, second, far, [&](const PointOfPair<dim>& p, const PointOfPair<dim>& q) {
-    const double reach = pair_reach * 0.5 * (p.spacing + q.spacing);
+    const double spacing = 0.5 * (p.spacing + q.spacing), reach = pair_reach * spacing;
     if (!((q.x - p.x).norm() < pairs_kept_within * reach)) return;
     const double stiffness = 2 * p.stiffness * q.stiffness / (p.stiffness + q.stiffness);
-    pairs_.push_back({a, b, p.point, q.point, reach, stiffness});
+    pairs_.push_back({a, b, p.point, q.point, reach, stiffness / (spacing * spacing), Vec::Zero()});
     involved_[a] = involved_[b] = true;
   });
 }
 
 template <int dim>
-void PairPotential<dim>::press(std::vector<Body>& bodies, double time) const {
+void PairPotential<dim>::press(std::vector<Body>& bodies, double time) {
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     if (!involved_[b]) continue;
     const auto force = bodies[b].points.values(column::contact_force);
     std::fill(force.begin(), force.end(), 0.0);
   }
-  for (const Pair& pair : pairs_) {
+  for (Pair& pair : pairs_) {
+    pair.force.setZero();
     Columns &first = bodies[pair.a].points, &second = bodies[pair.b].points;
     const auto apart = [&](const ColumnId& id) {
       return Vec(at<dim>(axes<dim>(second, id), pair.q) - at<dim>(axes<dim>(first, id), pair.p));
     };
     const Vec between = apart(column::position);
     const double r = between.norm();
-    if (r == 0) continue;  // no direction is known; the next step moves them
-    const Vec n = between / r;
-    const double opening = time > 0 ? time * n.dot(apart(column::contact_velocity)) : 0;
-    const Vec force = pair.stiffness * mean_overlap(pair.reach - r, pair.reach - r - opening) * n;  // [Pairs 3]
+    const Vec then = time > 0 ? Vec(between + time * apart(column::contact_velocity)) : between;
+    const double end = then.norm(), both = r + end;
+    if (both == 0) continue;  // no direction is known; the next step moves them
+    pair.force = pair.stiffness * mean_cube(pair.reach - r, pair.reach - end) / both * (between + then);  // [Pairs 3]
     for (int d = 0; d < dim; ++d) {
-      first(column::contact_force, d)[pair.p] -= force[d];
-      second(column::contact_force, d)[pair.q] += force[d];
+      first(column::contact_force, d)[pair.p] -= pair.force[d];
+      second(column::contact_force, d)[pair.q] += pair.force[d];
     }
   }
+}
+
+template <int dim>
+auto PairPotential<dim>::pressed(const std::vector<Body>& bodies) const -> std::vector<PressedPair<dim>> {
+  std::vector<PressedPair<dim>> all;
+  for (const Pair& pair : pairs_) {
+    if (pair.force.isZero(0)) continue;
+    const Vec p = at<dim>(axes<dim>(bodies[pair.a].points, column::position), pair.p),
+              q = at<dim>(axes<dim>(bodies[pair.b].points, column::position), pair.q);
+    all.push_back({pair.a, pair.b, (p + q) / 2, pair.force});
+  }
+  return all;
 }
 
 template <int dim>
@@ -178,7 +196,7 @@ double PairPotential<dim>::energy(const std::vector<Body>& bodies) const {
     const Vec p = at<dim>(axes<dim>(bodies[pair.a].points, column::position), pair.p),
               q = at<dim>(axes<dim>(bodies[pair.b].points, column::position), pair.q);
     const double overlap = std::max(0.0, pair.reach - (q - p).norm());
-    sum += 0.5 * pair.stiffness * overlap * overlap;  // [Pairs 1]
+    sum += pair.stiffness / 4 * std::pow(overlap, 4);  // [Pairs 1]
   }
   return sum;
 }
@@ -199,6 +217,14 @@ void check_pairs(const Scene& scene) {
     if (body.material->rest(scene.grid.dim)) continue;
     throw std::invalid_argument("the contact law " + scene.contact + " is one of solids: the material of body " +
                                 body.name + ", " + body.material->name() + ", has no modulus of compression at rest");
+  }
+  if (scene.friction == 0) return;
+  const std::string rubbing = "friction of the contact law " + scene.contact + " is that of nodes which bodies share: ";
+  if (shape_named(scene.shape).at_start || !shape_offers(scene.shape, Trait::smooth_gradients))
+    throw std::invalid_argument(rubbing + "the shape " + scene.shape + " does not reach the other body's");
+  for (const Body& body : scene.bodies) {
+    if (widest_spacing(body, scene.grid.dim) <= most_spacing * scene.grid.h) continue;
+    throw std::invalid_argument(rubbing + "points of body " + body.name + " are more than two thirds of a cell apart");
   }
 }
 

@@ -112,7 +112,7 @@ void TouchingContact<dim>::find_candidates(std::size_t a, std::size_t b, const s
   }
   for (const auto& [node, around] : nodes) {
     const Vec across = along_walls<dim>(grid_, node, separating_direction<dim>(around.clouds, 0.5 * support_));
-    if (across.norm() > 0) candidates_.push_back({node, a, b, across.normalized(), false, 0});  // [Touching 2]
+    if (across.norm() > 0) candidates_.push_back({{node, a, b, across.normalized(), 0}, false});  // [Touching 2]
   }
 }
 
@@ -147,7 +147,7 @@ void TouchingContact<dim>::find(const Scene& scene, const std::vector<std::size_
 // How strongly to push each pair apart so that no pair closes along its normal: of one pair s M_a M_b / (M_a + M_b), of
 // several that meet at a node the solution of G M^-1 G^T lambda = G v, an M-orthogonal projection too. [Touching 3]
 template <int dim>
-Eigen::VectorXd TouchingContact<dim>::pushes(const Fields& fields, const Pairs& pairs, const Velocities& of) const {
+Eigen::VectorXd TouchingContact<dim>::pushes(const Fields& fields, const Pairs& pairs, Velocities<dim> of) const {
   const auto count = static_cast<Eigen::Index>(pairs.size());
   Eigen::MatrixXd compliance(count, count);
   Eigen::VectorXd closing(count);
@@ -166,21 +166,27 @@ Eigen::VectorXd TouchingContact<dim>::pushes(const Fields& fields, const Pairs& 
   return compliance.completeOrthogonalDecomposition().solve(closing);
 }
 
-// From the first body of a pair to the second.
 template <int dim>
-void TouchingContact<dim>::exchange(Fields& fields, const Candidate& pair, const Velocities& of, const Vec& impulse) {
-  const auto i = static_cast<std::size_t>(pair.node);
-  (fields[pair.a].*of)[i] -= impulse / fields[pair.a].mass[i];
-  (fields[pair.b].*of)[i] += impulse / fields[pair.b].mass[i];
+Eigen::VectorXd TouchingContact<dim>::push_apart(Fields& fields, const Pairs& pairs, Velocities<dim> of) const {
+  const Eigen::VectorXd push = pushes(fields, pairs, of);
+  for (std::size_t r = 0; r < pairs.size(); ++r) {
+    exchange<dim>(fields, *pairs[r], of, push[static_cast<Eigen::Index>(r)] * pairs[r]->normal);
+  }
+  return push;
 }
 
 template <int dim>
-Eigen::VectorXd TouchingContact<dim>::push_apart(Fields& fields, const Pairs& pairs, const Velocities& of) const {
-  const Eigen::VectorXd push = pushes(fields, pairs, of);
+void TouchingContact<dim>::limit_friction(const Pairs& pairs, const Eigen::VectorXd& push) const {
   for (std::size_t r = 0; r < pairs.size(); ++r) {
-    exchange(fields, *pairs[r], of, push[static_cast<Eigen::Index>(r)] * pairs[r]->normal);
+    pairs[r]->most_held = friction_ * std::max(0.0, push[static_cast<Eigen::Index>(r)]);
   }
-  return push;
+}
+
+// Bodies that have been pushed apart, and are again where several meet. [Touching 4]
+template <int dim>
+void TouchingContact<dim>::rub_each_other(Fields& fields, const Pairs& pairs, Velocities<dim> of) const {
+  if (friction_ > 0)
+    rub<dim>(grid_, fields, std::span<Candidate* const>(pairs), of, [&] { push_apart(fields, pairs, of); });
 }
 
 // Calls work(pairs) for the pairs of each node that `keep` keeps, node by node.
@@ -210,14 +216,8 @@ void TouchingContact<dim>::apply(Fields& fields, double, bool decide, const type
     involved.erase(std::unique(involved.begin(), involved.end()), involved.end());
     const Eigen::VectorXd push = push_apart(fields, pairs, &VelocityField<dim>::midpoint);  // [Touching 3]
     if (decide) limit_friction(pairs, push);
-    if (friction_ > 0) rub(fields, pairs, &VelocityField<dim>::midpoint);
-    const auto i = static_cast<std::size_t>(pairs.front()->node);
-    for (const std::size_t f : involved) {
-      VelocityField<dim>& field = fields[f];
-      const Vec own = field.end[i];
-      field.end[i] = 2 * field.midpoint[i] - field.start[i];
-      visit({pairs.front()->node, field.mass[i], field.start[i], own, field.start[i], field.end[i]});
-    }
+    rub_each_other(fields, pairs, &VelocityField<dim>::midpoint);
+    visit_changed(fields, pairs.front()->node, involved, visit);
   });
 }
 
@@ -230,7 +230,7 @@ void TouchingContact<dim>::apply_to_remapped(Fields& fields) {
   };
   for_nodes(closes, [&](const Pairs& pairs) {
     limit_friction(pairs, push_apart(fields, pairs, &VelocityField<dim>::remapped));
-    if (friction_ > 0) rub(fields, pairs, &VelocityField<dim>::remapped);
+    rub_each_other(fields, pairs, &VelocityField<dim>::remapped);
   });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernel/contact/contact.hpp"
+#include "kernel/contact/friction.hpp"
 
 namespace plumbline {
 
@@ -31,12 +32,8 @@ class TouchingContact final : public Contact<dim> {
   bool changes_start() const override { return false; }
 
  private:
-  struct Candidate {
-    int node;
-    std::size_t a, b;  // fields
-    Vec normal;        // from a to b
+  struct Candidate : RubbingPair<dim> {
     bool active;
-    double most_held;  // mu J, kg m/s
   };
   // A point near nodes that two fields share.
   struct Near {
@@ -49,13 +46,11 @@ class TouchingContact final : public Contact<dim> {
                                 const std::vector<char>& shared) const;
   void find_touching(std::vector<Near>& first, std::vector<Near>& second) const;
   void find_candidates(std::size_t a, std::size_t b, const std::vector<Near>& first, const std::vector<Near>& second);
-  using Velocities = std::vector<Vec> VelocityField<dim>::*;
   using Pairs = std::vector<Candidate*>;
-  Eigen::VectorXd pushes(const Fields& fields, const Pairs& pairs, const Velocities& of) const;
-  static void exchange(Fields& fields, const Candidate& pair, const Velocities& of, const Vec& impulse);
-  Eigen::VectorXd push_apart(Fields& fields, const Pairs& pairs, const Velocities& of) const;
+  Eigen::VectorXd pushes(const Fields& fields, const Pairs& pairs, Velocities<dim> of) const;
+  Eigen::VectorXd push_apart(Fields& fields, const Pairs& pairs, Velocities<dim> of) const;
   void limit_friction(const Pairs& pairs, const Eigen::VectorXd& push) const;
-  void rub(Fields& fields, const Pairs& pairs, const Velocities& of) const;
+  void rub_each_other(Fields& fields, const Pairs& pairs, Velocities<dim> of) const;
   template <class Keep, class Work>
   void for_nodes(Keep&& keep, Work&& work);
   int lowest_node(const Vec& x) const;

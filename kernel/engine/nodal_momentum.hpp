@@ -27,7 +27,8 @@ class NodalMomentum {
         scene_(scene),
         field_of_body_(std::move(field_of_body)),
         pistons_(scene),
-        contact_(make_contact<dim>(scene.contact, space.grid, space.shape.support)) {
+        contact_(make_contact<dim>(scene.contact, space.grid, space.shape.support)),
+        friction_(space.grid, scene.friction) {
     check_friction(scene);
     for (int d = 0; d < dim; ++d) gravity_[d] = scene.gravity[static_cast<std::size_t>(d)];
     loaded_ = !gravity_.isZero(0);
@@ -94,7 +95,7 @@ class NodalMomentum {
       record_walls(space_.walls.fold(field, field.force), dt, record);
       advance_alone(field, dt, record);
     }
-    if (contact_) touch(fields, dt, decide, record.contact);
+    touch(fields, forces.pressed, dt, decide, record.contact);
     for (Field& field : fields) {
       space_.walls.extend(field, field.end);
       space_.walls.extend(field, field.midpoint);
@@ -174,10 +175,10 @@ class NodalMomentum {
 
   // Contact between velocity fields. Its work is what the nodes' kinetic energy changes by beyond the work of the other
   // forces, as points will take it: what they keep from the velocity each field had. [Blend 1]
-  void touch(std::vector<Field>& fields, double dt, bool decide, Exchange<dim>& record) {
-    if (decide) contact_->find(scene_, field_of_body_, fields);
+  void touch(std::vector<Field>& fields, const std::vector<PressedPair<dim>>& pressed, double dt, bool decide,
+             Exchange<dim>& record) {
     const double keep = space_.transfer.keep, take = 1 - keep;
-    contact_->apply(fields, dt, decide, [&](const ContactChange<dim>& c) {
+    const typename Contact<dim>::Visit book = [&](const ContactChange<dim>& c) {
       const Vec impulse = c.mass * (c.end - c.start) - c.mass * (c.own_end - c.own_start);
       const Vec kick = c.end - c.start, gained = c.end - c.own_start, mean = 0.5 * (c.end + c.start);
       const double kept = kick.dot(c.own_start + 0.5 * kick), taken = gained.dot(0.5 * (c.end + c.own_start));
@@ -185,7 +186,12 @@ class NodalMomentum {
       const Vec given = keep * impulse + take * c.mass * (c.end - c.own_end);
       record.linear += given;
       record.angular += cross<dim>(space_.grid.position(c.node), given);
-    });
+    };
+    if (decide) friction_.find(pressed, field_of_body_, fields, dt);
+    friction_.apply(fields, book);
+    if (!contact_) return;
+    if (decide) contact_->find(scene_, field_of_body_, fields);
+    contact_->apply(fields, dt, decide, book);
     if (!contact_->changes_start()) return;
     for (Field& field : fields) space_.walls.extend(field, field.start);
   }
@@ -227,7 +233,8 @@ class NodalMomentum {
   const Scene& scene_;
   std::vector<std::size_t> field_of_body_;
   Pistons<dim> pistons_;
-  std::unique_ptr<Contact<dim>> contact_;  // null: none
+  std::unique_ptr<Contact<dim>> contact_;  // at nodes; null: none
+  PairFriction<dim> friction_;             // where points press
   Vec gravity_;
   bool loaded_;  // whether any point feels a body force
 };

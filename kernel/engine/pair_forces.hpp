@@ -18,7 +18,10 @@ class PairForces {
   using Bodies = Layout<dim>;
 
   // Throws std::invalid_argument where bodies cannot meet so: check_pairs().
-  PairForces(const Space& space, const Scene& scene) : space_(space), acts_(meets_by_pairs(scene)) {
+  PairForces(const Space& space, const Scene& scene)
+      : space_(space),
+        acts_(meets_by_pairs(scene)),
+        rubs_(acts_ && scene.friction > 0) {
     check_pairs(scene);
   }
 
@@ -36,26 +39,28 @@ class PairForces {
   }
 
   // The forces of where points stand, or in the middle of a way of twice `ahead`, s, with a nodal velocity. [Pairs 3]
-  void press(Bodies& at, double ahead, NodalVelocity velocity) const {
+  void press(Bodies& at, double ahead, NodalVelocity velocity) {
     if (pairs_.none()) return;
     if (ahead > 0) gather(at, velocity);
     pairs_.press(at.bodies, 2 * ahead);
   }
 
-  // turn: adds the torque about where weights are taken, N m, none if points stand there.
-  void map(Bodies& at, Spin<dim>& turn) const {
+  // Adds the torque about where weights are taken, none if points stand there, and what presses where that rubs.
+  void map(Bodies& at, MappedForces<dim>& forces) const {
+    if (rubs_) forces.pressed = pairs_.pressed(at.bodies);
     for_involved(at, [&](Body& body, const Weights<dim>& places, auto& field) {
-      std::array<typename Space::Loops::Spread, dim> forces;
+      std::array<typename Space::Loops::Spread, dim> spread;
       for (int d = 0; d < dim; ++d) {
-        forces[static_cast<std::size_t>(d)] = {body.points(column::contact_force, d), nullptr,
+        spread[static_cast<std::size_t>(d)] = {body.points(column::contact_force, d), nullptr,
                                                component(field.force, d), dim};
       }
-      space_.spread(body.points, places, forces);
+      space_.spread(body.points, places, spread);
       const Places<dim> located = places.places(body.points, false);
       for (int k = 0; k < rotations; ++k) {
         const int d = rotation_axis<dim>(k, 0), e = rotation_axis<dim>(k, 1);
         const double *low = body.points(column::contact_force, d), *high = body.points(column::contact_force, e);
-        for (int p = 0; p < body.points.points(); ++p) turn[k] += located.x[d][p] * high[p] - located.x[e][p] * low[p];
+        for (int p = 0; p < body.points.points(); ++p)
+          forces.turn[k] += located.x[d][p] * high[p] - located.x[e][p] * low[p];
       }
     });
   }
@@ -93,7 +98,7 @@ class PairForces {
   }
 
   const Space& space_;
-  bool acts_;
+  bool acts_, rubs_;
   PairPotential<dim> pairs_;
 };
 

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
+#include "kernel/contact/pair_friction.hpp"
 #include "kernel/engine/sums.hpp"
 #include "kernel/stages.hpp"
 #include "kernel/walls.hpp"
@@ -24,6 +26,7 @@ struct MappedForces {
   double hoop = 0;  // what hoop stress adds to the radial momentum, N
   Eigen::Matrix<double, dim, 1> clamp = Eigen::Matrix<double, dim, 1>::Zero();  // by clamped edges, N
   Spin<dim> turn = Spin<dim>::Zero();                                           // torque that should be none, N m
+  std::vector<PressedPair<dim>> pressed;  // that rub
 };
 
 // Strain before the forces are known: its stress power is booked with the stress that the forces use.

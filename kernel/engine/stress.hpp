@@ -92,7 +92,7 @@ class Stress {
       });
     }
     if (and_forces) {
-      pairs_.map(at, step.forces->turn);
+      pairs_.map(at, *step.forces);
       step.forces->hoop = all.hoop_force;
     }
     if (!step.map_loss) step.map_loss = all.lost;
@@ -103,7 +103,7 @@ class Stress {
   // Of the stresses as they are.
   void map_forces(Bodies& at, Record& step, const StepClock& clock) {
     forces_.map_all(at, step, clock);
-    pairs_.map(at, step.forces->turn);
+    pairs_.map(at, *step.forces);
   }
 
   // Work of contact between points over dt, once the nodes have been advanced, J.

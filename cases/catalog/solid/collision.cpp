@@ -6,6 +6,8 @@
 
 #include "cases/harness/description/archive.hpp"
 #include "cases/harness/description/measures.hpp"
+#include "cases/harness/description/settings.hpp"
+#include "kernel/contact/contact.hpp"
 #include "kernel/contact/pair_potential.hpp"
 
 namespace plumbline {
@@ -35,6 +37,15 @@ double highest_point(const Body& body, int d) {
 double lowest_point(const Body& body, int d) {
   const double* x = body.points(column::position, d);
   return *std::min_element(x, x + body.points.points());
+}
+
+double spacings_apart(const Settings& settings) {
+  const ContactEntry* law = find_named(contacts(), settings.text("contact"));
+  return law && law->by_pairs ? pair_reach - 1 : -0.15;
+}
+
+double friction_work(const Simulation& simulation) {
+  return -simulation.ledger().energy.flow(Flow::contact) - contact_energy(simulation.scene());
 }
 
 void EnergyWatch::observe(const Simulation& simulation) {

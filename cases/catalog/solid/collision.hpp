@@ -12,6 +12,7 @@
 namespace plumbline {
 
 class Archive;
+class Settings;
 
 // Mass (kg), place (m) and velocity (m/s) of a body's centre of mass; components beyond dim are 0.
 struct BodyMotion {
@@ -23,6 +24,14 @@ BodyMotion motion_of(const Body& body, int dim);
 // Largest and smallest coordinate of a body's points along d, m.
 double highest_point(const Body& body, int d);
 double lowest_point(const Body& body, int d);
+
+// How many spacings of its points further up than face to face a body starts on another that it is to press: where points repel each
+// other, by all of their reach; else a little deeper, so that rows of points touch wherever they stand along: by more than
+// 1 - sqrt(3)/2.
+double spacings_apart(const Settings& settings);
+
+// What contact has taken so far, less what pairs of points hold of it, of bodies that started without, J.
+double friction_work(const Simulation& simulation);
 
 // The largest rise of the energy of all points (kinetic with its affine part, elastic, internal) in one step, and how
 // high it ever stood, both over the energy at the start.

@@ -14,6 +14,7 @@
 #include "cases/harness/description/fill_solid.hpp"
 #include "cases/harness/description/parameters.hpp"
 #include "cases/harness/judge/gates.hpp"
+#include "kernel/contact/pair_potential.hpp"
 #include "kernel/materials/linear_elastic.hpp"
 #include "reference/incline.hpp"
 
@@ -22,11 +23,9 @@ namespace {
 
 constexpr double length = 1, height = 0.5, floor_height = 0.125, density = 1, poisson = 0.3;
 constexpr double usual_modulus = 200, slope_that_holds = 0.2;  // Pa; tan(theta) of the study `sticks`
+constexpr double typical_friction = 0.3;  // in whose force deviations without friction are told
 constexpr double behind = 0.25, before = 0.5;                  // of the block, of the floor
 constexpr double flat = 0.1, rounding = 0.15;  // half the flat part of the runner, and how it rises beyond that: 1/m
-// Rows of points stand this share of a spacing closer than where they face each other, so that they touch wherever they stand
-// along: more than 1 - sqrt(3)/2.
-constexpr double sunk = 0.15;
 
 struct Slope : Parameters {
   reference::InclineProblem incline;
@@ -34,7 +33,7 @@ struct Slope : Parameters {
 
   explicit Slope(Parameters given = {}) : Parameters(std::move(given)) {
     incline.slope = not_negative("slope", 0.6, "1", "tan(theta)");
-    incline.friction = not_negative("friction", 0.3, "1", "mu, of contact");
+    incline.friction = not_negative("friction", typical_friction, "1", "mu, of contact");
     incline.gravity = positive("gravity", 1, "m/s^2", "when it has grown");
     incline.rise = positive("rise", 0.25, "s", "in which gravity grows from zero");
     youngs_modulus = positive("youngs_modulus", usual_modulus, "Pa", "of block and floor");
@@ -53,7 +52,7 @@ class InclineBlock final : public Problem {
     scene.grid = grid();
     scene.friction = at_.incline.friction;
     const double l = scene.grid.h / settings_.integer("ppc");
-    scene.bodies.push_back(box("block", behind, floor_height - sunk * l, length, height));
+    scene.bodies.push_back(box("block", behind, floor_height + spacings_apart(settings_) * l, length, height));
     round_ends(scene.bodies.front());
     scene.bodies.push_back(box("floor", 0, 0, behind + length + before, floor_height));
     scene.bodies.front().load = incline_gravity(exact_);
@@ -65,11 +64,11 @@ class InclineBlock final : public Problem {
     const BodyMotion block = motion_of(simulation.scene().bodies[0], 2);
     const Account& energy = simulation.ledger().energy;
     if (history_.empty()) start_ = block.position[0] - block.velocity[0] * simulation.time();
-    const double left = energy.store() - energy.flow(Flow::body_force);
+    const double left = energy.store() + contact_energy(simulation.scene()) - energy.flow(Flow::body_force);
     rise_ = history_.empty() ? 0 : larger(rise_, left - left_);
     left_ = left;
     history_.push_back({simulation.time(), block.position[0] - start_, block.velocity[0], block.velocity[1],
-                        -energy.flow(Flow::contact)});
+                        friction_work(simulation)});
   }
   void history(Archive& archive) override {
     archive("rows", history_);
@@ -84,7 +83,7 @@ class InclineBlock final : public Problem {
     const reference::Bounded during = exact_.velocity_time(t), a = exact_.block_acceleration(),
                              across = exact_.across(), work = block.mass * exact_.block_friction_work(t);
     const double off = block.velocity[0] / during.value - a.value, way = history_.back()[1];
-    const double taken = -simulation.ledger().energy.flow(Flow::contact);
+    const double taken = friction_work(simulation);
     return {scalar_measure("acceleration", block.velocity[0] / during.value, a.value, a.bound, "m/s^2"),
             share_measure("friction_off", off / (rub * across.value)),
             scalar_measure("way", way, (a * exact_.way_time(t)).value, (a * exact_.way_time(t)).bound, "m"),
@@ -136,7 +135,6 @@ class InclineBlock final : public Problem {
     return row == history_.end() ? 0 : (*row)[1];
   }
 
-  static constexpr double typical_friction = 0.3;  // in whose force deviations without friction are told
   Settings settings_;
   Slope at_;
   reference::Incline exact_;
@@ -145,14 +143,27 @@ class InclineBlock final : public Problem {
   std::vector<std::array<double, 5>> history_;
 };
 
-constexpr double cells = 32, coarse = 16;
+constexpr double cells = 32, coarse = 16, fine = 64;
+constexpr double row_holds = 0.02;  // of what presses it [Pairs 2]
+
+// What presses gives way, so that gravity grows more slowly.
+constexpr double rise_of_pairs = 1, end_of_pairs = 1.6;
+
+StudyPlan by_pairs(const std::string& id, const std::string& title, const Override& changed, double end = end_of_pairs) {
+  return study(id, title, "Pairs give way by some tenths of a spacing, and the block swings on them.", {cells})
+      .with({{"contact", "pairs"}, {"rise", rise_of_pairs}, {"t_end", end}, changed});
+}
 
 std::vector<StudyPlan> studies() {
   const std::string one = "One mesh: what normals at the ends of the face are tilted by changes from step to step.";
   return {study("default", "slides: tan(theta) = 2 mu", one, {cells}).pictured(cells),
           study("smooth", "slides without friction", one, {cells}).with({{"friction", 0.0}}),
           study("sticks", "sticks: tan(theta) = 2/3 mu", one, {coarse})
-              .with({{"slope", slope_that_holds}, {"t_end", 4.0}})};
+              .with({{"slope", slope_that_holds}, {"t_end", 4.0}}),
+          by_pairs("pairs", "slides, by pairs of points", {"friction", typical_friction}).in_full({cells, fine}),
+          by_pairs("pairs-smooth", "slides without friction, by pairs of points", {"friction", 0.0})
+              .in_full({cells, fine}),
+          by_pairs("pairs-sticks", "sticks, by pairs of points", {"slope", slope_that_holds}, 6).in(Tier::full)};
 }
 
 std::vector<CaseGate> gates() {
@@ -167,6 +178,13 @@ std::vector<CaseGate> gates() {
   const double modulus = usual_modulus / (2 * (1 + poisson)), pressed = usual_modulus / (1 - poisson * poisson);
   const double strained = shear / modulus * (0.4 * height + floor_height);  // shear of block and floor
   const double rocked = 4 * shear * length * height / 2 / (std::numbers::pi * flat * flat * pressed / 2) * height / 2;
+  // Of the study `pairs`: tilt times half the height, over the way; m g sin(theta) times the way.
+  reference::InclineProblem gently = Slope().incline;
+  gently.rise = rise_of_pairs;
+  const reference::Incline sliding(gently);
+  const double way = (sliding.block_acceleration() * sliding.way_time(end_of_pairs)).value;
+  const double gives_way = 0.5 * length / (2 * cells), tipped = height / 2 * gives_way / flat / way;
+  const double weighed = density * length * height * sliding.along().value * way;
   std::vector<CaseGate> all{
       gate("default/friction", value_at("friction_off", cells), between(-0.01, 0.01), one_percent),
       gate("smooth/friction", value_at("friction_off", cells), between(-0.01, 0.01), one_percent),
@@ -181,7 +199,28 @@ std::vector<CaseGate> gates() {
       gate("sticks/creep", value_at("later_way", coarse), between(-strained, strained),
            theory("what sticks swings by its elastic shear and goes nowhere: in the second half of the time it would "
                   "slide by 1.1 m without friction"))};
-  for (const auto& [study, level] : {std::pair{"default", cells}, {"smooth", cells}, {"sticks", coarse}}) {
+  for (const char* study : {"pairs", "pairs-smooth"}) {
+    all.push_back(gate(std::string(study) + "/friction", value_at("friction_off", cells),
+                       between(-row_holds / typical_friction, row_holds / typical_friction),
+                       theory("rows of points of one lattice hold each other by at most a fiftieth of what presses them")));
+    all.push_back(gate(std::string(study) + "/friction-64", value_at("friction_off", fine), between(-0.01, 0.01),
+                       one_percent)
+                      .in(Tier::full));
+  }
+  all.push_back(gate("pairs/work", value_at("friction_share", cells), between(1 - tipped, 1 + tipped),
+                     theory("pairs give way by up to half a spacing, and over the half of the runner that is flat the "
+                            "block tips by that; its face goes by height/2 times the angle less far, or further")));
+  all.push_back(gate("pairs-smooth/work", value_at("friction_work", cells), between(-1e-4 * weighed, 1e-4 * weighed),
+                     requirement("pairs that pass each other give back what they take, but for a ten-thousandth of "
+                                 "what gravity does in the same time")));
+  all.push_back(gate("pairs-sticks/creep", value_at("later_way", cells), between(-strained, strained),
+                     theory("as by contact at nodes, once the block swings no more on its pairs"))
+                    .in(Tier::full));
+  for (const auto& [study, level] : {std::pair{"default", cells},
+                                     {"smooth", cells},
+                                     {"sticks", coarse},
+                                     {"pairs", cells},
+                                     {"pairs-smooth", cells}}) {
     const std::string id = study;
     all.push_back(gate(id + "/energy-rise", value_at("energy_rise", level), at_most(1e-13), no_rise));
     all.push_back(

@@ -15,6 +15,7 @@
 #include "cases/harness/description/fill_solid.hpp"
 #include "cases/harness/description/parameters.hpp"
 #include "cases/harness/judge/gates.hpp"
+#include "kernel/contact/pair_potential.hpp"
 #include "kernel/materials/neo_hookean.hpp"
 #include "reference/incline.hpp"
 #include "reference/line_contact.hpp"
@@ -25,10 +26,6 @@ namespace {
 // Of the floor, m: its height, and its length behind the disk's centre and before it.
 constexpr double radius = 1, density = 1, poisson = 0.3, usual_stiffness = 12.5, floor_height = 0.5;
 constexpr double behind = 1.1, before = 2.5, usual_slope = 0.6, slope_that_slides = 1.5, usual_friction = 0.3;
-// The disk starts this share of a spacing deeper than where rows of points face each other, so that they touch wherever they
-// stand along: more than 1 - sqrt(3)/2.
-constexpr double sunk = 0.15;
-
 struct Slope : Parameters {
   reference::InclineProblem incline;
   double stiffness = 0, end = 0;
@@ -57,7 +54,7 @@ class RollingDisk final : public Problem {
     scene.friction = at_.incline.friction;
     const int ppc = settings_.integer("ppc");
     const double top = floor_rows() * scene.grid.h;
-    const Annulus disk{0, radius, {behind, top + radius - sunk * scene.grid.h / ppc}};
+    const Annulus disk{0, radius, {behind, top + radius + spacings_apart(settings_) * scene.grid.h / ppc}};
     scene.bodies.push_back(polar_annulus("disk", material(), disk, density, ppc, scene.grid));
     scene.bodies.push_back(
         fill_solid("floor", material(), {{0, 0, 0}, {behind + before, top, 0}}, density, ppc, scene.grid));
@@ -71,13 +68,13 @@ class RollingDisk final : public Problem {
     const Account& energy = simulation.ledger().energy;
     const double t = simulation.time(), spin = spin_of(simulation.scene().bodies[0], disk);
     if (history_.empty()) start_ = disk.position[0] - disk.velocity[0] * t;
-    const double left = energy.store() - energy.flow(Flow::body_force);
+    const double left = energy.store() + contact_energy(simulation.scene()) - energy.flow(Flow::body_force);
     rise_ = history_.empty() ? 0 : larger(rise_, left - left_);
     left_ = left;
     const double high = disk.position[1] - floor_rows() * simulation.scene().grid.h;
     slipped_ += (disk.velocity[0] - high * spin) * (t - (history_.empty() ? 0 : history_.back()[0]));
     history_.push_back({t, disk.position[0] - start_, high, disk.velocity[0], disk.velocity[1], spin,
-                        -energy.flow(Flow::contact), slipped_});
+                        friction_work(simulation), slipped_});
   }
   void history(Archive& archive) override {
     archive("rows", history_);
@@ -190,10 +187,15 @@ class RollingDisk final : public Problem {
 
 std::vector<StudyPlan> studies() {
   const std::string first = "What leads the disk's pressure is of the order of a cell: first order.";
+  const std::string by_pairs = "One mesh: the disk swings on what its pairs give way.";
   return {study("default", "rolls: tan(theta) = 2 mu", first, {8, 12}).in_full({8, 12, 16, 24, 32}).pictured(25),
           study("slides", "slides: tan(theta) = 5 mu", first, {8, 16})
               .in_full({8, 12, 16, 24, 32})
-              .with({{"slope", slope_that_slides}, {"t_end", 2.75}})};
+              .with({{"slope", slope_that_slides}, {"t_end", 2.75}}),
+          study("pairs", "rolls, by pairs of points", by_pairs, {16}).with({{"contact", "pairs"}}).in(Tier::full),
+          study("pairs-slides", "slides, by pairs of points", by_pairs, {16})
+              .with({{"contact", "pairs"}, {"slope", slope_that_slides}, {"t_end", 2.75}})
+              .in(Tier::full)};
 }
 
 // What the disk's pressure leads by, over its radius: half a cell, since a node stands for the points around it.
@@ -266,6 +268,21 @@ CaseGate gains_nothing(const std::string& study, double level, Tier tier) {
       .in(tier);
 }
 
+// The pairs press around their middle, a node or two from the faces, and lead by as much as nodes do.
+std::vector<CaseGate> pairs_gates(double level) {
+  const std::string at = "-" + to_text(level);
+  const double slower = lead(level) / usual_slope, turned = lead(level) / usual_friction + sinks(level, slope_that_slides);
+  const Because leads = theory("what stands for the points around it leads by at most e = h/2");
+  return {gate("pairs/acceleration" + at, value_at("acceleration_share", level), between(1 - slower, 1 + slower), leads)
+              .in(Tier::full),
+          gate("pairs/spin-up" + at, value_at("spin_share", level), between(1 - slower, 1 + slower), leads)
+              .in(Tier::full),
+          gate("pairs-slides/friction" + at, value_at("friction_off", level), between(-lead(level), lead(level)), leads)
+              .in(Tier::full),
+          gate("pairs-slides/spin-up" + at, value_at("spin_share", level), between(1 - turned, 1 + turned), leads)
+              .in(Tier::full)};
+}
+
 std::vector<CaseGate> gates() {
   std::vector<CaseGate> all{
       gate("slides/work-16", value_at("work_share", 16), between(0.99, 1.01),
@@ -276,6 +293,8 @@ std::vector<CaseGate> gates() {
       gains_nothing("default", 16, Tier::full),
       gains_nothing("slides", 8, Tier::quick),
       gains_nothing("slides", 16, Tier::quick),
+      gains_nothing("pairs", 16, Tier::full),
+      gains_nothing("pairs-slides", 16, Tier::full),
       gate("default/acceleration-order", fitted_order_of("acceleration_share"), at_least(0.8),
            theory("first order, as the lead; 0.2 for coarse meshes"))
           .in(Tier::full),
@@ -283,7 +302,7 @@ std::vector<CaseGate> gates() {
            theory("first order, as the lead; 0.2 for coarse meshes"))
           .in(Tier::full)};
   return joined({all, rolling_gates(8, Tier::quick), rolling_gates(12, Tier::quick), rolling_gates(16, Tier::full),
-                 rolling_gates(32, Tier::full), sliding_gates(8), sliding_gates(16)});
+                 rolling_gates(32, Tier::full), sliding_gates(8), sliding_gates(16), pairs_gates(16)});
 }
 
 Case rolling_disk() {

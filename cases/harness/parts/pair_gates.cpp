@@ -63,7 +63,7 @@ struct Meeting {
 Meeting meeting_of(const ContactEntry& law, int dim) {
   Simulation simulation(two_blocks(law, dim), "midpoint", {0.5, {}});
   const double start = simulation.ledger().initial_stores.total();
-  double last = start;
+  double last = start + contact_energy(simulation.scene());
   Meeting found;
   simulation.run_until(lasts, [&](const Simulation& now) {
     const double energy = now.ledger().stores.total() + contact_energy(now.scene());

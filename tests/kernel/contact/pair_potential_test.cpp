@@ -1,7 +1,11 @@
 // Pairs of points: which there are, their potential and its mean force.
 #include "kernel/contact/pair_potential.hpp"
 
+#include <gmock/gmock.h>
+
+#include <Eigen/Geometry>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "kernel/materials/ideal_gas.hpp"
@@ -47,18 +51,20 @@ struct TwoPoints {
 // With E = 100, nu = .3: M = 1e2 on a line, lambda + 2 mu in the plane and in space.
 double modulus(int dim) { return dim == 1 ? 100 : 100 * 0.7 / (1.3 * 0.4); }
 
-// By hand: r_0 = 1.6 * .035, K of two springs in a row. [Pairs 1, 2]
+// By hand: r_0 = 2.5 * .035, K of two springs in a row. [Pairs 1, 2]
 template <int dim>
 void expect_energy_by_hand() {
   const Place p{1, 0.4, 0.7}, apart{0.03, dim > 1 ? -0.02 : 0, dim > 2 ? 0.01 : 0};
   TwoPoints<dim> two(p, {p[0] + apart[0], p[1] + apart[1], p[2] + apart[2]}, 0.05, 0.02);
-  const double r = std::hypot(apart[0], apart[1], apart[2]), overlap = 1.6 * 0.035 - r;
-  const double first = modulus(dim) / 8 * std::pow(0.05, dim - 2), second = modulus(dim) / 8 * std::pow(0.02, dim - 2);
-  const double stiffness = 2 / (1 / first + 1 / second);
-  EXPECT_NEAR(two.energy(), 0.5 * stiffness * overlap * overlap, 1e-14 * two.energy());
+  const double r = std::hypot(apart[0], apart[1], apart[2]), overlap = 2.5 * 0.035 - r;
+  const double first = modulus(dim) / 4 * std::pow(0.05, dim - 2), second = modulus(dim) / 4 * std::pow(0.02, dim - 2);
+  const double stiffness = 2 / (1 / first + 1 / second) / (0.035 * 0.035);
+  EXPECT_NEAR(two.energy(), stiffness / 4 * std::pow(overlap, 4), 1e-14 * two.energy());
   const auto force = two.force();
   for (int d = 0; d < dim; ++d)
-    EXPECT_NEAR(force[d], stiffness * overlap * apart[static_cast<std::size_t>(d)] / r, 1e-13 * force.norm()) << d;
+    EXPECT_NEAR(force[d], stiffness * std::pow(overlap, 3) * apart[static_cast<std::size_t>(d)] / r,
+                1e-13 * force.norm())
+        << d;
 }
 TEST(Pairs, EnergyAndForceByHand) {
   expect_energy_by_hand<1>();
@@ -67,7 +73,7 @@ TEST(Pairs, EnergyAndForceByHand) {
 }
 
 TEST(Pairs, NothingBeyondTheReach) {
-  TwoPoints<2> two({1, 1, 0}, {1.0561, 1, 0}, 0.05, 0.02);
+  TwoPoints<2> two({1, 1, 0}, {1.0876, 1, 0}, 0.05, 0.02);
   EXPECT_EQ(two.energy(), 0);
   EXPECT_EQ(two.force().norm(), 0);
 }
@@ -82,25 +88,57 @@ TEST(Pairs, SpacingsAreThoseOfRest) {
   EXPECT_NEAR(read.energy(), given.energy(), 1e-13 * given.energy());
 }
 
-// The force is what U falls by over the way, by the distance along the first direction: into the reach, out of it, within it and
-// through it. [Pairs 3]
+// What the force takes on the way is what U falls by: into the reach, out of it, within it and through it, past each other and round
+// each other. [Pairs 3]
 TEST(Pairs, MeanForceTakesWhatTheEnergyFallsBy) {
-  for (const double start : {0.01, 0.04, 0.055, 0.07}) {
-    for (const double end : {0.005, 0.03, 0.0559, 0.0561, 0.09}) {
-      TwoPoints<2> two({1, 1, 0}, {1 + 0.6 * start, 1 + 0.8 * start, 0}, 0.05, 0.02);
-      TwoPoints<2> then({1, 1, 0}, {1 + 0.6 * end, 1 + 0.8 * end, 0}, 0.05, 0.02);
-      const double time = 0.25, opening = (end - start) / time;
-      // Each moves; what is across the direction does no work.
-      two.bodies[0].points(column::contact_velocity, 0)[0] = 0.3 + 0.8;
-      two.bodies[0].points(column::contact_velocity, 1)[0] = -0.1 - 0.6;
-      two.bodies[1].points(column::contact_velocity, 0)[0] = 0.3 + 0.6 * opening;
-      two.bodies[1].points(column::contact_velocity, 1)[0] = -0.1 + 0.8 * opening;
-      const Eigen::Vector2d force = two.force(time);
-      EXPECT_NEAR(force.dot(Eigen::Vector2d(0.6, 0.8)) * (end - start), two.energy() - then.energy(),
-                  1e-14 * modulus(2) / 8 * std::pow(1.6 * 0.035, 2))
-          << start << ' ' << end;
-      EXPECT_NEAR(force[0] * 0.8 - force[1] * 0.6, 0, 1e-13 * force.norm());
+  using Vec = Eigen::Vector2d;
+  for (const double start : {0.01, 0.04, 0.086, 0.1}) {
+    for (const double end : {0.005, 0.03, 0.0874, 0.0876, 0.13}) {
+      for (const double turn : {0.0, 0.5, -2.0, 3.0}) {
+        const Vec between = start * Vec(0.6, 0.8), then = end * (Eigen::Rotation2Dd(turn) * Vec(0.6, 0.8));
+        TwoPoints<2> two({1, 1, 0}, {1 + between[0], 1 + between[1], 0}, 0.05, 0.02);
+        TwoPoints<2> moved({1, 1, 0}, {1 + then[0], 1 + then[1], 0}, 0.05, 0.02);
+        const double time = 0.25;
+        for (int d = 0; d < 2; ++d) {
+          two.bodies[0].points(column::contact_velocity, d)[0] = 0.3 - 0.4 * d;
+          two.bodies[1].points(column::contact_velocity, d)[0] = 0.3 - 0.4 * d + (then - between)[d] / time;
+        }
+        const Vec force = two.force(time), middle = between + then;
+        EXPECT_NEAR(force.dot(then - between), two.energy() - moved.energy(), 1e-14 * modulus(2) * std::pow(0.0875, 2))
+            << start << ' ' << end << ' ' << turn;
+        EXPECT_NEAR(force[0] * middle[1] - force[1] * middle[0], 0, 1e-13 * force.norm() * middle.norm());
+        EXPECT_GE(force.dot(middle), 0);
+      }
     }
+  }
+}
+
+// Between long rows of one lattice, wherever one stands along the other, nothing holds as much as a fiftieth of what presses by a
+// thousandth of the modulus or more.
+TEST(Pairs, RowsHardlyHoldEachOther) {
+  const double s = 0.05;
+  for (const double gap : {1.6, 1.8, 2.0, 2.1}) {
+    double most = 0, least_press = 1e300;
+    for (int k = 0; k < 8; ++k) {
+      std::vector<Body> bodies{
+          elastic_body("lower", 2, block({0, 0, 0}, {40, 4, 1}, s), s),
+          elastic_body("upper", 2, block({0.5 + k * s / 8, 0.2 + (gap - 1) * s, 0}, {20, 4, 1}, s), s)};
+      for (Body& body : bodies) {
+        body.points.add(column::contact_force, 2);
+        body.points.add(column::contact_velocity, 2);
+      }
+      PairPotential<2> pairs;
+      pairs.find(bodies);
+      pairs.press(bodies, 0);
+      const auto sum = [&](int d) {
+        const double* force = bodies[1].points(column::contact_force, d);
+        return std::accumulate(force, force + bodies[1].points.points(), 0.0);
+      };
+      most = std::max(most, std::abs(sum(0) / sum(1)));
+      least_press = std::min(least_press, sum(1) / (20 * s));
+    }
+    EXPECT_LE(most, 0.02) << gap;
+    EXPECT_GE(least_press, 1e-3 * modulus(2)) << gap;
   }
 }
 
@@ -120,8 +158,8 @@ TEST(Pairs, AllThatAreNearAreFound) {
           double square = 0;
           for (int d = 0; d < 2; ++d)
             square += std::pow(bodies[a].points(column::position, d)[p] - bodies[b].points(column::position, d)[q], 2);
-          const double overlap = 1.6 * 0.5 * (bodies[a].spacing + bodies[b].spacing) - std::sqrt(square);
-          if (overlap > 0) sum += 0.5 * modulus(2) / 8 * overlap * overlap;
+          const double l = 0.5 * (bodies[a].spacing + bodies[b].spacing), overlap = 2.5 * l - std::sqrt(square);
+          if (overlap > 0) sum += modulus(2) / 16 * std::pow(overlap, 4) / (l * l);
         }
       }
     }
@@ -146,6 +184,30 @@ TEST(Pairs, WhereTheyCannotActIsRefused) {
   EXPECT_THROW(check_pairs(scene), std::invalid_argument);
   scene.contact = "touching";
   EXPECT_NO_THROW(check_pairs(scene));
+}
+
+// Friction wants nodes that both bodies reach, wherever they stand.
+TEST(Pairs, FrictionWithoutSharedNodesIsRefused) {
+  const auto refusal = [](const std::string& shape, double spacing, double friction = 0.3) -> std::string {
+    Scene scene;
+    scene.grid = scenes::plane(20, 20, 0.1);
+    scene.contact = "pairs";
+    scene.shape = shape;
+    scene.friction = friction;
+    scene.bodies = {elastic_body("a", 2, {{1, 1, 0}}, spacing)};
+    try {
+      check_pairs(scene);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal("quadratic", 0.05), "");
+  EXPECT_EQ(refusal("cpdi", 0.066), "");
+  EXPECT_EQ(refusal("linear", 0.05, 0), "");
+  EXPECT_THAT(refusal("linear", 0.05), testing::HasSubstr("the shape linear"));
+  EXPECT_THAT(refusal("lagrangian-cubic", 0.05), testing::HasSubstr("the shape lagrangian-cubic"));
+  EXPECT_THAT(refusal("quadratic", 0.067), testing::HasSubstr("body a are more than two thirds of a cell apart"));
 }
 
 }  // namespace
