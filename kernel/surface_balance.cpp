@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -111,6 +112,60 @@ Shares shares_of(const SurfaceLink* links, int count, const Columns& points, dou
   return all;
 }
 
+// The links of a point, how they may change, and what they add to which conditions.
+struct PointLinks {
+  SurfaceLink* own;
+  Eigen::MatrixXd free;
+  Shares shares;
+  double coupling(std::size_t i, std::size_t j) const {
+    const auto &one = shares.factor[i], &other = shares.factor[j];
+    return free(shares.link[i], shares.link[j]) * (one[0] * other[0] + one[1] * other[1]);
+  }
+};
+
+// The conditions on free changes times themselves, and `slack` on the diagonal of normals. Column by column: of all pairs of links of
+// all points there are some ten times as many as entries.
+Eigen::SparseMatrix<double> square_of(const std::vector<PointLinks>& all, const Pulls& pulls, double slack) {
+  struct Use {
+    int point;
+    std::size_t share;
+  };
+  const auto rows = static_cast<std::size_t>(pulls.rows());
+  std::vector<std::vector<Use>> uses(rows);
+  for (std::size_t p = 0; p < all.size(); ++p) {
+    for (std::size_t i = 0; i < all[p].shares.row.size(); ++i)
+      uses[static_cast<std::size_t>(all[p].shares.row[i])].push_back({static_cast<int>(p), i});
+  }
+  Eigen::SparseMatrix<double> matrix(pulls.rows(), pulls.rows());
+  std::vector<double> sum(rows);
+  std::vector<bool> met(rows);
+  std::vector<int> entries;
+  for (int column = 0; column < pulls.rows(); ++column) {
+    entries.clear();
+    for (const Use& use : uses[static_cast<std::size_t>(column)]) {
+      const PointLinks& links = all[static_cast<std::size_t>(use.point)];
+      for (std::size_t i = 0; i < links.shares.row.size(); ++i) {
+        const auto row = static_cast<std::size_t>(links.shares.row[i]);
+        if (!met[row]) {
+          met[row] = true;
+          sum[row] = 0;
+          entries.push_back(links.shares.row[i]);
+        }
+        if (links.shares.row[i] == column && pulls.normal_row(use.point) == column) sum[row] += slack;
+        sum[row] += links.coupling(i, use.share);
+      }
+    }
+    std::sort(entries.begin(), entries.end());
+    matrix.startVec(column);
+    for (const int row : entries) {
+      matrix.insertBack(row, column) = sum[static_cast<std::size_t>(row)];
+      met[static_cast<std::size_t>(row)] = false;
+    }
+  }
+  matrix.finalize();
+  return matrix;
+}
+
 // y of matrix y = missed. Throws where there is none.
 Eigen::VectorXd factors_of(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& missed,
                            const std::vector<Vec>& places, int points) {
@@ -145,35 +200,22 @@ void balance_weights(std::vector<SurfaceLink>& links, const Columns& points, dou
   const Pulls pulls(points, outward);
   double mean = 0;
   for (int p = 0; p < count; ++p) mean += points(column::volume)[p] / count;
-  std::vector<Eigen::Triplet<double>> square;
   Eigen::VectorXd missed = Eigen::VectorXd::Zero(pulls.rows());
-  const auto for_points = [&](auto&& visit) {
-    for (int p = 0; p < count; ++p) {
-      const int from = first[static_cast<std::size_t>(p)], n = first[static_cast<std::size_t>(p) + 1] - from;
-      const Eigen::MatrixXd free = free_changes(&links[static_cast<std::size_t>(from)], n);
-      visit(&links[static_cast<std::size_t>(from)], free,
-            shares_of(&links[static_cast<std::size_t>(from)], n, points, mean, pulls));
-    }
-  };
-  for_points([&](const SurfaceLink* own, const Eigen::MatrixXd& free, const Shares& shares) {
-    const int p = own->of, row = pulls.normal_row(p);
-    missed[row] -= points(column::volume)[p] / mean * bend(own, static_cast<int>(free.rows()), points) / reach;
-    square.emplace_back(row, row, slack);
+  std::vector<PointLinks> all;
+  for (int p = 0; p < count; ++p) {
+    const int from = first[static_cast<std::size_t>(p)], n = first[static_cast<std::size_t>(p) + 1] - from;
+    SurfaceLink* own = &links[static_cast<std::size_t>(from)];
+    all.push_back({own, free_changes(own, n), shares_of(own, n, points, mean, pulls)});
+    missed[pulls.normal_row(p)] -= points(column::volume)[p] / mean * bend(own, n, points) / reach;
+    const Shares& shares = all.back().shares;
     for (std::size_t i = 0; i < shares.row.size(); ++i) {
       const auto& [first_i, second_i] = shares.factor[i];
       const auto& [along, across] = own[shares.link[i]].weight;
       missed[shares.row[i]] -= reach * (first_i * along + second_i * across);
-      for (std::size_t j = 0; j < shares.row.size(); ++j) {
-        const auto& [first_j, second_j] = shares.factor[j];
-        square.emplace_back(shares.row[i], shares.row[j],
-                            free(shares.link[i], shares.link[j]) * (first_i * first_j + second_i * second_j));
-      }
     }
-  });
-  Eigen::SparseMatrix<double> matrix(pulls.rows(), pulls.rows());
-  matrix.setFromTriplets(square.begin(), square.end());
-  const Eigen::VectorXd y = factors_of(matrix, missed, pulls.places(points), count);
-  for_points([&](SurfaceLink* own, const Eigen::MatrixXd& free, const Shares& shares) {
+  }
+  const Eigen::VectorXd y = factors_of(square_of(all, pulls, slack), missed, pulls.places(points), count);
+  for (const auto& [own, free, shares] : all) {
     for (std::size_t a = 0; a < 2; ++a) {
       Eigen::VectorXd wanted = Eigen::VectorXd::Zero(free.rows());
       for (std::size_t i = 0; i < shares.row.size(); ++i)
@@ -183,7 +225,7 @@ void balance_weights(std::vector<SurfaceLink>& links, const Columns& points, dou
       for (int n = 0; n < change.size(); ++n) sum += own[n].weight[a] += change[n];
       own[change.size() - 1].weight[a] -= sum;  // the point's own, so that momentum is exact
     }
-  });
+  }
 }
 
 }  // namespace plumbline

@@ -78,7 +78,7 @@ class GasSphereRun final : public Problem {
 
   void observe(const Simulation& simulation) override {
     const Scene& now = simulation.scene();
-    record_.observe(simulation.time(), now, [this] { return scene(); });
+    record_.observe(simulation.time(), now, [this] { return unprepared(); });
     const auto [mean, scatter] = mean_and_scatter(resultants(now.bodies[1].points, at_.choice.law));
     hoop_drift_ = larger(hoop_drift_, std::abs(mean / exact_.resultant().value - 1));
     hoop_scatter_ = larger(hoop_scatter_, scatter);
