@@ -1,6 +1,7 @@
 // The command line.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <malloc.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -21,6 +22,8 @@
 
 namespace plumbline {
 namespace {
+
+constexpr int kept_memory = 1 << 28;  // bytes
 
 void report_error(const CommonOptions& options, const Json& document, const std::string& message) {
   print_text(stderr, fmt::format("plumbline: {}\n", message));
@@ -183,6 +186,11 @@ int run(int argc, char** argv) {
 }  // namespace plumbline
 
 int main(int argc, char** argv) {
+#ifdef M_TRIM_THRESHOLD
+  // What a step gives back the next asks for again: pages that the system takes meanwhile have to be found and cleared anew.
+  mallopt(M_TRIM_THRESHOLD, plumbline::kept_memory);
+  mallopt(M_MMAP_THRESHOLD, plumbline::kept_memory);
+#endif
   plumbline::open_standard_streams();
   plumbline::end_runs_on_signals();
   return plumbline::after_output(plumbline::run(argc, argv));

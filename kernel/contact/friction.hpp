@@ -14,9 +14,9 @@ namespace plumbline {
 template <int dim>
 struct RubbingPair {
   int node;
-  std::size_t a, b;                         // fields
-  Eigen::Matrix<double, dim, 1> normal;     // from a to b
-  double most_held;                         // of friction's impulse, kg m/s
+  std::size_t a, b;                      // fields
+  Eigen::Matrix<double, dim, 1> normal;  // from a to b
+  double most_held;                      // of friction's impulse, kg m/s
 };
 
 template <int dim>

@@ -22,11 +22,12 @@ std::unique_ptr<Contact<dim>> nothing_at_nodes(const Grid<dim>&, int) {
   return nullptr;
 }
 
-const RegisterPart pairs_entry(ContactEntry{{"pairs", "a potential of the distances between points of two bodies, and Coulomb friction where they press",
-                                             "reports/docs/theory/contact-and-coupling.md"},
-                                            {nothing_at_nodes<1>, nothing_at_nodes<2>, nothing_at_nodes<3>},
-                                            true,
-                                            true});
+const RegisterPart pairs_entry(ContactEntry{
+    {"pairs", "a potential of the distances between points of two bodies, and Coulomb friction where they press",
+     "reports/docs/theory/contact-and-coupling.md"},
+    {nothing_at_nodes<1>, nothing_at_nodes<2>, nothing_at_nodes<3>},
+    true,
+    true});
 
 template <int dim>
 using Axes = std::array<const double*, dim>;

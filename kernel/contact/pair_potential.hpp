@@ -51,8 +51,8 @@ class PairPotential {
 
  private:
   struct Pair {
-    std::size_t a, b;  // bodies
-    int p, q;          // points
+    std::size_t a, b;         // bodies
+    int p, q;                 // points
     double reach, stiffness;  // r_0, m, and K/l^2
     Vec force;                // on the second
   };

@@ -26,7 +26,7 @@ struct MappedForces {
   double hoop = 0;  // what hoop stress adds to the radial momentum, N
   Eigen::Matrix<double, dim, 1> clamp = Eigen::Matrix<double, dim, 1>::Zero();  // by clamped edges, N
   Spin<dim> turn = Spin<dim>::Zero();                                           // torque that should be none, N m
-  std::vector<PressedPair<dim>> pressed;  // that rub
+  std::vector<PressedPair<dim>> pressed;                                        // that rub
 };
 
 // Strain before the forces are known: its stress power is booked with the stress that the forces use.

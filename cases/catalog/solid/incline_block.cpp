@@ -23,7 +23,7 @@ namespace {
 
 constexpr double length = 1, height = 0.5, floor_height = 0.125, density = 1, poisson = 0.3;
 constexpr double usual_modulus = 200, slope_that_holds = 0.2;  // Pa; tan(theta) of the study `sticks`
-constexpr double typical_friction = 0.3;  // in whose force deviations without friction are told
+constexpr double typical_friction = 0.3;                       // in whose force deviations without friction are told
 constexpr double behind = 0.25, before = 0.5;                  // of the block, of the floor
 constexpr double flat = 0.1, rounding = 0.15;  // half the flat part of the runner, and how it rises beyond that: 1/m
 
@@ -149,21 +149,21 @@ constexpr double row_holds = 0.02;  // of what presses it [Pairs 2]
 // What presses gives way, so that gravity grows more slowly.
 constexpr double rise_of_pairs = 1, end_of_pairs = 1.6;
 
-StudyPlan by_pairs(const std::string& id, const std::string& title, const Override& changed, double end = end_of_pairs) {
+StudyPlan by_pairs(const std::string& id, const std::string& title, const Override& changed,
+                   double end = end_of_pairs) {
   return study(id, title, "Pairs give way by some tenths of a spacing, and the block swings on them.", {cells})
       .with({{"contact", "pairs"}, {"rise", rise_of_pairs}, {"t_end", end}, changed});
 }
 
 std::vector<StudyPlan> studies() {
   const std::string one = "One mesh: what normals at the ends of the face are tilted by changes from step to step.";
-  return {study("default", "slides: tan(theta) = 2 mu", one, {cells}).pictured(cells),
-          study("smooth", "slides without friction", one, {cells}).with({{"friction", 0.0}}),
-          study("sticks", "sticks: tan(theta) = 2/3 mu", one, {coarse})
-              .with({{"slope", slope_that_holds}, {"t_end", 4.0}}),
-          by_pairs("pairs", "slides, by pairs of points", {"friction", typical_friction}).in_full({cells, fine}),
-          by_pairs("pairs-smooth", "slides without friction, by pairs of points", {"friction", 0.0})
-              .in_full({cells, fine}),
-          by_pairs("pairs-sticks", "sticks, by pairs of points", {"slope", slope_that_holds}, 6).in(Tier::full)};
+  return {
+      study("default", "slides: tan(theta) = 2 mu", one, {cells}).pictured(cells),
+      study("smooth", "slides without friction", one, {cells}).with({{"friction", 0.0}}),
+      study("sticks", "sticks: tan(theta) = 2/3 mu", one, {coarse}).with({{"slope", slope_that_holds}, {"t_end", 4.0}}),
+      by_pairs("pairs", "slides, by pairs of points", {"friction", typical_friction}).in_full({cells, fine}),
+      by_pairs("pairs-smooth", "slides without friction, by pairs of points", {"friction", 0.0}).in_full({cells, fine}),
+      by_pairs("pairs-sticks", "sticks, by pairs of points", {"slope", slope_that_holds}, 6).in(Tier::full)};
 }
 
 std::vector<CaseGate> gates() {
@@ -200,12 +200,13 @@ std::vector<CaseGate> gates() {
            theory("what sticks swings by its elastic shear and goes nowhere: in the second half of the time it would "
                   "slide by 1.1 m without friction"))};
   for (const char* study : {"pairs", "pairs-smooth"}) {
-    all.push_back(gate(std::string(study) + "/friction", value_at("friction_off", cells),
-                       between(-row_holds / typical_friction, row_holds / typical_friction),
-                       theory("rows of points of one lattice hold each other by at most a fiftieth of what presses them")));
-    all.push_back(gate(std::string(study) + "/friction-64", value_at("friction_off", fine), between(-0.01, 0.01),
-                       one_percent)
-                      .in(Tier::full));
+    all.push_back(
+        gate(std::string(study) + "/friction", value_at("friction_off", cells),
+             between(-row_holds / typical_friction, row_holds / typical_friction),
+             theory("rows of points of one lattice hold each other by at most a fiftieth of what presses them")));
+    all.push_back(
+        gate(std::string(study) + "/friction-64", value_at("friction_off", fine), between(-0.01, 0.01), one_percent)
+            .in(Tier::full));
   }
   all.push_back(gate("pairs/work", value_at("friction_share", cells), between(1 - tipped, 1 + tipped),
                      theory("pairs give way by up to half a spacing, and over the half of the runner that is flat the "

@@ -271,16 +271,17 @@ CaseGate gains_nothing(const std::string& study, double level, Tier tier) {
 // The pairs press around their middle, a node or two from the faces, and lead by as much as nodes do.
 std::vector<CaseGate> pairs_gates(double level) {
   const std::string at = "-" + to_text(level);
-  const double slower = lead(level) / usual_slope, turned = lead(level) / usual_friction + sinks(level, slope_that_slides);
+  const double slower = lead(level) / usual_slope,
+               turned = lead(level) / usual_friction + sinks(level, slope_that_slides);
   const Because leads = theory("what stands for the points around it leads by at most e = h/2");
-  return {gate("pairs/acceleration" + at, value_at("acceleration_share", level), between(1 - slower, 1 + slower), leads)
-              .in(Tier::full),
-          gate("pairs/spin-up" + at, value_at("spin_share", level), between(1 - slower, 1 + slower), leads)
-              .in(Tier::full),
-          gate("pairs-slides/friction" + at, value_at("friction_off", level), between(-lead(level), lead(level)), leads)
-              .in(Tier::full),
-          gate("pairs-slides/spin-up" + at, value_at("spin_share", level), between(1 - turned, 1 + turned), leads)
-              .in(Tier::full)};
+  return {
+      gate("pairs/acceleration" + at, value_at("acceleration_share", level), between(1 - slower, 1 + slower), leads)
+          .in(Tier::full),
+      gate("pairs/spin-up" + at, value_at("spin_share", level), between(1 - slower, 1 + slower), leads).in(Tier::full),
+      gate("pairs-slides/friction" + at, value_at("friction_off", level), between(-lead(level), lead(level)), leads)
+          .in(Tier::full),
+      gate("pairs-slides/spin-up" + at, value_at("spin_share", level), between(1 - turned, 1 + turned), leads)
+          .in(Tier::full)};
 }
 
 std::vector<CaseGate> gates() {

@@ -220,7 +220,9 @@ TEST(Friction, CarriesAlong) {
     const auto [kept, alone] = run(0);
     const auto [taken, along] = run(0.2);
     EXPECT_LE(kept, 1e-15) << law;
-    if (std::string(law) == "touching") EXPECT_GE(kept, -1e-15);
+    if (std::string(law) == "touching") {
+      EXPECT_GE(kept, -1e-15);
+    }
     EXPECT_LT(taken, kept - 1e-3) << law;
     EXPECT_GT(along, 3 * std::abs(alone)) << law;
   }
