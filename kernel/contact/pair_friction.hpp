@@ -26,6 +26,8 @@ class PairFriction {
   using Fields = typename Contact<dim>::Fields;
   PairFriction(const Grid<dim>& grid, double coefficient) : grid_(grid), coefficient_(coefficient) {}
 
+  bool none() const { return coefficient_ == 0; }
+
   // Where bodies rub in this step, of pairs as pressed at its start.
   void find(const std::vector<PressedPair<dim>>& pressed, const std::vector<std::size_t>& field_of_body,
             const Fields& fields, double dt);

@@ -95,7 +95,7 @@ class NodalMomentum {
       record_walls(space_.walls.fold(field, field.force), dt, record);
       advance_alone(field, dt, record);
     }
-    touch(fields, forces.pressed, dt, decide, record.contact);
+    if (contact_ || !friction_.none()) touch(fields, forces.pressed, dt, decide, record.contact);
     for (Field& field : fields) {
       space_.walls.extend(field, field.end);
       space_.walls.extend(field, field.midpoint);
