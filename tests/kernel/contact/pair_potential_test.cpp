@@ -113,8 +113,8 @@ TEST(Pairs, MeanForceTakesWhatTheEnergyFallsBy) {
   }
 }
 
-// Between long rows of one lattice, wherever one stands along the other, nothing holds as much as a fiftieth of what presses by a
-// thousandth of the modulus or more.
+// Between long rows of one lattice that are pressed by a hundredth of the modulus or more nothing holds as much as a fiftieth of that,
+// wherever one stands along the other.
 TEST(Pairs, RowsHardlyHoldEachOther) {
   const double s = 0.05;
   for (const double gap : {1.6, 1.8, 2.0, 2.1}) {
@@ -138,7 +138,7 @@ TEST(Pairs, RowsHardlyHoldEachOther) {
       least_press = std::min(least_press, sum(1) / (20 * s));
     }
     EXPECT_LE(most, 0.02) << gap;
-    EXPECT_GE(least_press, 1e-3 * modulus(2)) << gap;
+    EXPECT_GE(least_press, 1e-2 * modulus(2)) << gap;
   }
 }
 

@@ -73,12 +73,13 @@ struct MooneyRivlin final : Material {
     return sum;
   }
 
-  // Along the principal stretch s waves run at sqrt(s^2 W'' / rho_0) in space, s^2 W'' = 2 c_1 s^2 + 2 c_2 s^2 (I_1 - s^2) +
-  // 2 (c_1 + 2 c_2) + 2 c J^2; s^2 is at most I_1 and s^2 (I_1 - s^2) at most I_2.
   std::optional<RestState> rest(int) const override {
     const LameConstants lame = lame_constants(youngs_modulus, poissons_ratio);
     return RestState{density, lame.lambda + 2 * lame.mu};
   }
+
+  // Along the principal stretch s waves run at sqrt(s^2 W'' / rho_0) in space, s^2 W'' = 2 c_1 s^2 + 2 c_2 s^2 (I_1 - s^2) +
+  // 2 (c_1 + 2 c_2) + 2 c J^2; s^2 is at most I_1 and s^2 (I_1 - s^2) at most I_2.
   StepBounds step_bounds(const Columns& points, PointRange range, int dim) const override {
     const Constants k = constants();
     StepBounds bounds;
