@@ -88,7 +88,8 @@ class Pack {
   Lanes lanes_;
 };
 
-// Where `mask` holds `a`, else `b`.
+// Where `mask` holds `a`, else `b`; the same of one number.
+inline double choose(bool held, double a, double b) { return held ? a : b; }
 inline Pack choose(const PackMask& mask, const Pack& a, const Pack& b) {
   return Pack(mask.held() ? a.values() : b.values());
 }

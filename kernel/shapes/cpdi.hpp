@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "kernel/grid.hpp"
+#include "kernel/lanes.hpp"
 #include "kernel/points/components.hpp"
 #include "kernel/shapes/domain_columns.hpp"
 #include "kernel/shapes/listed_shape.hpp"
@@ -30,11 +31,17 @@ class DomainEdges {
     for (int d = 0; !now && !start && d < dim; ++d) half_size_[d] = points(column::half_size, d);
   }
 
-  // A column for each edge, m.
+  // Of a row of the matrix with a column for each edge, m; null: zero of every point.
+  const double* component(int row, int edge) const {
+    return edges_[0] ? edges_[row + dim * edge] : row == edge ? half_size_[row] : nullptr;
+  }
+  // That matrix, m.
   Matrix operator[](int p) const {
-    Matrix edges = Matrix::Zero();
-    for (int k = 0; edges_[0] && k < dim * dim; ++k) edges(k % dim, k / dim) = edges_[k][p];
-    for (int d = 0; !edges_[0] && d < dim; ++d) edges(d, d) = half_size_[d][p];
+    Matrix edges;
+    for (int k = 0; k < dim * dim; ++k) {
+      const double* values = component(k % dim, k / dim);
+      edges(k % dim, k / dim) = values ? values[p] : 0.0;
+    }
     return edges;
   }
 
@@ -48,7 +55,8 @@ class Domains {
   using Vec = Eigen::Matrix<double, dim, 1>;
   using Matrix = Eigen::Matrix<double, dim, dim>;
   static constexpr int corners = 1 << dim;
-  static constexpr double usual_half = 0.25;  // half an edge in cells: two points a cell
+  static constexpr int most_nodes = dim == 3 ? 5 : 6;  // along each direction that a domain may reach
+  static constexpr double usual_half = 0.25;           // half an edge in cells: two points a cell
   // theta of S(k) = 1 - theta k^2 h^2 + ...: half the variance of tents, 1/6, and of the corners, l^2 [Sharpening 1]
   static constexpr double blur = (1.0 / 6 + usual_half * usual_half) / 2;
 
@@ -57,7 +65,7 @@ class Domains {
     furthest_ = (support_ - 2) / 2.0 - 1e-6;
   }
 
-  // Nodes along each direction that a domain may reach.
+  // The same on this grid.
   int support() const { return support_; }
 
   // The place of a point in cells from the first node lines; one off the grid counts from its side.
@@ -65,24 +73,24 @@ class Domains {
     const double cells = grid_.logical(x, d);
     return cells >= 0 ? std::min(cells, 1.0 * grid_.cells(d)) : 0.0;
   }
-  // The distance from the axis of rings, m, of a point's first coordinate.
-  double radius(double x) const { return place(x, 0) * grid_.h() + grid_.origin(0); }
-  // The edges of a domain in cells: those that reach further than the support, or beyond the ghost nodes at a side of the
-  // grid, are squeezed along that axis.
-  void squeeze(const Vec& x, Matrix& edges) const {
-    for (int d = 0; d < dim; ++d) {
-      const double extent = edges.row(d).cwiseAbs().sum();
-      if (extent <= std::min(1.0, furthest_)) continue;  // wherever it stands
-      const double distance = std::min({x[d] + 1, grid_.cells(d) + 1 - x[d], furthest_});
-      if (extent > distance) edges.row(d) *= distance / extent;
-    }
+  // Edges that reach further than the support, or beyond the ghost nodes at a side of the grid, are squeezed along that axis,
+  // by this factor: of points at x cells from the first node lines whose corners lie within `extent` cells of them.
+  template <class Number>
+  Number squeeze(const Number& x, const Number& extent, int d) const {
+    using std::min;
+    const Number distance = min(min(Number(x + 1.0), Number(grid_.cells(d) + 1.0 - x)), Number(furthest_));
+    return choose(extent > min(1.0, furthest_), min(Number(distance / extent), Number(1.0)), Number(1.0));
+  }
+  // The edges of a domain as squeezed, all in cells.
+  Matrix squeezed(const Vec& x, const Matrix& edges) const {
+    Matrix within = edges;
+    for (int d = 0; d < dim; ++d) within.row(d) *= squeeze(x[d], edges.row(d).cwiseAbs().sum(), d);
+    return within;
   }
   // -1 or 1.
   static double sign(int corner, int edge) { return corner >> edge & 1 ? 1 : -1; }
 
  private:
-  static constexpr int most_nodes = dim == 3 ? 5 : 6;
-
   Grid<dim> grid_;
   int support_;
   double furthest_;  // that a corner may be from its point along an axis, cells
@@ -122,8 +130,7 @@ class Cpdi final : public ListedShape<dim> {
     for (int p = range.first; p < range.last; ++p) {
       Vec x;
       for (int d = 0; d < dim; ++d) x[d] = domains_.place(at.x[d][p], d);
-      Matrix edges = edges_of[p] / grid_.h();
-      domains_.squeeze(x, edges);
+      const Matrix edges = domains_.squeezed(x, edges_of[p] / grid_.h());
       const Matrix duals = edges.inverse().transpose() / grid_.h();
       for (int c = 0; c < Domains<dim>::corners; ++c) {
         Vec signs;

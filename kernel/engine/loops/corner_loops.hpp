@@ -1,5 +1,5 @@
 // The loops over points whose parallelograms carry tents at their corners, in two dimensions: for solids with affine
-// velocities by all corners side by side, for all else along lists. Tests hold the first against the second.
+// velocities by packs of points, for all else along lists. Tests hold the first against the second.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ class CornerLoops final : public ListLoops<Geometry> {
   static_assert(dim == 2);
   using Lists = ListLoops<Geometry>;
   using typename Lists::At, typename Lists::Field, typename Lists::Vec;
-  using typename Lists::Motion, typename Lists::Spread, typename Lists::Wanted;
+  using typename Lists::Gather, typename Lists::Motion, typename Lists::Spread, typename Lists::Wanted;
 
   // make: of the lists of the same shape.
   CornerLoops(const GridSpec& spec, const Transfer& transfer, MakeListed<dim> make)
@@ -27,16 +27,19 @@ class CornerLoops final : public ListLoops<Geometry> {
         per_h_(1 / Lists::grid().h()) {}
 
   bool find_lowest(const Columns& points, PointRange range, int* lowest) const override;
+  bool find_movers(const Columns& points, const Bins& bins, const Chunk& chunk,
+                   std::vector<Mover>& movers) const override;
 
   void map_mass_and_momentum(const Body& body, const At& at, const Chunk& chunk, Field& field) const override {
-    side_by_side(body) ? map_motion<true>(body, at, chunk, field)
-                       : Lists::map_mass_and_momentum(body, at, chunk, field);
+    in_packs(body) ? map_motion<true>(body, at, chunk, field) : Lists::map_mass_and_momentum(body, at, chunk, field);
   }
   void map_momentum(const Body& body, const At& at, const Chunk& chunk, Field& field) const override {
-    side_by_side(body) ? map_motion<false>(body, at, chunk, field) : Lists::map_momentum(body, at, chunk, field);
+    in_packs(body) ? map_motion<false>(body, at, chunk, field) : Lists::map_momentum(body, at, chunk, field);
   }
   double map_forces(const Body& body, const At& at, const Chunk& chunk, Shares shares, Field& field) const override;
   void spread(const Columns& points, const At& at, const Chunk& chunk, std::span<const Spread> all) const override;
+
+  void gather(const Columns& points, const At& at, const Chunk& chunk, std::span<const Gather> all) const override;
   double gather_start(Body& body, const At& at, const Chunk& chunk, const Wanted& wanted) const override;
   MotionSums gather_motion(Body& body, const At& at, const Chunk& chunk, const Field& field,
                            const Motion& motion) const override;
@@ -49,18 +52,18 @@ class CornerLoops final : public ListLoops<Geometry> {
   using typename Lists::Matrix;
 
   // The sums of others are those of gases and chains.
-  bool side_by_side(const Body& body) const {
+  bool in_packs(const Body& body) const {
     return Lists::is_solid(body) && this->transfer().affine && this->transfer().order == 0 &&
            this->transfer().keep == 0;
   }
-  static double affine_square(const Square& c, const Square& inertia) { return (c * inertia).dot(c); }
-  static Square outer(const Two& a, const Two& b) { return {a.x * b.x, a.x * b.y, a.y * b.x, a.y * b.y}; }
-  static void add_spin(double m, const Square& s, Turn& turn) {
-    if (rotations > 0) turn[about] += m * (s.yx - s.xy);
+  static Pack affine_square(const PackMatrix& c, const PackMatrix& inertia) { return (c * inertia).dot(c); }
+  static PackMatrix outer(const PackVector& a, const PackVector& b) {
+    return {a.x * b.x, a.x * b.y, a.y * b.x, a.y * b.y};
   }
+  static Pack spin(const PackMatrix& s) { return s.yx - s.xy; }
   static bool full(const Body& body) { return body.material->measure() == StressMeasure::full; }
 
-  // Number: double, or const double where the points are only read. Pointers are taken once per loop.
+  // Pointers are taken once per loop. Number: double, or const double where the points are only read.
   template <class Number>
   struct MovingColumns {
     Number *mass, *x[dim], *v[dim], *c[dim * dim];
@@ -72,8 +75,9 @@ class CornerLoops final : public ListLoops<Geometry> {
       }
       for (int k = 0; k < dim * dim; ++k) c[k] = points(column::affine, k);
     }
-    Two velocity(int p) const { return {v[0][p], v[1][p]}; }
-    Square affine(int p) const { return {c[0][p], c[1][p], c[2][p], c[3][p]}; }
+    PackVector position(int p) const { return {load(x[0] + p), load(x[1] + p)}; }
+    PackVector velocity(int p) const { return {load(v[0] + p), load(v[1] + p)}; }
+    PackMatrix affine(int p) const { return {load(c[0] + p), load(c[1] + p), load(c[2] + p), load(c[3] + p)}; }
   };
   struct RateColumns {
     double* at[dim * dim + 1];
@@ -83,109 +87,100 @@ class CornerLoops final : public ListLoops<Geometry> {
     }
   };
 
-  // The edges of points, a column each, times a factor.
+  // Half the edges of points, a column for each, m.
   class EdgeColumns {
    public:
-    explicit EdgeColumns(const Columns& points) : any_(points), set_(points.has(column::half_edges)) {
-      for (int k = 0; set_ && k < dim * dim; ++k) at_[k] = points(column::half_edges, k);
+    explicit EdgeColumns(const Columns& points) {
+      const DomainEdges<dim> edges(points);
+      for (int k = 0; k < dim * dim; ++k) at_[k] = edges.component(k / dim, k % dim);
     }
-    Square square(int p, double factor) const {
-      if (set_) return Square{at_[0][p], at_[2][p], at_[1][p], at_[3][p]}.times(factor);
-      const Matrix edges = any_[p];
-      return Square{edges(0, 0), edges(0, 1), edges(1, 0), edges(1, 1)}.times(factor);
-    }
+    PackMatrix operator[](int p) const { return {from(0, p), from(1, p), from(2, p), from(3, p)}; }
 
    private:
-    DomainEdges<dim> any_;
-    bool set_;
-    const double* at_[dim * dim] = {};
+    Pack from(int k, int p) const { return at_[k] ? load(at_[k] + p) : Pack(0.0); }
+    const double* at_[dim * dim];
   };
 
-  // A point in cells, its edges as squeezed there.
-  struct Placed {
-    Two place;
-    Square edges;
-  };
-  Placed placed(const double* const (&x)[dim], const EdgeColumns& edges, int p) const;
-  Square inertia_of(const double* const (&x)[dim], const EdgeColumns& edges, int p) const;
-  CornerWeights weights(const double* const (&x)[dim], const EdgeColumns& edges, int p, const CellRange& cells) const;
-  bool on_grid(const double* const (&x)[dim], int p) const {
-    bool inside = true;
-    for (int d = 0; d < dim; ++d) {
-      const double cells = this->grid().logical(x[d][p], d);
-      inside = inside && cells >= -on_side && cells <= this->grid().cells(d) + on_side;
-    }
-    return inside;
+  Parallelograms domains(const PackVector& place, const EdgeColumns& edges, int p) const;
+  Parallelograms domains(const Places<dim>& places, const EdgeColumns& edges, int p) const {
+    return domains({load(places.x[0] + p), load(places.x[1] + p)}, edges, p);
   }
-  Square squeezed(const Two& place, const Square& edges) const;
-  CellRange all_cells() const;
-  CellRange cells_of(const Bins& bins, int bin) const;
-  // visit(p, weights) for all points of a chunk.
+  Pack lowest_node(const Parallelograms& at) const;
+  PackMask on_grid(const PackVector& x) const;
+  // The distance from the axis of rings, m, of points' first coordinates.
+  Pack radius(const Pack& x) const;
+  // visit(block, first, last) for each bin of a chunk: the nodes that its points reach, and these.
   template <class Visit>
-  void for_points(const Columns& points, const At& at, const Chunk& chunk, Visit&& visit) const;
+  void for_bins(const Places<dim>& places, const EdgeColumns& edges, const Bins& bins, const Chunk& chunk,
+                Visit&& visit) const;
 
   template <bool with_mass>
   void map_motion(const Body& body, const At& at, const Chunk& chunk, Field& field) const;
-  static void store_strain_rates(const RateColumns& rates, int p, const CornerWeights::Jet& jet, double radius);
-  void sum_motion(const Body& body, PointRange range, Totals& totals, bool& inside) const;
+  static void store_strain_rates(const RateColumns& rates, int p, int count, const PackJet& jet, const Pack& radius);
+  bool sum_motion(const Body& body, PointRange range, Totals& totals) const;
 
   Domains<dim> domains_;
   double per_h_;
 };
 
+// Of points off the grid those of the nearest place on it.
 template <class G>
-[[gnu::always_inline]] inline auto CornerLoops<G>::placed(const double* const (&x)[dim], const EdgeColumns& edges,
-                                                          int p) const -> Placed {
-  const Two place{domains_.place(x[0][p], 0), domains_.place(x[1][p], 1)};
-  const Square own = edges.square(p, per_h_);
-  const double extent = std::max(std::abs(own.xx) + std::abs(own.xy), std::abs(own.yx) + std::abs(own.yy));
-  return {place, extent > 1 ? squeezed(place, own) : own};
+[[gnu::always_inline]] inline Parallelograms CornerLoops<G>::domains(const PackVector& place, const EdgeColumns& edges,
+                                                                     int p) const {
+  const Grid<dim>& grid = this->grid();
+  const auto cells = [&](const Pack& x, int d) {
+    return min(max((x - grid.origin(d)) * per_h_, Pack(0.0)), Pack(grid.cells(d)));
+  };
+  const PackVector x{cells(place.x, 0), cells(place.y, 1)};
+  Parallelograms at{{x.x + Grid<dim>::ghosts, x.y + Grid<dim>::ghosts}, edges[p].times(per_h_)};
+  const PackVector reach = at.reach();
+  if (any_of(reach.x > 1.0 || reach.y > 1.0)) {
+    const Pack along = domains_.squeeze(x.x, reach.x, 0), up = domains_.squeeze(x.y, reach.y, 1);
+    at.edges = {along * at.edges.xx, along * at.edges.xy, up * at.edges.yx, up * at.edges.yy};
+  }
+  return at;
 }
 
 template <class G>
-[[gnu::always_inline]] inline CornerWeights CornerLoops<G>::weights(const double* const (&x)[dim],
-                                                                    const EdgeColumns& edges, int p,
-                                                                    const CellRange& cells) const {
-  const Placed at = placed(x, edges, p);
-  return CornerWeights(at.place, at.edges, cells, this->grid().row_length(), this->grid().h());
+[[gnu::always_inline]] inline PackMask CornerLoops<G>::on_grid(const PackVector& x) const {
+  const Grid<dim>& grid = this->grid();
+  const auto within = [&](const Pack& at, int d) {
+    const Pack cells = (at - grid.origin(d)) * per_h_;
+    return cells >= -on_side && cells <= grid.cells(d) + on_side;
+  };
+  return within(x.x, 0) && within(x.y, 1);
 }
 
 template <class G>
-[[gnu::always_inline]] inline Square CornerLoops<G>::inertia_of(const double* const (&x)[dim], const EdgeColumns& edges,
-                                                                int p) const {
-  const Placed at = placed(x, edges, p);
-  return CornerWeights::inertia_at(at.place, at.edges, this->grid().h());
-}
-
-template <class G>
-Square CornerLoops<G>::squeezed(const Two& place, const Square& edges) const {
-  Matrix own;
-  own << edges.xx, edges.xy, edges.yx, edges.yy;
-  domains_.squeeze({place.x, place.y}, own);
-  return {own(0, 0), own(0, 1), own(1, 0), own(1, 1)};
-}
-
-template <class G>
-CellRange CornerLoops<G>::all_cells() const {
-  return {{0, 0}, {this->grid().nodes(0) - 2, this->grid().nodes(1) - 2}};
-}
-
-template <class G>
-CellRange CornerLoops<G>::cells_of(const Bins& bins, int bin) const {
-  const int node = bins.node(bin), row = node / this->grid().row_length();
-  const int first[] = {node - row * this->grid().row_length(), row}, reach = domains_.support() - 2;
-  return {{first[0], first[1]}, {first[0] + reach, first[1] + reach}};
+[[gnu::always_inline]] inline Pack CornerLoops<G>::radius(const Pack& x) const {
+  const double low = this->grid().origin(0);
+  return min(max(x, Pack(low)), Pack(low + this->grid().cells(0) * this->grid().h()));
 }
 
 template <class G>
 template <class Visit>
-[[gnu::always_inline]] inline void CornerLoops<G>::for_points(const Columns& points, const At& at, const Chunk& chunk,
-                                                              Visit&& visit) const {
-  const Places<dim> places = at.places(points, true);
-  const EdgeColumns edges(points);
+[[gnu::always_inline]] inline void CornerLoops<G>::for_bins(const Places<dim>& places, const EdgeColumns& edges,
+                                                            const Bins& bins, const Chunk& chunk, Visit&& visit) const {
+  const int row_length = this->grid().row_length();
   for (int bin = chunk.first_bin; bin < chunk.last_bin; ++bin) {
-    const CellRange cells = cells_of(at.bins, bin);
-    for (int p = at.bins.start(bin); p < at.bins.end(bin); ++p) visit(p, weights(places.x, edges, p, cells));
+    const int node = bins.node(bin), row = node / row_length, column = node - row * row_length;
+    Pack furthest = 0.0;
+    for_packs(
+        bins.start(bin), bins.end(bin), [&](int p, int count) __attribute__((always_inline)) {
+          const Parallelograms at = domains(places, edges, p);
+          const PackVector reach = at.reach();
+          furthest = max(furthest, kept(max(at.place.x + reach.x - column, at.place.y + reach.y - row), count));
+        });
+    const auto of = [&]<int side>() {
+      return NodeBlock<side>{node, 1.0 * column, 1.0 * row, row_length, domains_.support()};
+    };
+    const double extent = hmax(furthest);
+    if (extent <= 2)
+      visit(of.template operator()<3>(), bins.start(bin), bins.end(bin));
+    else if (extent <= 3)
+      visit(of.template operator()<4>(), bins.start(bin), bins.end(bin));
+    else
+      visit(of.template operator()<Domains<dim>::most_nodes>(), bins.start(bin), bins.end(bin));
   }
 }
 

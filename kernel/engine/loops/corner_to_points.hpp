@@ -9,141 +9,195 @@
 namespace plumbline {
 
 template <class G>
-[[gnu::always_inline]] inline void CornerLoops<G>::store_strain_rates(const RateColumns& rates, int p,
-                                                                      const CornerWeights::Jet& jet, double radius) {
-  const double hoop = G::axisymmetric ? jet.value.x / radius : 0;
-  const double gradient[dim][dim] = {{jet.gradient.xx, jet.gradient.xy}, {jet.gradient.yx, jet.gradient.yy}};
+[[gnu::always_inline]] inline void CornerLoops<G>::store_strain_rates(const RateColumns& rates, int p, int count,
+                                                                      const PackJet& jet, const Pack& radius) {
+  const Pack hoop = G::axisymmetric ? jet.value.x / radius : Pack(0.0);
+  const Pack gradient[dim][dim] = {{jet.gradient.xx, jet.gradient.xy}, {jet.gradient.yx, jet.gradient.yy}};
   if (rates.full) {
-    for (int k = 0; k < dim * dim; ++k) rates.at[k][p] = gradient[k / dim][k % dim];
-    if (G::axisymmetric) rates.at[dim * dim][p] = hoop;
+    for (int k = 0; k < dim * dim; ++k) store(rates.at[k] + p, gradient[k / dim][k % dim], count);
+    if (G::axisymmetric) store(rates.at[dim * dim] + p, hoop, count);
     return;
   }
-  double rate[G::strains];
+  Pack rate[G::strains];
   G::strain(gradient, hoop, rate);  // [York 3.23]
-  for (int k = 0; k < G::strains; ++k) rates.at[k][p] = rate[k];
+  for (int k = 0; k < G::strains; ++k) store(rates.at[k] + p, rate[k], count);
+}
+
+template <class G>
+void CornerLoops<G>::gather(const Columns& points, const At& at, const Chunk& chunk,
+                            std::span<const Gather> all) const {
+  const EdgeColumns edges(points);
+  const Places<dim> places = at.places(points, true);
+  for_bins(places, edges, at.bins, chunk, [&]<int side>(const NodeBlock<side>& block, int first, int last) {
+    for_packs(first, last, [&](int p, int count) {
+      const DomainWeights<side> weights(domains(places, edges, p), block, this->grid().h());
+      for (const Gather& one : all) {
+        Pack value = 0.0;
+        block.for_nodes(
+            [&](int k, std::size_t i) { value += weights.n[k] * one.nodes[i * static_cast<std::size_t>(one.stride)]; });
+        store(one.values + p, value, count);
+      }
+    });
+  });
 }
 
 template <class G>
 double CornerLoops<G>::gather_start(Body& body, const At& at, const Chunk& chunk, const Wanted& wanted) const {
-  if (!side_by_side(body) || wanted.density || wanted.closing) return Lists::gather_start(body, at, chunk, wanted);
+  if (!in_packs(body) || wanted.density || wanted.closing) return Lists::gather_start(body, at, chunk, wanted);
   const MovingColumns<const double> from(body.points);
   const RateColumns rates(body);
-  const double* radius = at.places(body.points, true).x[0];
-  const double* start = wanted.loss ? wanted.loss->front().data() : nullptr;
-  const double* strained = wanted.rates ? wanted.rates.velocity->front().data() : nullptr;
+  const EdgeColumns edges(body.points);
+  const Places<dim> places = at.places(body.points, true);
   double* loss = body.points.has(column::transfer_loss) ? body.points(column::transfer_loss) : nullptr;
-  double total = 0;
-  for_points(
-      body.points, at, chunk, [&](int p, const CornerWeights& weights) __attribute__((always_inline)) {
-        if (strained) store_strain_rates(rates, p, weights.jet(strained), domains_.radius(radius[p]));
-        if (!start) return;
-        const CornerWeights::Moments u = weights.moments(start);
-        const Square inertia = weights.inertia(), taken = u.moment * inertia.inverse(), off = from.affine(p) - taken;
-        const Two v = from.velocity(p), slip{v.x - u.value.x, v.y - u.value.y};
-        const double apart = slip.square() + affine_square(off, inertia);
-        const double spread = u.spread - affine_square(taken, inertia);
-        const double lost = 0.5 * from.mass[p] * (apart + std::max(spread, 0.0));  // [EC-APIC 1]
-        if (loss) loss[p] = lost;
-        total += lost;
-      });
-  return total;
+  const double h = this->grid().h();
+  Pack total = 0.0;
+  for_bins(places, edges, at.bins, chunk, [&]<int side>(const NodeBlock<side>& block, int first, int last) {
+    BlockVelocity<side> strained, start;
+    if (wanted.rates) strained = BlockVelocity<side>(block, *wanted.rates.velocity);
+    if (wanted.loss) start = BlockVelocity<side>(block, *wanted.loss);
+    for_packs(
+        first, last, [&](int p, int count) __attribute__((always_inline)) {
+          const Parallelograms here = domains(places, edges, p);
+          const DomainWeights<side> weights(here, block, h);
+          if (wanted.rates) store_strain_rates(rates, p, count, weights.jet(strained), radius(load(places.x[0] + p)));
+          if (!wanted.loss) return;
+          const auto u = weights.moments(start);
+          const PackMatrix inertia = here.inertia(h), taken = u.moment * inertia.inverse();
+          const PackMatrix off = from.affine(p) - taken;
+          const PackVector v = from.velocity(p), slip{v.x - u.value.x, v.y - u.value.y};
+          const Pack apart = slip.square() + affine_square(off, inertia);
+          const Pack spread = max(u.spread - affine_square(taken, inertia), Pack(0.0));
+          const Pack lost = 0.5 * load(from.mass + p) * (apart + spread);  // [EC-APIC 1]
+          if (loss) store(loss + p, lost, count);
+          total += kept(lost, count);
+        });
+  });
+  return sum(total);
 }
 
 template <class G>
 MotionSums CornerLoops<G>::gather_motion(Body& body, const At& at, const Chunk& chunk, const Field& field,
                                          const Motion& motion) const {
-  if (!side_by_side(body) || motion.exchange || motion.beyond || !field.gas.kept.empty())
+  if (!in_packs(body) || motion.exchange || motion.beyond || !field.gas.kept.empty())
     return Lists::gather_motion(body, at, chunk, field, motion);
   Columns& points = body.points;
   const MovingColumns<double> to(points);
   const RateColumns rates(body);
   const EdgeColumns edges(points);
-  const double* const x[] = {to.x[0], to.x[1]};
-  const double* radius = at.places(points, true).x[0];
-  const double* straining = motion.straining ? motion.straining.velocity->front().data() : nullptr;
-  const double* carrying = motion.carrying ? motion.carrying->front().data() : nullptr;
-  const double* end = field.end.front().data();
+  const Places<dim> places = at.places(points, true);
   double* loss = points.has(column::transfer_loss) ? points(column::transfer_loss) : nullptr;
   const double dt = motion.drift.value_or(motion.dt), h = this->grid().h();
+  const auto* straining = motion.straining ? motion.straining.velocity : nullptr;
+  const auto* carrying = motion.carrying == straining ? nullptr : motion.carrying;
   MotionSums sums;
-  for_points(
-      points, at, chunk, [&](int p, const CornerWeights& weights) __attribute__((always_inline)) {
-        const CornerWeights::Moments u = weights.moments(end);
-        Two carried = u.value;
-        if (straining) {
-          const CornerWeights::Jet jet = weights.jet(straining);
-          store_strain_rates(rates, p, jet, domains_.radius(radius[p]));
-          if (carrying == straining) carried = jet.value;
-        }
-        if (carrying && carrying != straining) carried = weights.value(carrying);
-        const Square here = weights.inertia(), taken = u.moment * here.inverse();  // [EC-APIC 5]
-        const Two own = motion.drift ? u.value : carried, step{dt * own.x, dt * own.y};
-        if (sums.too_far < 0 && !(std::abs(step.x) <= h && std::abs(step.y) <= h)) sums.too_far = p;
-        const double m = to.mass[p];
-        to.v[0][p] = u.value.x;
-        to.v[1][p] = u.value.y;
-        to.x[0][p] += step.x;  // [York 3.21]
-        to.x[1][p] += step.y;
-        // With the inertia of the new place the energy of the affine part stays, its spin does not.
-        const Square there = inertia_of(x, edges, p);
-        const double share = Lists::kept_share(affine_square(taken, here), affine_square(taken, there));  // [CPDI 5]
-        const Square twist = taken.times(share);
-        to.c[0][p] = twist.xx;
-        to.c[1][p] = twist.xy;
-        to.c[2][p] = twist.yx;
-        to.c[3][p] = twist.yy;
-        add_spin(m, u.moment - twist * there, sums.torque);
-        if (!motion.drift) add_spin(m * motion.dt, outer(u.value, carried), sums.moved);
-        const double given = 0.5 * m * (u.spread - affine_square(twist, there));
-        if (loss) loss[p] += given;
-        sums.lost += given;
-      });
+  Pack lost = 0.0, torque = 0.0, moved = 0.0;
+  for_bins(places, edges, at.bins, chunk, [&]<int side>(const NodeBlock<side>& block, int first, int last) {
+    const BlockVelocity<side> end(block, field.end);
+    BlockVelocity<side> strained, carried;
+    if (straining) strained = BlockVelocity<side>(block, *straining);
+    if (carrying) carried = BlockVelocity<side>(block, *carrying);
+    for_packs(
+        first, last, [&](int p, int count) __attribute__((always_inline)) {
+          const Parallelograms before = domains(places, edges, p);
+          const DomainWeights<side> weights(before, block, h);
+          const auto u = weights.moments(end);
+          PackVector v = u.value;  // what moves them
+          if (straining) {
+            const auto jet = weights.jet(strained);
+            store_strain_rates(rates, p, count, jet, radius(load(places.x[0] + p)));
+            if (motion.carrying) v = jet.value;
+          }
+          if (carrying) v = weights.value(carried);
+          const PackMatrix inertia = before.inertia(h), taken = u.moment * inertia.inverse();  // [EC-APIC 5]
+          const PackVector& own = motion.drift ? u.value : v;
+          const PackVector step{dt * own.x, dt * own.y}, x = to.position(p), moved_to{x.x + step.x, x.y + step.y};
+          const PackMask too_far = !(abs(step.x) <= h && abs(step.y) <= h);
+          if (sums.too_far < 0 && any_of(too_far && first_lanes(count))) sums.too_far = p;
+          store(to.v[0] + p, u.value.x, count);
+          store(to.v[1] + p, u.value.y, count);
+          store(to.x[0] + p, moved_to.x, count);  // [York 3.21]
+          store(to.x[1] + p, moved_to.y, count);
+          // With the inertia of the new place the energy of the affine part stays, its spin does not.
+          const PackMatrix there = domains(moved_to, edges, p).inertia(h);
+          const PackMatrix twist = taken.times(
+              Lists::kept_share(affine_square(taken, inertia), affine_square(taken, there)));  // [CPDI 5]
+          store(to.c[0] + p, twist.xx, count);
+          store(to.c[1] + p, twist.xy, count);
+          store(to.c[2] + p, twist.yx, count);
+          store(to.c[3] + p, twist.yy, count);
+          const Pack m = kept(load(to.mass + p), count);
+          torque += kept(m * spin(u.moment - twist * there), count);
+          if (!motion.drift) moved += kept(m * motion.dt * spin(outer(u.value, v)), count);
+          const Pack given = kept(0.5 * m * (u.spread - affine_square(twist, there)), count);
+          if (loss) store(loss + p, load(loss + p) + given, count);
+          lost += given;
+        });
+  });
+  sums.lost = sum(lost);
+  if (rotations > 0) {
+    sums.torque[about] = sum(torque);
+    sums.moved[about] = sum(moved);
+  }
   return sums;
 }
 
-// Mass, momenta and kinetic energy of a range. inside: whether all so far stand on the grid.
+// Mass, momenta and kinetic energy of a range; whether all of it stands on the grid.
 template <class G>
-void CornerLoops<G>::sum_motion(const Body& body, PointRange range, Totals& totals, bool& inside) const {
+bool CornerLoops<G>::sum_motion(const Body& body, PointRange range, Totals& totals) const {
   const MovingColumns<const double> from(body.points);
   const EdgeColumns edges(body.points);
-  for (int p = range.first; p < range.last; ++p) {
-    const double m = from.mass[p];
-    const Two x{from.x[0][p], from.x[1][p]}, v = from.velocity(p);
-    const Square twist = from.affine(p), inertia = inertia_of(from.x, edges, p);
-    const double square = v.square(), speed = std::sqrt(square);
-    inside = inside && std::isfinite(square) && on_grid(from.x, p);
-    totals.mass += m;
-    totals.momentum[0] += m * v.x;
-    totals.momentum[1] += m * v.y;
-    totals.momentum_scale += m * speed;
-    if (rotations > 0) totals.angular_scale += m * speed * std::sqrt(x.square());
-    totals.energy.kinetic += 0.5 * m * (square + affine_square(twist, inertia));
-    add_spin(m, outer(v, x), totals.angular_momentum);
-    add_spin(m, twist * inertia, totals.angular_momentum);
+  PackMask good = first_lanes(lanes);
+  Pack mass = 0.0, momentum[dim] = {0.0, 0.0}, scale = 0.0, angular_scale = 0.0, kinetic = 0.0, turn = 0.0;
+  for_packs(range.first, range.last, [&](int p, int count) {
+    const Pack m = kept(load(from.mass + p), count);
+    const PackVector x = from.position(p), v = from.velocity(p);
+    const PackMatrix twist = from.affine(p), moment = twist * domains(x, edges, p).inertia(this->grid().h());
+    const Pack square = v.square(), speed = sqrt(square);
+    good = good && ((on_grid(x) && square < HUGE_VAL) || !first_lanes(count));
+    mass += m;
+    momentum[0] += m * v.x;
+    momentum[1] += m * v.y;
+    scale += m * speed;
+    angular_scale += m * speed * sqrt(x.square());
+    kinetic += 0.5 * m * (square + moment.dot(twist));
+    turn += m * (spin(outer(v, x)) + spin(moment));
+  });
+  totals.mass = sum(mass);
+  for (int d = 0; d < dim; ++d) totals.momentum[static_cast<std::size_t>(d)] = sum(momentum[d]);
+  totals.momentum_scale = sum(scale);
+  totals.energy.kinetic = sum(kinetic);
+  if (rotations > 0) {
+    totals.angular_scale = sum(angular_scale);
+    totals.angular_momentum[about] = sum(turn);
   }
+  return all_of(good);
 }
 
 template <class G>
 Survey CornerLoops<G>::survey(const Body& body, PointRange range) const {
-  if (!side_by_side(body)) return Lists::survey(body, range);
+  if (!in_packs(body)) return Lists::survey(body, range);
   Survey result;
-  bool inside = true;
-  sum_motion(body, range, result.totals, inside);
-  survey_material(body, range, dim, inside, result);
+  const bool on_grid = sum_motion(body, range, result.totals);
+  survey_material(body, range, dim, on_grid, result);
   return result;
 }
 
 template <class G>
 Totals CornerLoops<G>::survey_motion(const Body& body, PointRange range) const {
-  if (!side_by_side(body)) return Lists::survey_motion(body, range);
+  if (!in_packs(body)) return Lists::survey_motion(body, range);
   const MovingColumns<const double> from(body.points);
   const EdgeColumns edges(body.points);
+  Pack kinetic = 0.0, turn = 0.0;
+  for_packs(range.first, range.last, [&](int p, int count) {
+    const PackMatrix twist = from.affine(p),
+                     moment = twist * domains(from.position(p), edges, p).inertia(this->grid().h());
+    const Pack m = kept(load(from.mass + p), count);
+    kinetic += 0.5 * m * moment.dot(twist);
+    turn += m * spin(moment);
+  });
   Totals totals;
-  for (int p = range.first; p < range.last; ++p) {
-    const Square twist = from.affine(p), moment = twist * inertia_of(from.x, edges, p);
-    totals.energy.kinetic += 0.5 * from.mass[p] * moment.dot(twist);
-    add_spin(from.mass[p], moment, totals.angular_momentum);
-  }
+  totals.energy.kinetic = sum(kinetic);
+  if (rotations > 0) totals.angular_momentum[about] = sum(turn);
   return totals;
 }
 

@@ -62,8 +62,10 @@ class ListLoops : public PointLoops<Geometry> {
     return (measure == StressMeasure::full || measure == StressMeasure::symmetric) && !body.material->takes_heat();
   }
   // What C is multiplied by for tr(C D C^T) to be the same with D of another place, by both as they are. [CPDI 5]
-  static double kept_share(double before, double after) {
-    return before > 0 && after > 0 ? std::sqrt(before / after) : 1;
+  template <class Number>
+  static Number kept_share(const Number& before, const Number& after) {
+    using std::sqrt;
+    return choose(before > 0.0 && after > 0.0, sqrt(before / after), Number(1.0));
   }
 
  private:

@@ -168,13 +168,13 @@ TEST(Cpdi, InertiaIsThatOfCornersAndTents) {
       const Eigen::Vector2d arm = at.grid.position(node) - at.x;
       exact += value * arm * arm.transpose();
     }
-    const CellRange all{{0, 0}, {at.grid.nodes(0) - 2, at.grid.nodes(1) - 2}};
-    const Square own{edges(0, 0), edges(0, 1), edges(1, 0), edges(1, 1)};
-    const Square d = CornerWeights({cells[0], cells[1]}, own, all, at.grid.row_length(), at.grid.h()).inertia();
-    EXPECT_NEAR(d.xx, exact(0, 0), rounding);
-    EXPECT_NEAR(d.xy, exact(0, 1), rounding);
-    EXPECT_NEAR(d.yx, exact(1, 0), rounding);
-    EXPECT_NEAR(d.yy, exact(1, 1), rounding);
+    const Parallelograms pack{{cells[0] + Grid<2>::ghosts, cells[1] + Grid<2>::ghosts},
+                              {edges(0, 0), edges(0, 1), edges(1, 0), edges(1, 1)}};
+    const PackMatrix d = pack.inertia(at.grid.h());
+    EXPECT_NEAR(d.xx[0], exact(0, 0), rounding);
+    EXPECT_NEAR(d.xy[0], exact(0, 1), rounding);
+    EXPECT_NEAR(d.yx[0], exact(1, 0), rounding);
+    EXPECT_NEAR(d.yy[0], exact(1, 1), rounding);
   }
 }
 
