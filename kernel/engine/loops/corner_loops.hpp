@@ -109,6 +109,10 @@ class CornerLoops final : public ListLoops<Geometry> {
   PackMask on_grid(const PackVector& x) const;
   // The distance from the axis of rings, m, of points' first coordinates.
   Pack radius(const Pack& x) const;
+  // Whether no domain of a chunk is wider than a cell: all corners then lie within two cells of the lowest node.
+  bool narrow(const EdgeColumns& edges, const Chunk& chunk) const;
+  // How far corners of some points lie from a node along the axes, at most, cells.
+  double extent_of(const Places<dim>& places, const EdgeColumns& edges, PointRange range, int column, int row) const;
   // visit(block, first, last) for each bin of a chunk: the nodes that its points reach, and these.
   template <class Visit>
   void for_bins(const Places<dim>& places, const EdgeColumns& edges, const Bins& bins, const Chunk& chunk,
@@ -158,23 +162,42 @@ template <class G>
 }
 
 template <class G>
+bool CornerLoops<G>::narrow(const EdgeColumns& edges, const Chunk& chunk) const {
+  Pack widest = 0.0;
+  for_packs(chunk.first, chunk.last, [&](int p, int count) {
+    const PackVector reach = Parallelograms{{}, edges[p]}.reach();
+    widest = max(kept(max(reach.x, reach.y), count), widest);
+  });
+  return hmax(widest) <= 0.5 * this->grid().h();
+}
+
+template <class G>
+double CornerLoops<G>::extent_of(const Places<dim>& places, const EdgeColumns& edges, PointRange range, int column, int row) const {
+  Pack furthest = 0.0;
+  for_packs(range.first, range.last, [&](int p, int count) {
+    const Parallelograms at = domains(places, edges, p);
+    const PackVector reach = at.reach();
+    furthest = max(kept(max(at.place.x + reach.x - column, at.place.y + reach.y - row), count), furthest);
+  });
+  return hmax(furthest);
+}
+
+template <class G>
 template <class Visit>
 [[gnu::always_inline]] inline void CornerLoops<G>::for_bins(const Places<dim>& places, const EdgeColumns& edges,
                                                             const Bins& bins, const Chunk& chunk, Visit&& visit) const {
-  const int row_length = this->grid().row_length();
+  const Grid<dim>& grid = this->grid();
+  const int row_length = grid.row_length();
+  const int last[] = {grid.nodes(0) - domains_.support(), grid.nodes(1) - domains_.support()};
+  const bool small = narrow(edges, chunk);
   for (int bin = chunk.first_bin; bin < chunk.last_bin; ++bin) {
     const int node = bins.node(bin), row = node / row_length, column = node - row * row_length;
-    Pack furthest = 0.0;
-    for_packs(
-        bins.start(bin), bins.end(bin), [&](int p, int count) __attribute__((always_inline)) {
-          const Parallelograms at = domains(places, edges, p);
-          const PackVector reach = at.reach();
-          furthest = max(furthest, kept(max(at.place.x + reach.x - column, at.place.y + reach.y - row), count));
-        });
+    const double extent = small && column < last[0] && row < last[1]
+                              ? 2
+                              : extent_of(places, edges, {bins.start(bin), bins.end(bin)}, column, row);
     const auto of = [&]<int side>() {
       return NodeBlock<side>{node, 1.0 * column, 1.0 * row, row_length, domains_.support()};
     };
-    const double extent = hmax(furthest);
     if (extent <= 2)
       visit(of.template operator()<3>(), bins.start(bin), bins.end(bin));
     else if (extent <= 3)

@@ -80,8 +80,8 @@ struct DomainWeights {
     Pack along[corners][side], up[corners][side];
     for (int c = 0; c < corners; ++c) {
       const PackVector corner = at.corner(c);
-      tents(corner.x - block.x, along[c]);
-      tents(corner.y - block.y, up[c]);
+      tents(corner.x - block.x, 1.0, along[c]);
+      tents(0.25 * (corner.y - block.y), 0.25, up[c]);
     }
     for (int k = 0; k < side; ++k) {
       x[k] = (block.x + k - at.place.x) * h;
@@ -90,9 +90,9 @@ struct DomainWeights {
     for (int i = 0; i < nodes; ++i) {
       const auto here = [&](int c) { return along[c][i % side] * up[c][i / side]; };
       const Pack rising = here(3) - here(0), falling = here(1) - here(2);
-      n[i] = 0.25 * ((here(0) + here(3)) + (here(1) + here(2)));
-      first[i] = 0.25 * (rising + falling);
-      second[i] = 0.25 * (rising - falling);
+      n[i] = (here(0) + here(3)) + (here(1) + here(2));
+      first[i] = rising + falling;
+      second[i] = rising - falling;
     }
   }
 
@@ -138,11 +138,12 @@ struct DomainWeights {
  private:
   static constexpr int corners = Domains<2>::corners;
 
-  // Of a place from the first node on: what each node's tent is there. The shares of the cells that it has passed add up to 1.
-  [[gnu::always_inline]] static inline void tents(const Pack& at, Pack (&n)[side]) {
-    Pack below = 1.0;
+  // Of a place from the first node on, times `one`: what each node's tent is there, times `one`. The shares of the cells that
+  // it has passed add up.
+  [[gnu::always_inline]] static inline void tents(const Pack& at, double one, Pack (&n)[side]) {
+    Pack below = one;
     for (int k = 0; k + 1 < side; ++k) {
-      const Pack passed = min(max(at - k, Pack(0.0)), Pack(1.0));
+      const Pack passed = min(max(at - k * one, Pack(0.0)), Pack(one));
       n[k] = below - passed;
       below = passed;
     }

@@ -30,6 +30,7 @@ struct NodeBlock {
   template <int components>
   [[gnu::always_inline]] inline void add_to_nodes(const Pack (&sums)[nodes * components], double* values) const {
     if (along() == side) {
+#pragma GCC unroll 6
       for (int b = 0; b < side; ++b)
         add_lane_sums<side * components>(sums + b * side * components, values + (lowest + b * row_length) * components);
       return;
