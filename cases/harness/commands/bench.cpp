@@ -80,7 +80,7 @@ class Bench {
     }
     head("Whole runs");
     for (const TimedRun& run : standard_runs()) measure(run);
-    measure_membranes();
+    for (const TimedChoice& choice : choices()) measure(choice);
     for (Json& target : scale_targets(kernels_)) targets_.push_back(std::move(target));
   }
 
@@ -156,20 +156,33 @@ class Bench {
     targets_.push_back(std::move(target));
   }
 
-  // The same sphere with tangents of neighbours and with tangents that the grid carries.
-  void measure_membranes() {
+  // A run with two values of a setting: what a particle-step with the second costs over one with the first.
+  struct TimedChoice {
+    const char *title, *case_name, *key, *first, *second;
+    int cells;
+    Override length;
+    const char* target;
+    double most;
+  };
+  static const std::vector<TimedChoice>& choices() {
+    static const std::vector<TimedChoice> all{
+        {"membrane in space", "breathing-sphere", "tangents", "carried", "neighbours", 8, {"periods", 1.0},
+         "cost of a membrane's particle-step with neighbours over that with carried tangents", 1.5},
+        {"solid in the plane", "spinning-disk", "shape", "gimp", "cpdi", 16, {"turns", 0.1},
+         "cost of a solid's particle-step with domains over that with boxes", 1.5}};
+    return all;
+  }
+  void measure(const TimedChoice& choice) {
     double rate[2];
-    const char* const tangents[] = {"neighbours", "carried"};
+    const char* const values[] = {choice.first, choice.second};
     for (std::size_t k = 0; k < 2; ++k) {
-      const TimedRun run{fmt::format("membrane in space, {}", tangents[k]), "breathing-sphere", "default", 8, 0, false,
-                         {{"tangents", tangents[k]}, {"periods", 1.0}}};
+      const TimedRun run{fmt::format("{}, {}", choice.title, values[k]), choice.case_name, "default", choice.cells, 0,
+                         false, {{choice.key, values[k]}, choice.length}};
       Json kernel = time_run(run, common_.settings, full_ ? bench_repeats : 3).first;
       rate[k] = kernel["particle_steps_per_s"].get<double>();
       add(run, std::move(kernel));
     }
-    targets_.push_back(
-        target_entry("cost of a membrane's particle-step with neighbours over that with carried tangents", "1",
-                     rate[1] / rate[0], {}, 1.5));
+    targets_.push_back(target_entry(choice.target, "1", rate[0] / rate[1], {}, choice.most));
   }
 
   void add(const TimedRun& run, Json kernel) {

@@ -33,7 +33,7 @@ template <class G, class S>
     bin.most = std::max(bin.most, kept);
     bin.work[k] = end.square[k];
     for (int d = 0; d < dim; ++d) {
-      const Pack start = field.start[i][d] - end.base[d];
+      const double start = field.start[i][d] - end.base[d];
       bin.pushed[k][d] = end.u[k][d] - kept * start;
       bin.pulled[k][d] = kept * end.u[k][d];
       bin.work[k] -= 2 * kept * start * end.u[k][d];

@@ -120,14 +120,14 @@ class ShapeLoops final : public PointLoops<Geometry> {
     double origin[dim], per_h, ends[dim], stride[dim];
     int cells[dim];
   };
-  // Nodal values of a bin are packs of equal numbers: they are read once for each pack of points, and stand ready for it.
-  using BinVectors = Pack[nodes][dim];
-  using BinNumbers = Pack[nodes];
+  // Nodal values of a bin, for each node of the stencil in turn.
+  using BinVectors = double[nodes][dim];
+  using BinNumbers = double[nodes];
   // The nodal velocities of a bin relative to one node's, and that node's.
   struct BinVelocity {
     BinVectors u;
     BinNumbers square;
-    Pack base[dim];
+    double base[dim];
   };
 
   // A Straining's arrays.
