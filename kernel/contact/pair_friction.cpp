@@ -7,24 +7,6 @@
 #include <tuple>
 
 namespace plumbline {
-namespace {
-
-template <int dim>
-bool is_touched(const Grid<dim>& grid, const VelocityField<dim>& field, int node) {
-  const int row = node / grid.row_length(), k = node - row * grid.row_length();
-  const auto [first, last] = field.touched[static_cast<std::size_t>(row)];
-  return k >= first && k < last;
-}
-
-// Two bodies' mass at a node between each other, 0 where one has none.
-template <int dim>
-double reduced_mass(const Grid<dim>& grid, const VelocityField<dim>& a, const VelocityField<dim>& b, int node) {
-  if (!is_touched(grid, a, node) || !is_touched(grid, b, node)) return 0;
-  const double first = a.mass[static_cast<std::size_t>(node)], second = b.mass[static_cast<std::size_t>(node)];
-  return first > least_mass && second > least_mass ? first * second / (first + second) : 0.0;
-}
-
-}  // namespace
 
 template <int dim>
 void PairFriction<dim>::find(const std::vector<PressedPair<dim>>& pressed,

@@ -10,6 +10,19 @@ namespace plumbline {
 // A node counts where both masses exceed this part of the largest nodal mass: below it rounding of sums decides.
 inline constexpr double least_shared = 1e-13;
 
+// Two bodies' mass at a node between each other, kg; 0 where one has none. A field's masses are those of this step where it is
+// touched alone.
+template <int dim>
+double reduced_mass(const Grid<dim>& grid, const VelocityField<dim>& a, const VelocityField<dim>& b, int node) {
+  const int row = node / grid.row_length(), k = node - row * grid.row_length();
+  for (const VelocityField<dim>* field : {&a, &b}) {
+    const auto [first, last] = field->touched[static_cast<std::size_t>(row)];
+    if (k < first || k >= last || !(field->mass[static_cast<std::size_t>(node)] > least_mass)) return 0;
+  }
+  const double first = a.mass[static_cast<std::size_t>(node)], second = b.mass[static_cast<std::size_t>(node)];
+  return first * second / (first + second);
+}
+
 // Whether a node lies beyond a wall: it mirrors another and has no motion of its own.
 template <int dim>
 bool beyond_wall(const Grid<dim>& grid, int node) {

@@ -137,8 +137,7 @@ void TouchingContact<dim>::find(const Scene& scene, const std::vector<std::size_
     }
   }
   std::erase_if(candidates_, [&](const Candidate& c) {
-    const auto i = static_cast<std::size_t>(c.node);
-    return beyond_wall(grid_, c.node) || !(fields[c.a].mass[i] > least_mass) || !(fields[c.b].mass[i] > least_mass);
+    return beyond_wall(grid_, c.node) || !(reduced_mass(grid_, fields[c.a], fields[c.b], c.node) > 0);
   });
   std::stable_sort(candidates_.begin(), candidates_.end(),
                    [](const Candidate& left, const Candidate& right) { return left.node < right.node; });

@@ -166,18 +166,33 @@ class Bench {
   };
   static const std::vector<TimedChoice>& choices() {
     static const std::vector<TimedChoice> all{
-        {"membrane in space", "breathing-sphere", "tangents", "carried", "neighbours", 8, {"periods", 1.0},
-         "cost of a membrane's particle-step with neighbours over that with carried tangents", 1.5},
-        {"solid in the plane", "spinning-disk", "shape", "gimp", "cpdi", 16, {"turns", 0.1},
-         "cost of a solid's particle-step with domains over that with boxes", 1.5}};
+        {"membrane in space",
+         "breathing-sphere",
+         "tangents",
+         "carried",
+         "neighbours",
+         8,
+         {"periods", 1.0},
+         "cost of a membrane's particle-step with neighbours over that with carried tangents",
+         1.5},
+        {"solid in the plane",
+         "spinning-disk",
+         "shape",
+         "gimp",
+         "cpdi",
+         16,
+         {"turns", 0.1},
+         "cost of a solid's particle-step with domains over that with boxes",
+         1.5}};
     return all;
   }
   void measure(const TimedChoice& choice) {
     double rate[2];
     const char* const values[] = {choice.first, choice.second};
     for (std::size_t k = 0; k < 2; ++k) {
-      const TimedRun run{fmt::format("{}, {}", choice.title, values[k]), choice.case_name, "default", choice.cells, 0,
-                         false, {{choice.key, values[k]}, choice.length}};
+      const TimedRun run{
+          fmt::format("{}, {}", choice.title, values[k]), choice.case_name, "default", choice.cells, 0, false,
+          {{choice.key, values[k]}, choice.length}};
       Json kernel = time_run(run, common_.settings, full_ ? bench_repeats : 3).first;
       rate[k] = kernel["particle_steps_per_s"].get<double>();
       add(run, std::move(kernel));

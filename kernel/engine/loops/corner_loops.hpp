@@ -172,7 +172,8 @@ bool CornerLoops<G>::narrow(const EdgeColumns& edges, const Chunk& chunk) const 
 }
 
 template <class G>
-double CornerLoops<G>::extent_of(const Places<dim>& places, const EdgeColumns& edges, PointRange range, int column, int row) const {
+double CornerLoops<G>::extent_of(const Places<dim>& places, const EdgeColumns& edges, PointRange range, int column,
+                                 int row) const {
   Pack furthest = 0.0;
   for_packs(range.first, range.last, [&](int p, int count) {
     const Parallelograms at = domains(places, edges, p);

@@ -1,4 +1,5 @@
 // Bodies that meet, step by step: ledger, energy, and what contact must not touch.
+#include <algorithm>
 #include <cmath>
 
 #include "kernel/contact/pair_potential.hpp"
@@ -55,6 +56,19 @@ TEST(Collision, LedgerClosesWithContact) {
         }
       }
     }
+  }
+}
+
+// Touching points count at all nodes that their shape might reach, six in a row of domains, also at those which their body has
+// left: the masses there are of earlier steps.
+TEST(Collision, NodesThatABodyHasLeftTakeNothing) {
+  for (const double friction : {0.0, 0.3}) {
+    Scene scene = blocks(2, "cpdi", "apic", "touching", -0.01, 0.5);
+    scene.friction = friction;
+    for (Body& body : scene.bodies) std::fill_n(body.points(column::velocity, 1), body.points.points(), 2.0);
+    Simulation simulation(scene, "midpoint", {.dt = 1e-3});
+    for (int step = 0; step < 100; ++step) simulation.step(1e-3);
+    scenes::expect_ledger_closes(simulation.ledger(), 1e-13);
   }
 }
 
