@@ -105,7 +105,7 @@ class CornerLoops final : public ListLoops<Geometry> {
   Parallelograms domains(const Places<dim>& places, const EdgeColumns& edges, int p) const {
     return domains({load(places.x[0] + p), load(places.x[1] + p)}, edges, p);
   }
-  Pack lowest_node(const Parallelograms& at) const;
+  Pack lowest_node(const PackVector& place, const EdgeColumns& edges, int p, int count, PackMask& inside) const;
   PackMask on_grid(const PackVector& x) const;
   // The distance from the axis of rings, m, of points' first coordinates.
   Pack radius(const Pack& x) const;

@@ -2,12 +2,16 @@
 #pragma once
 
 #include "kernel/engine/loops/corner_loops.hpp"
+#include "kernel/engine/loops/movers.hpp"
 
 namespace plumbline {
 
 template <class G>
-[[gnu::always_inline]] inline Pack CornerLoops<G>::lowest_node(const Parallelograms& at) const {
+[[gnu::always_inline]] inline Pack CornerLoops<G>::lowest_node(const PackVector& place, const EdgeColumns& edges, int p,
+                                                               int count, PackMask& inside) const {
   const Grid<dim>& grid = this->grid();
+  inside = inside && (on_grid(place) || !first_lanes(count));
+  const Parallelograms at = domains(place, edges, p);
   const PackVector reach = at.reach();
   const auto lowest = [&](const Pack& corner, int d) {
     return min(max(floor(corner), Pack(0.0)), Pack(grid.nodes(d) - domains_.support())) * grid.stride(d);
@@ -19,13 +23,10 @@ template <class G>
 bool CornerLoops<G>::find_lowest(const Columns& points, PointRange range, int* lowest) const {
   const EdgeColumns edges(points);
   const double* const x[] = {points(column::position, 0), points(column::position, 1)};
-  PackMask inside = first_lanes(lanes);
-  for_packs(range.first, range.last, [&](int p, int count) {
-    const PackVector place{load(x[0] + p), load(x[1] + p)};
-    inside = inside && (on_grid(place) || !first_lanes(count));
-    store_as_integers(lowest + p, lowest_node(domains(place, edges, p)), count);
-  });
-  return all_of(inside);
+  return store_lowest_nodes(
+      range, lowest, [&](int p, int count, PackMask& inside) __attribute__((always_inline)) {
+        return lowest_node({load(x[0] + p), load(x[1] + p)}, edges, p, count, inside);
+      });
 }
 
 template <class G>
@@ -33,21 +34,10 @@ bool CornerLoops<G>::find_movers(const Columns& points, const Bins& bins, const 
                                  std::vector<Mover>& movers) const {
   const EdgeColumns edges(points);
   const double* const x[] = {points(column::position, 0), points(column::position, 1)};
-  PackMask inside = first_lanes(lanes);
-  for (int bin = chunk.first_bin; bin < chunk.last_bin; ++bin) {
-    const double own = bins.node(bin);
-    for_packs(bins.start(bin), bins.end(bin), [&](int p, int count) {
-      const PackVector place{load(x[0] + p), load(x[1] + p)};
-      inside = inside && (on_grid(place) || !first_lanes(count));
-      const Pack node = lowest_node(domains(place, edges, p));
-      if (none_of(node != own && first_lanes(count))) return;
-      for (int k = 0; k < count; ++k) {
-        const double there = node[static_cast<std::size_t>(k)];
-        if (there != own) movers.push_back({p + k, static_cast<int>(there)});
-      }
-    });
-  }
-  return all_of(inside);
+  return append_movers(
+      bins, chunk, movers, [&](int p, int count, PackMask& inside) __attribute__((always_inline)) {
+        return lowest_node({load(x[0] + p), load(x[1] + p)}, edges, p, count, inside);
+      });
 }
 
 template <class G>

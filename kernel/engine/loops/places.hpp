@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "kernel/engine/loops/movers.hpp"
 #include "kernel/engine/loops/shape_loops.hpp"
 
 namespace plumbline {
@@ -53,32 +54,20 @@ template <class G, class S>
 template <class G, class S>
 bool ShapeLoops<G, S>::find_lowest(const Columns& points, PointRange range, int* lowest) const {
   const Extent grid = extent(points);
-  PackMask inside = first_lanes(lanes);
-  for_packs(
-      range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
-        store_as_integers(lowest + p, lowest_node(grid, p, count, inside), count);
+  return store_lowest_nodes(
+      range, lowest, [&](int p, int count, PackMask& inside) __attribute__((always_inline)) {
+        return lowest_node(grid, p, count, inside);
       });
-  return all_of(inside);
 }
 
 template <class G, class S>
 bool ShapeLoops<G, S>::find_movers(const Columns& points, const Bins& bins, const Chunk& chunk,
                                    std::vector<Mover>& movers) const {
   const Extent grid = extent(points);
-  PackMask inside = first_lanes(lanes);
-  for (int bin = chunk.first_bin; bin < chunk.last_bin; ++bin) {
-    const double own = bins.node(bin);
-    for_packs(
-        bins.start(bin), bins.end(bin), [&](int p, int count) __attribute__((always_inline)) {
-          const Pack node = lowest_node(grid, p, count, inside);
-          if (none_of(node != own && first_lanes(count))) return;
-          for (int k = 0; k < count; ++k) {
-            const double there = node[static_cast<std::size_t>(k)];
-            if (there != own) movers.push_back({p + k, static_cast<int>(there)});
-          }
-        });
-  }
-  return all_of(inside);
+  return append_movers(
+      bins, chunk, movers, [&](int p, int count, PackMask& inside) __attribute__((always_inline)) {
+        return lowest_node(grid, p, count, inside);
+      });
 }
 
 }  // namespace plumbline
