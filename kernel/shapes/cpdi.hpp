@@ -73,13 +73,15 @@ class Domains {
     const double cells = grid_.logical(x, d);
     return cells >= 0 ? std::min(cells, 1.0 * grid_.cells(d)) : 0.0;
   }
+  // Domains whose corners lie within so many cells of their points are not squeezed, wherever they stand.
+  double free_reach() const { return std::min(1.0, furthest_); }
   // Edges that reach further than the support, or beyond the ghost nodes at a side of the grid, are squeezed along that axis,
   // by this factor: of points at x cells from the first node lines whose corners lie within `extent` cells of them.
   template <class Number>
   Number squeeze(const Number& x, const Number& extent, int d) const {
     using std::min;
     const Number distance = min(min(Number(x + 1.0), Number(grid_.cells(d) + 1.0 - x)), Number(furthest_));
-    return choose(extent > min(1.0, furthest_), min(Number(distance / extent), Number(1.0)), Number(1.0));
+    return choose(extent > free_reach(), min(Number(distance / extent), Number(1.0)), Number(1.0));
   }
   // The edges of a domain as squeezed, all in cells.
   Matrix squeezed(const Vec& x, const Matrix& edges) const {

@@ -113,10 +113,10 @@ class CornerLoops final : public ListLoops<Geometry> {
   bool narrow(const EdgeColumns& edges, const Chunk& chunk) const;
   // How far corners of some points lie from a node along the axes, at most, cells.
   double extent_of(const Places<dim>& places, const EdgeColumns& edges, PointRange range, int column, int row) const;
-  // visit(block, first, last) for each bin of a chunk: the nodes that its points reach, and these.
+  // visit(block, for_packs) for each bin of a chunk: the nodes that its points reach, and for_packs(with_pack) calls
+  // with_pack(domains, weights, p, count) for each pack of them.
   template <class Visit>
-  void for_bins(const Places<dim>& places, const EdgeColumns& edges, const Bins& bins, const Chunk& chunk,
-                Visit&& visit) const;
+  void for_bins(const Columns& points, const At& at, const Chunk& chunk, Visit&& visit) const;
 
   template <bool with_mass>
   void map_motion(const Body& body, const At& at, const Chunk& chunk, Field& field) const;
@@ -138,7 +138,7 @@ template <class G>
   const PackVector x{cells(place.x, 0), cells(place.y, 1)};
   Parallelograms at{{x.x + Grid<dim>::ghosts, x.y + Grid<dim>::ghosts}, edges[p].times(per_h_)};
   const PackVector reach = at.reach();
-  if (any_of(reach.x > 1.0 || reach.y > 1.0)) {
+  if (any_of(reach.x > domains_.free_reach() || reach.y > domains_.free_reach())) {
     const Pack along = domains_.squeeze(x.x, reach.x, 0), up = domains_.squeeze(x.y, reach.y, 1);
     at.edges = {along * at.edges.xx, along * at.edges.xy, up * at.edges.yx, up * at.edges.yy};
   }
@@ -185,26 +185,35 @@ double CornerLoops<G>::extent_of(const Places<dim>& places, const EdgeColumns& e
 
 template <class G>
 template <class Visit>
-[[gnu::always_inline]] inline void CornerLoops<G>::for_bins(const Places<dim>& places, const EdgeColumns& edges,
-                                                            const Bins& bins, const Chunk& chunk, Visit&& visit) const {
+[[gnu::always_inline]] inline void CornerLoops<G>::for_bins(const Columns& points, const At& at, const Chunk& chunk,
+                                                            Visit&& visit) const {
   const Grid<dim>& grid = this->grid();
-  const int row_length = grid.row_length();
+  const EdgeColumns edges(points);
+  const Places<dim> places = at.places(points, true);
   const int last[] = {grid.nodes(0) - domains_.support(), grid.nodes(1) - domains_.support()};
   const bool small = narrow(edges, chunk);
   for (int bin = chunk.first_bin; bin < chunk.last_bin; ++bin) {
-    const int node = bins.node(bin), row = node / row_length, column = node - row * row_length;
-    const double extent = small && column < last[0] && row < last[1]
-                              ? 2
-                              : extent_of(places, edges, {bins.start(bin), bins.end(bin)}, column, row);
-    const auto of = [&]<int side>() {
-      return NodeBlock<side>{node, 1.0 * column, 1.0 * row, row_length, domains_.support()};
+    const PointRange range{at.bins.start(bin), at.bins.end(bin)};
+    const int node = at.bins.node(bin), row = node / grid.row_length(), column = node - row * grid.row_length();
+    const auto visit_block = [&]<int side>() __attribute__((always_inline)) {
+      const NodeBlock<side> block{node, 1.0 * column, 1.0 * row, grid.row_length(), domains_.support()};
+      visit(
+          block, [&](auto&& with_pack) __attribute__((always_inline)) {
+            for_packs(
+                range.first, range.last, [&](int p, int count) __attribute__((always_inline)) {
+                  const Parallelograms here = domains(places, edges, p);
+                  with_pack(here, DomainWeights<side>(here, block, grid.h()), p, count);
+                });
+          });
     };
+    const bool near = small && column < last[0] && row < last[1];
+    const double extent = near ? 2 : extent_of(places, edges, range, column, row);
     if (extent <= 2)
-      visit(of.template operator()<3>(), bins.start(bin), bins.end(bin));
+      visit_block.template operator()<3>();
     else if (extent <= 3)
-      visit(of.template operator()<4>(), bins.start(bin), bins.end(bin));
+      visit_block.template operator()<4>();
     else
-      visit(of.template operator()<Domains<dim>::most_nodes>(), bins.start(bin), bins.end(bin));
+      visit_block.template operator()<Domains<dim>::most_nodes>();
   }
 }
 

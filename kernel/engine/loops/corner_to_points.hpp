@@ -26,11 +26,8 @@ template <class G>
 template <class G>
 void CornerLoops<G>::gather(const Columns& points, const At& at, const Chunk& chunk,
                             std::span<const Gather> all) const {
-  const EdgeColumns edges(points);
-  const Places<dim> places = at.places(points, true);
-  for_bins(places, edges, at.bins, chunk, [&]<int side>(const NodeBlock<side>& block, int first, int last) {
-    for_packs(first, last, [&](int p, int count) {
-      const DomainWeights<side> weights(domains(places, edges, p), block, this->grid().h());
+  for_bins(points, at, chunk, [&]<int side>(const NodeBlock<side>& block, auto&& for_packs_here) {
+    for_packs_here([&](const Parallelograms&, const DomainWeights<side>& weights, int p, int count) {
       for (const Gather& one : all) {
         Pack value = 0.0;
         block.for_nodes(
@@ -46,31 +43,29 @@ double CornerLoops<G>::gather_start(Body& body, const At& at, const Chunk& chunk
   if (!in_packs(body) || wanted.density || wanted.closing) return Lists::gather_start(body, at, chunk, wanted);
   const MovingColumns<const double> from(body.points);
   const RateColumns rates(body);
-  const EdgeColumns edges(body.points);
-  const Places<dim> places = at.places(body.points, true);
+  const double* x = at.places(body.points, true).x[0];
   double* loss = body.points.has(column::transfer_loss) ? body.points(column::transfer_loss) : nullptr;
   const double h = this->grid().h();
   Pack total = 0.0;
-  for_bins(places, edges, at.bins, chunk, [&]<int side>(const NodeBlock<side>& block, int first, int last) {
+  for_bins(body.points, at, chunk, [&]<int side>(const NodeBlock<side>& block, auto&& for_packs_here) {
     BlockVelocity<side> strained, start;
     if (wanted.rates) strained = BlockVelocity<side>(block, *wanted.rates.velocity);
     if (wanted.loss) start = BlockVelocity<side>(block, *wanted.loss);
-    for_packs(
-        first, last, [&](int p, int count) __attribute__((always_inline)) {
-          const Parallelograms here = domains(places, edges, p);
-          const DomainWeights<side> weights(here, block, h);
-          if (wanted.rates) store_strain_rates(rates, p, count, weights.jet(strained), radius(load(places.x[0] + p)));
-          if (!wanted.loss) return;
-          const auto u = weights.moments(start);
-          const PackMatrix inertia = here.inertia(h), taken = u.moment * inertia.inverse();
-          const PackMatrix off = from.affine(p) - taken;
-          const PackVector v = from.velocity(p), slip{v.x - u.value.x, v.y - u.value.y};
-          const Pack apart = slip.square() + affine_square(off, inertia);
-          const Pack spread = max(u.spread - affine_square(taken, inertia), Pack(0.0));
-          const Pack lost = 0.5 * load(from.mass + p) * (apart + spread);  // [EC-APIC 1]
-          if (loss) store(loss + p, lost, count);
-          total += kept(lost, count);
-        });
+    for_packs_here([&](const Parallelograms& here, const DomainWeights<side>& weights, int p, int count)
+                       __attribute__((always_inline)) {
+                         if (wanted.rates)
+                           store_strain_rates(rates, p, count, weights.jet(strained), radius(load(x + p)));
+                         if (!wanted.loss) return;
+                         const auto u = weights.moments(start);
+                         const PackMatrix inertia = here.inertia(h), taken = u.moment * inertia.inverse();
+                         const PackMatrix off = from.affine(p) - taken;
+                         const PackVector v = from.velocity(p), slip{v.x - u.value.x, v.y - u.value.y};
+                         const Pack apart = slip.square() + affine_square(off, inertia);
+                         const Pack spread = max(u.spread - affine_square(taken, inertia), Pack(0.0));
+                         const Pack lost = 0.5 * load(from.mass + p) * (apart + spread);  // [EC-APIC 1]
+                         if (loss) store(loss + p, lost, count);
+                         total += kept(lost, count);
+                       });
   });
   return sum(total);
 }
@@ -84,54 +79,52 @@ MotionSums CornerLoops<G>::gather_motion(Body& body, const At& at, const Chunk& 
   const MovingColumns<double> to(points);
   const RateColumns rates(body);
   const EdgeColumns edges(points);
-  const Places<dim> places = at.places(points, true);
+  const double* x_of_weights = at.places(points, true).x[0];
   double* loss = points.has(column::transfer_loss) ? points(column::transfer_loss) : nullptr;
   const double dt = motion.drift.value_or(motion.dt), h = this->grid().h();
   const auto* straining = motion.straining ? motion.straining.velocity : nullptr;
   const auto* carrying = motion.carrying == straining ? nullptr : motion.carrying;
   MotionSums sums;
   Pack lost = 0.0, torque = 0.0, moved = 0.0;
-  for_bins(places, edges, at.bins, chunk, [&]<int side>(const NodeBlock<side>& block, int first, int last) {
+  for_bins(points, at, chunk, [&]<int side>(const NodeBlock<side>& block, auto&& for_packs_here) {
     const BlockVelocity<side> end(block, field.end);
     BlockVelocity<side> strained, carried;
     if (straining) strained = BlockVelocity<side>(block, *straining);
     if (carrying) carried = BlockVelocity<side>(block, *carrying);
-    for_packs(
-        first, last, [&](int p, int count) __attribute__((always_inline)) {
-          const Parallelograms before = domains(places, edges, p);
-          const DomainWeights<side> weights(before, block, h);
-          const auto u = weights.moments(end);
-          PackVector v = u.value;  // what moves them
-          if (straining) {
-            const auto jet = weights.jet(strained);
-            store_strain_rates(rates, p, count, jet, radius(load(places.x[0] + p)));
-            if (motion.carrying) v = jet.value;
-          }
-          if (carrying) v = weights.value(carried);
-          const PackMatrix inertia = before.inertia(h), taken = u.moment * inertia.inverse();  // [EC-APIC 5]
-          const PackVector& own = motion.drift ? u.value : v;
-          const PackVector step{dt * own.x, dt * own.y}, x = to.position(p), moved_to{x.x + step.x, x.y + step.y};
-          const PackMask too_far = !(abs(step.x) <= h && abs(step.y) <= h);
-          if (sums.too_far < 0 && any_of(too_far && first_lanes(count))) sums.too_far = p;
-          store(to.v[0] + p, u.value.x, count);
-          store(to.v[1] + p, u.value.y, count);
-          store(to.x[0] + p, moved_to.x, count);  // [York 3.21]
-          store(to.x[1] + p, moved_to.y, count);
-          // With the inertia of the new place the energy of the affine part stays, its spin does not.
-          const PackMatrix there = domains(moved_to, edges, p).inertia(h);
-          const PackMatrix twist = taken.times(
-              Lists::kept_share(affine_square(taken, inertia), affine_square(taken, there)));  // [CPDI 5]
-          store(to.c[0] + p, twist.xx, count);
-          store(to.c[1] + p, twist.xy, count);
-          store(to.c[2] + p, twist.yx, count);
-          store(to.c[3] + p, twist.yy, count);
-          const Pack m = kept(load(to.mass + p), count);
-          torque += kept(m * spin(u.moment - twist * there), count);
-          if (!motion.drift) moved += kept(m * motion.dt * spin(outer(u.value, v)), count);
-          const Pack given = kept(0.5 * m * (u.spread - affine_square(twist, there)), count);
-          if (loss) store(loss + p, load(loss + p) + given, count);
-          lost += given;
-        });
+    for_packs_here([&](const Parallelograms& before, const DomainWeights<side>& weights, int p,
+                       int count) __attribute__((always_inline)) {
+      const auto u = weights.moments(end);
+      PackVector v = u.value;  // what moves them
+      if (straining) {
+        const auto jet = weights.jet(strained);
+        store_strain_rates(rates, p, count, jet, radius(load(x_of_weights + p)));
+        if (motion.carrying) v = jet.value;
+      }
+      if (carrying) v = weights.value(carried);
+      const PackMatrix inertia = before.inertia(h), taken = u.moment * inertia.inverse();  // [EC-APIC 5]
+      const PackVector& own = motion.drift ? u.value : v;
+      const PackVector step{dt * own.x, dt * own.y}, x = to.position(p), moved_to{x.x + step.x, x.y + step.y};
+      const PackMask too_far = !(abs(step.x) <= h && abs(step.y) <= h);
+      if (sums.too_far < 0 && any_of(too_far && first_lanes(count))) sums.too_far = p;
+      store(to.v[0] + p, u.value.x, count);
+      store(to.v[1] + p, u.value.y, count);
+      store(to.x[0] + p, moved_to.x, count);  // [York 3.21]
+      store(to.x[1] + p, moved_to.y, count);
+      // With the inertia of the new place the energy of the affine part stays, its spin does not.
+      const PackMatrix there = domains(moved_to, edges, p).inertia(h);
+      const PackMatrix twist = taken.times(
+          Lists::kept_share(affine_square(taken, inertia), affine_square(taken, there)));  // [CPDI 5]
+      store(to.c[0] + p, twist.xx, count);
+      store(to.c[1] + p, twist.xy, count);
+      store(to.c[2] + p, twist.yx, count);
+      store(to.c[3] + p, twist.yy, count);
+      const Pack m = load(to.mass + p);
+      torque += kept(m * spin(u.moment - twist * there), count);
+      if (!motion.drift) moved += kept(m * motion.dt * spin(outer(u.value, v)), count);
+      const Pack given = kept(0.5 * m * (u.spread - affine_square(twist, there)), count);
+      if (loss) store(loss + p, load(loss + p) + given, count);
+      lost += given;
+    });
   });
   sums.lost = sum(lost);
   if (rotations > 0) {

@@ -70,8 +70,8 @@ struct DomainWeights {
   static constexpr int nodes = side * side;
 
   Pack n[nodes];  // N_i
-  Pack first[nodes],
-      second[nodes];      // its differences along the edges, sum_c s_ck N_i(x_c) / 4: grad N_i = sum_k r^k of them
+  // Its differences along both edges, sum_c s_ck N_i(x_c) / 4: grad N_i = sum_k r^k of them.
+  Pack first[nodes], second[nodes];
   Pack x[side], y[side];  // of x_i - x_p, m
   PackMatrix duals;       // r^k, 1/m, row by row
 
