@@ -34,11 +34,23 @@ function(plumbline_precompile target)
   endif()
 endfunction()
 
+# The same headers as of a target with the same options and definitions, compiled there.
+function(plumbline_precompiled_by target other)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_precompile_headers(${target} REUSE_FROM ${other})
+    target_compile_options(${target} PRIVATE -fpch-preprocess)
+  endif()
+endfunction()
+
 # Reading headers, and what each file makes of their templates, is most of a compilation: sixteen sources are one translation
-# unit, so that their unnamed namespaces are one as well. OFF compiles each alone, for work on a few of them.
-option(PLUMBLINE_UNITY "Compile sixteen sources of a target as one" ON)
+# unit, or as many as are said, so that their unnamed namespaces are one as well. OFF compiles each alone, for work on a few of them.
+option(PLUMBLINE_UNITY "Compile many sources of a target as one" ON)
 function(plumbline_unite target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${PLUMBLINE_UNITY} UNITY_BUILD_BATCH_SIZE 16)
+  set(size ${ARGN})
+  if(NOT size)
+    set(size 16)
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${PLUMBLINE_UNITY} UNITY_BUILD_BATCH_SIZE ${size})
   # GCC takes a part of such a unit for a header, whose classes may hold nothing of an unnamed namespace.
   target_compile_options(${target} PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
 endfunction()
