@@ -39,7 +39,7 @@ struct Expansion : Parameters {
                              .high = 10,
                              .description = "of the gas, which brings it to rest"});
   bool given =
-      one_of(
+      method(
           "connectivity", "given", {"given", "found"},
           "who follows whom along the membrane: said, or found from where its points stand, which come in no order") ==
       "given";

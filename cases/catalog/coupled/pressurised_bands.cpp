@@ -43,7 +43,7 @@ struct Bands : Parameters {
   double end = positive("end", 16, "1", "time of the end, in radii over the speed of waves");
 
   bool given =
-      one_of(
+      method(
           "connectivity", "given", {"given", "found"},
           "who follows whom along the meridian: said, or found from where its points stand, which come in no order") ==
       "given";

@@ -28,7 +28,7 @@ struct BreathingSphere : SurfaceCase {
         {.name = "stretch", .value = 1.05, .low = 1, .high = 3, .description = "at rest under the pressure"});
     amplitude = positive("amplitude", 0.002, "1", "by which the stretch at the start is larger");
     periods = positive("periods", 3, "1", "to the end");
-    meshed = one_of("connectivity", "found", {"found", "given"},
+    meshed = method("connectivity", "found", {"found", "given"},
                     "who is whose neighbour: found by distance, or given by the triangles between the points") ==
              "given";
     rings = integer({.name = "rings",

@@ -38,7 +38,7 @@ struct Drum : SurfaceCase {
                    .low = 0,
                    .high = 10,
                    .description = "points this many spacings from the rim have images behind it"});
-    clamp = one_of("clamp", "images", {"images", "nodes", "markers"},
+    clamp = method("clamp", "images", {"images", "nodes", "markers"},
                    "what holds the rim: odd images of the points behind it, nodes that do not move outside of it, or "
                    "points on it that the nodes must not move");
   }

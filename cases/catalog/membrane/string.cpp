@@ -71,7 +71,8 @@ Key strain_key() {
       .name = "strain",
       .value = "segments",
       .choices = {"accumulated", "segments"},
-      .description = "of the string: the stretch of the segments between points, or summed from rates at the points"};
+      .description = "of the string: the stretch of the segments between points, or summed from rates at the points",
+      .method = true};
 }
 
 StringState straight_string(std::array<double, 2> from, std::array<double, 2> to, int points, double strain) {

@@ -35,7 +35,7 @@ SurfaceCase::SurfaceCase(Parameters given, bool neo_hookean) : Parameters(std::m
                                  law.density, law.youngs_modulus, speed(), allowed));
   }
   size = positive("radius", 1, "m", "of the membrane at rest");
-  const std::string tangents = one_of(
+  const std::string tangents = method(
       "tangents", "neighbours", {"neighbours", "carried", "refitted"},
       "of the surface through the points near each at rest; carried by the grid's velocity gradient; or carried and "
       "turned to the normal of the points near them");
@@ -56,7 +56,7 @@ SurfaceCase::SurfaceCase(Parameters given, bool neo_hookean) : Parameters(std::m
 
 void SurfaceCase::choose_weights() {
   choice.balanced =
-      one_of("weights", "balanced", {"balanced", "fitted"},
+      method("weights", "balanced", {"balanced", "fitted"},
              "of neighbours: changed so that a uniform tension is at rest; or as moving least squares give them") ==
       "balanced";
 }

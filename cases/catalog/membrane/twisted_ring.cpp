@@ -54,7 +54,7 @@ TwistedAnnulus::TwistedAnnulus(Parameters given) : SurfaceCase(std::move(given))
                   .low = 1e-6,
                   .high = 1,
                   .description = "of the outer rim against the inner one"});
-  choice.law.one_way = one_of("compression", "none", {"none", "carried"},
+  choice.law.one_way = method("compression", "none", {"none", "carried"},
                               "none: what is shortened wrinkles; carried: the sheet bears it, as a plate would") ==
                        "none";
   drag = not_negative("drag", 1, "1", "against the velocity, over the speed of waves and the outer radius");

@@ -38,7 +38,7 @@ struct Flight : Parameters {
                        .high = 1,
                        .description = "from the ball's right edge to the net"});
   double thickness = within("thickness", 0.1, "m", 0, 0.2, "of the net");
-  bool by_segments = one_of("strain", "segments", {"accumulated", "segments"},
+  bool by_segments = method("strain", "segments", {"accumulated", "segments"},
                             "of the net: strain rates added up, as York does, or the stretch between its points") ==
                      "segments";
   int net_ppc = integer(

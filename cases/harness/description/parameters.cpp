@@ -59,6 +59,15 @@ std::string Parameters::one_of(std::string name, std::string value, std::vector<
                .description = std::move(description)});
 }
 
+std::string Parameters::method(std::string name, std::string value, std::vector<std::string> choices,
+                               std::string description) {
+  return text({.name = std::move(name),
+               .value = std::move(value),
+               .choices = std::move(choices),
+               .description = std::move(description),
+               .method = true});
+}
+
 bool Parameters::yes_or_no(std::string name, bool value, std::string description) {
   return one_of(std::move(name), value ? "yes" : "no", {"yes", "no"}, std::move(description)) == "yes";
 }

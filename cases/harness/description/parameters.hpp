@@ -42,6 +42,8 @@ class Parameters {
   // low < the value <= high
   double within(std::string name, double value, std::string unit, double low, double high, std::string description);
   std::string one_of(std::string name, std::string value, std::vector<std::string> choices, std::string description);
+  // The same of a key by which a study leaves its scheme: it chooses how the problem is solved, not which one it is.
+  std::string method(std::string name, std::string value, std::vector<std::string> choices, std::string description);
   // "yes" or "no".
   bool yes_or_no(std::string name, bool value, std::string description);
 

@@ -25,6 +25,7 @@ struct Key {
   std::vector<std::string> choices = {};  // of a name
   std::string description = {};
   std::vector<std::string> words = {};  // that a number may be given by: "auto"
+  bool method = false;                  // a case's own choice of how it is solved, as those of schemes are
 
   std::string allowed() const;  // for people: "(0, inf) s", "one of linear, quadratic, cubic"
 };

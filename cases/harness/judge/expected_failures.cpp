@@ -26,27 +26,20 @@ bool begins_with_york(const Value& value) {
   return text && begins_with_york(*text);
 }
 
-// Whether a key is a choice of schemes. Mesh, step and points per cell are none; a case of membranes alone calls `strain` what
-// is `membrane.strain` of coupled ones.
-bool is_choice(const std::string& key) {
-  static const std::set<std::string> choices = [] {
-    std::set<std::string> names;
-    for (const Kind kind : {Kind::gas, Kind::membrane, Kind::solid, Kind::coupled}) {
-      for (const Key& one : kind_keys(kind)) {
-        names.insert(one.name);
-        names.insert(one.name.substr(one.name.rfind('.') + 1));
-      }
-    }
-    for (const char* resolution : {"cells", "dt", "cfl", "ppc", "membrane.ppc", "offset"}) names.erase(resolution);
-    return names;
-  }();
-  return choices.count(key) > 0;
+// Whether a key of a case is a choice of schemes, or its own of the method. Mesh, step and points per cell are none.
+bool is_choice(const Case& entry, const std::string& key) {
+  static const std::set<std::string> resolution{"cells", "dt", "cfl", "ppc", "membrane.ppc", "offset"};
+  const auto is_it = [&](const Key& one) { return one.name == key; };
+  const auto own = std::find_if(entry.keys.begin(), entry.keys.end(), is_it);
+  if (own != entry.keys.end()) return own->method;
+  const std::vector<Key> of_schemes = kind_keys(entry.kind);
+  return resolution.count(key) == 0 && std::any_of(of_schemes.begin(), of_schemes.end(), is_it);
 }
 
 bool changes_the_scheme(const Case& entry, const StudyPlan& plan) {
   const Settings own = entry.settings(plan.scheme, {});
   return std::any_of(plan.overrides.begin(), plan.overrides.end(),
-                     [&](const Override& one) { return is_choice(one.first) && own[one.first] != one.second; });
+                     [&](const Override& one) { return is_choice(entry, one.first) && own[one.first] != one.second; });
 }
 
 // The words of "plane/york1997-rate".
@@ -72,7 +65,7 @@ std::string_view name(FailureOf whose) { return owner_names[static_cast<std::siz
 
 FailureOf failure_of(const Case& entry, const StudyPlan& plan, const Gate& gate) {
   const bool his_method = std::any_of(plan.overrides.begin(), plan.overrides.end(), [](const Override& one) {
-    return is_choice(one.first) && begins_with_york(one.second);
+    return is_choice(entry, one.first) && begins_with_york(one.second);
   });
   if (begins_with_york(plan.scheme) || his_method) return FailureOf::york;
   if (gate.origin == Origin::literature && entry.statement().source.rfind("York", 0) == 0) return FailureOf::york;

@@ -19,7 +19,8 @@ std::string_view name(FailureOf whose);
 
 // York's: a study of the scheme york1997 or of one of his methods (a choice of the scheme whose value begins with "york"), or a
 // gate on a published number of a case whose source is York's report. The default's: a study of the scheme `default` whose
-// overrides leave every choice of the scheme as it is. Mesh, step, points per cell and keys of the problem are no choices.
+// overrides leave every choice of the scheme, and the case's own of the method, as it is. Mesh, step, points per cell and keys of
+// the problem are no choices.
 // A trial of the laboratory looks at what its gate's id names: york1997, or a shape, transfer or integrator.
 FailureOf failure_of(const Case& entry, const StudyPlan& plan, const Gate& gate);
 

@@ -37,18 +37,29 @@ TEST(FailureOf, ChoicesOfASchemeMakeAnother) {
   EXPECT_EQ(of("default", {{"membrane.strain", "accumulated"}}, Kind::coupled), FailureOf::other);
 }
 
-// A case of membranes alone has the choice of strain as a key of its own; where York's points stand is the problem's.
-TEST(FailureOf, OwnKeysThatAreChoicesElsewhereCount) {
-  const Case& entry = find_case("string-slack");
-  const auto of_study = [&](const std::string& id) {
-    for (const StudyPlan& plan : entry.studies) {
-      if (plan.id == id) return failure_of(entry, plan, toy_gate(id + "/time", {{}, 1}));
-    }
-    throw std::out_of_range(id);
-  };
-  EXPECT_EQ(of_study("accumulated"), FailureOf::other);
-  EXPECT_EQ(of_study("aligned"), FailureOf::standard);
-  EXPECT_EQ(of_study("york1997"), FailureOf::york);
+FailureOf of_study(const std::string& name, const std::string& id) {
+  const Case& entry = find_case(name);
+  for (const StudyPlan& plan : entry.studies) {
+    if (plan.id == id) return failure_of(entry, plan, toy_gate(id + "/time", {{}, 1}));
+  }
+  throw std::out_of_range(id);
+}
+
+// A case of membranes has choices of its own; where York's points stand is the problem's.
+TEST(FailureOf, OwnChoicesOfTheMethodCount) {
+  EXPECT_EQ(of_study("string-slack", "accumulated"), FailureOf::other);
+  EXPECT_EQ(of_study("string-slack", "aligned"), FailureOf::standard);
+  EXPECT_EQ(of_study("string-slack", "york1997"), FailureOf::york);
+  EXPECT_EQ(of_study("pulled-strip", "default"), FailureOf::standard);
+  EXPECT_EQ(of_study("pulled-strip", "fitted"), FailureOf::other);
+  EXPECT_EQ(of_study("drum", "markers"), FailureOf::other);
+  EXPECT_EQ(of_study("twisted-annulus", "two-way"), FailureOf::other);
+}
+
+// By how much a strip is pulled is its problem, though coupled scenes have a choice `membrane.strain`.
+TEST(FailureOf, OwnKeysOfTheProblemDoNotCount) {
+  const StudyPlan plan{.id = "s", .title = {}, .why = {}, .overrides = {{"strain", 0.1}}};
+  EXPECT_EQ(failure_of(find_case("pulled-strip"), plan, toy_gate("s/error", {{}, 1})), FailureOf::standard);
 }
 
 // A number that York published is his, whatever scheme the study has; of a case with another source it is not.
