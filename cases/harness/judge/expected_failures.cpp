@@ -64,7 +64,7 @@ FailureOf named_by(const std::string& id) {
 std::string_view name(FailureOf whose) { return owner_names[static_cast<std::size_t>(whose)]; }
 
 FailureOf failure_of(const Case& entry, const StudyPlan& plan, const Gate& gate) {
-  const bool his_method = std::any_of(plan.overrides.begin(), plan.overrides.end(), [](const Override& one) {
+  const bool his_method = std::any_of(plan.overrides.begin(), plan.overrides.end(), [&](const Override& one) {
     return is_choice(entry, one.first) && begins_with_york(one.second);
   });
   if (begins_with_york(plan.scheme) || his_method) return FailureOf::york;

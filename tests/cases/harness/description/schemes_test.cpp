@@ -148,7 +148,7 @@ TEST(Schemes, MembraneChoicesFollowOrExcludeEachOther) {
 
 TEST(Schemes, DefaultOfMembranes) {
   const Settings settings(kind_keys(Kind::membrane));
-  EXPECT_EQ(settings.text("integrator"), "musl");
+  EXPECT_EQ(settings.text("integrator"), "leapfrog");
   EXPECT_EQ(settings.text("shape"), "quadratic");
   EXPECT_EQ(settings.text("transfer"), "apic");
   EXPECT_EQ(settings.number("cfl"), 0.5);
