@@ -249,7 +249,7 @@ std::vector<CaseGate> gates() {
                "at rest: no point leaves its place by more than 1e-4 of the height, as with segments")
           .fails("nodes feel only what a cell's points pull together: strains of single points drift apart in "
                  "null-space modes of the maps, and points with them",
-                 {4.3e-4, 5.3e-4}, "2026-11-23 5825b24"),
+                 {2.8e-4, 3.7e-4}, "2026-11-30 eac60cb"),
       gate("from-circle/departure-order", fitted_order_of("departure_at_end"), at_least(1),
            theory("a height of p0 h^2/8T at the end of the contact: order 2, 1 while it still lies down"))
           .in(Tier::full)};
