@@ -65,7 +65,7 @@ TEST(Schemes, ACaseThatChangesANumberOfDefaultIsSeen) {
   EXPECT_EQ(numerics(toy_case(toy), "default"), definition(Kind::membrane));
   toy.choices = {{"dt", std::monostate{}}, {"cfl", 0.4}};
   EXPECT_NE(numerics(toy_case(toy), "default"), definition(Kind::membrane));
-  toy.choices = {{"dt", std::monostate{}}, {"transfer", "flip"}};
+  toy.choices = {{"dt", std::monostate{}}, {"shape", "cubic"}};
   EXPECT_NE(numerics(toy_case(toy), "default"), definition(Kind::membrane));
   EXPECT_NE(numerics(toy_case(), "default"), definition(Kind::membrane)) << "a fixed step is numerical, too";
 }

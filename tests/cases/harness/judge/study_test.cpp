@@ -280,7 +280,7 @@ TEST(RunStudy, NamesTheSchemeAfterTheIntegrator) {
   EXPECT_EQ(scheme_of({.id = "s", .title = {}, .why = {}, .values = {4}}), "default");
   EXPECT_EQ(scheme_of({.id = "s", .title = {}, .why = {}, .overrides = {{"integrator", "usl"}}, .values = {4}}),
             "default+usl");
-  EXPECT_EQ(scheme_of({.id = "s", .title = {}, .why = {}, .overrides = {{"integrator", "musl"}}, .values = {4}}),
+  EXPECT_EQ(scheme_of({.id = "s", .title = {}, .why = {}, .overrides = {{"integrator", "leapfrog"}}, .values = {4}}),
             "default");
   EXPECT_EQ(scheme_of({.id = "s", .title = {}, .why = {}, .scheme = "york1997", .values = {4}}), "york1997");
 }

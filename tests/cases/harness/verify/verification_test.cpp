@@ -267,7 +267,7 @@ TEST(VerifyCase, EveryRegisteredIntegratorAppearsWithGenericGates) {
   EXPECT_EQ(static_cast<int>(executed(v)), v.declared);
   for (const JudgedGate& gate : v.gates) {
     const std::string wanted = gate.study == "integrator/coasting" ? "default+coasting" : "default";
-    if (gate.study == "integrator/coasting" || gate.study == "integrator/musl") {
+    if (gate.study == "integrator/coasting" || gate.study == "integrator/leapfrog") {
       EXPECT_EQ(gate.scheme, wanted);
     }
   }
@@ -286,7 +286,7 @@ TEST(IntegratorPlan, IsTheDefaultSchemeAtTheCoarsestLevel) {
   EXPECT_EQ(plan.scheme, "default");
   EXPECT_EQ(plan.values, std::vector<double>{4});
   EXPECT_EQ(planned_runs(entry, plan, Tier::quick).front().settings.text("integrator"), "usl");
-  EXPECT_EQ(integrator_scheme(entry, "musl"), "default");
+  EXPECT_EQ(integrator_scheme(entry, "leapfrog"), "default");
   EXPECT_EQ(integrator_scheme(entry, "usl"), "default+usl");
 }
 
