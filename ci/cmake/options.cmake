@@ -42,7 +42,7 @@ function(plumbline_precompiled_by target other)
   endif()
 endfunction()
 
-# What GCC keeps in memory before it looks for what it no longer needs: a tenth of a compilation is that search otherwise.
+# What GCC keeps in memory before it looks for what it no longer needs: a twelfth of a compilation is that search otherwise.
 add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,GNU>:--param=ggc-min-heapsize=1048576>)
 
 # Reading headers, and what each file makes of their templates, is most of a compilation: sixteen sources are one translation
