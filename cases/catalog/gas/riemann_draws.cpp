@@ -124,17 +124,22 @@ Findings beside_finite_volumes_of(const std::vector<Override>& choices) {
   return findings;
 }
 
+Trial of_scheme(std::string name, std::string title, const std::vector<Override>& choices) {
+  return {.name = std::move(name),
+          .title = std::move(title),
+          .why = "Jumps make L1 errors of first order: a ratio at one mesh is one of meshes, too.",
+          .find = [choices] { return beside_finite_volumes_of(choices); },
+          .choices = choices};
+}
+
 std::vector<Trial> trials() {
-  const std::string why = "Jumps make L1 errors of first order: a ratio at one mesh is one of meshes, too.";
   return {
-      {"default", "default: errors over those of finite volumes, 64 tubes of 100 cells", why,
-       [] { return beside_finite_volumes_of({}); }},
-      {"unfiltered", "the same tubes: maps take all that is not affine once a step, motion and viscosity as without",
-       why, [] { return beside_finite_volumes_of(filtered_each_step); }},
-      {"sharper", "the same tubes: maps sharpened as much where gases expand", why,
-       [] { return beside_finite_volumes_of(sharpened_everywhere); }},
-      {"nodes", "the same tubes: pressures at the nodes, maps sharpened as much where gases expand", why,
-       [] { return beside_finite_volumes_of(at_nodes); }}};
+      of_scheme("default", "default: errors over those of finite volumes, 64 tubes of 100 cells", {}),
+      of_scheme("unfiltered",
+                "the same tubes: maps take all that is not affine once a step, motion and viscosity as without",
+                filtered_each_step),
+      of_scheme("sharper", "the same tubes: maps sharpened as much where gases expand", sharpened_everywhere),
+      of_scheme("nodes", "the same tubes: pressures at the nodes, maps sharpened as much where gases expand", at_nodes)};
 }
 
 // A trial has no level to be told.

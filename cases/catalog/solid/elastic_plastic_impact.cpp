@@ -28,7 +28,8 @@ struct Impact : Parameters {
                                    .value = 0.1,
                                    .low = 0,
                                    .high = 0.5,
-                                   .description = "c_L of the solid's artificial viscosity"});
+                                   .description = "c_L of the solid's artificial viscosity",
+                                   .method = true});
     const double rise = number({.name = "rise",
                                 .value = 0.0,
                                 .low = 0,

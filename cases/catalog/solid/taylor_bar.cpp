@@ -30,7 +30,8 @@ struct Bar : Parameters {
                                    .value = 0.1,
                                    .low = 0,
                                    .high = 0.5,
-                                   .description = "c_L of the solid's artificial viscosity"});
+                                   .description = "c_L of the solid's artificial viscosity",
+                                   .method = true});
     rod.end_time = positive("t_end", rod.end_time, "s", "end time");
   }
 };

@@ -79,6 +79,7 @@ struct Trial {
   std::string name, title, why;
   std::function<Findings()> find;
   Tier tier = Tier::quick;  // the lowest that makes it
+  std::vector<Override> choices = {};  // of a look at one scheme: what it is the default but for
 };
 
 // A case is a value, made by a function without arguments that PLUMBLINE_CASE registers. What it says in words stands in

@@ -50,6 +50,13 @@ std::set<std::string> words_of(std::string id) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
+// Whether the plan's trial has choices of its own.
+bool looks_at_another(const Case& entry, const StudyPlan& plan) {
+  return std::any_of(entry.trials.begin(), entry.trials.end(), [&](const Trial& trial) {
+    return trial.name == plan.id && !trial.choices.empty();
+  });
+}
+
 FailureOf named_by(const std::string& id) {
   const std::set<std::string> named = words_of(id);
   if (named.count("york1997") > 0) return FailureOf::york;
@@ -69,9 +76,7 @@ FailureOf failure_of(const Case& entry, const StudyPlan& plan, const Gate& gate)
   });
   if (begins_with_york(plan.scheme) || his_method) return FailureOf::york;
   if (gate.origin == Origin::literature && entry.statement().source.rfind("York", 0) == 0) return FailureOf::york;
-  const bool trial = std::any_of(plan.overrides.begin(), plan.overrides.end(),
-                                 [](const Override& one) { return one.first == "trial"; });
-  if (trial) return named_by(gate.id);
+  if (!entry.trials.empty()) return looks_at_another(entry, plan) ? FailureOf::other : named_by(gate.id);
   return plan.scheme == "default" && !changes_the_scheme(entry, plan) ? FailureOf::standard : FailureOf::other;
 }
 

@@ -21,7 +21,8 @@ std::string_view name(FailureOf whose);
 // gate on a published number of a case whose source is York's report. The default's: a study of the scheme `default` whose
 // overrides leave every choice of the scheme, and the case's own of the method, as it is. Mesh, step, points per cell and keys of
 // the problem are no choices.
-// A trial of the laboratory looks at what its gate's id names: york1997, or a shape, transfer or integrator.
+// A trial that looks at one scheme says what it is the default but for; any other looks at what its gate's id names:
+// york1997, or a shape, transfer or integrator.
 FailureOf failure_of(const Case& entry, const StudyPlan& plan, const Gate& gate);
 
 // The same of a gate that was judged; by the name of its scheme alone where its case or study is not registered.

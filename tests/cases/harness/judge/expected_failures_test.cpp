@@ -54,6 +54,8 @@ TEST(FailureOf, OwnChoicesOfTheMethodCount) {
   EXPECT_EQ(of_study("pulled-strip", "fitted"), FailureOf::other);
   EXPECT_EQ(of_study("drum", "markers"), FailureOf::other);
   EXPECT_EQ(of_study("twisted-annulus", "two-way"), FailureOf::other);
+  EXPECT_EQ(of_study("elastic-plastic-impact", "default"), FailureOf::standard);
+  EXPECT_EQ(of_study("elastic-plastic-impact", "inviscid"), FailureOf::other);
 }
 
 // By how much a strip is pulled is its problem, though coupled scenes have a choice `membrane.strain`.
@@ -72,6 +74,12 @@ TEST(FailureOf, PublishedNumbersOfHisReportAreYorks) {
   gate.origin = Origin::literature;
   EXPECT_EQ(failure_of(his, plan, gate), FailureOf::york);
   EXPECT_EQ(failure_of(not_his, plan, gate), FailureOf::standard);
+}
+
+TEST(FailureOf, TrialsOfAnotherSchemeAreItsOwn) {
+  EXPECT_EQ(of_study("riemann-draws", "default"), FailureOf::standard);
+  EXPECT_EQ(of_study("riemann-draws", "sharper"), FailureOf::other);
+  EXPECT_EQ(of_study("riemann-draws", "nodes"), FailureOf::other);
 }
 
 // Trials of the laboratory have no scene: what they look at is named by the gate.
