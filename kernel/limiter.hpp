@@ -5,11 +5,14 @@
 // zero where the flow is linear (van Leer's limiter, 1977, doi 10.1016/0021-9991(77)90095-X). Behind a wall stand mirror
 // images; where a neighbour has no mass nothing is known to be linear. [Limiter 1]
 // And how much of the sharpening stays along d where a gas expands, between all of it and the share a:
-//   t_d = 1 - (1 - a) max(0, 1 - 2 (1 - x) psi_d) min(1, 32 x) where g_d > 0, elsewhere 1,
-//   x = |rho(i+1) - rho(i-1)| / (rho(i+1) + rho(i-1)),                                                       [Limiter 2]
+//   t_d = 1 - (1 - a) max(0, 1 - 2 (1 - x) psi_d) min(1, 32 x) max(0, min(1, |r| - 1)) where g_d > 0, elsewhere 1,
+//   x = |rho(i+1) - rho(i-1)| / (rho(i+1) + rho(i-1)),
+//   r = min(1, 8 rho(i+1) / rho(i)) r+ + min(1, 8 rho(i-1) / rho(i)) r-,                                     [Limiter 2]
 // g_d the mean of the slopes on either side by rho(j) / (rho(i) + rho(j)): the velocity of a node that carries next to nothing
 // does not count. Sharpening overshoots at kinks of a velocity, and so heats gas ahead of an expansion and in its middle. Small
-// waves, which change densities little, keep all of it to first order: they are sharpened as if there were no limit.
+// waves, which change densities little, keep all of it to first order: they are sharpened as if there were no limit. At a kink
+// slopes turn from none to that of the expansion, and r is 2 or more; a slope that stands out from those beside it is the
+// noise of points that change cells, unless those are as steep the other way.
 #pragma once
 
 #include <algorithm>
@@ -59,13 +62,16 @@ class Limiter {
           const double low = below.share * density(below.node), high = above.share * density(above.node);
           const double uneven = ratio(std::abs(high - low), low + high);
           const double bent = std::max(0.0, 1 - 2 * (1 - uneven) * linear_share(slope, i, d, below, above));
-          const double most = slope[i][d] > 0 ? 1.0 : 0.0;
-          all[i][d] = 1 - limited * bent * std::min(most, change_that_counts * uneven);
+          const auto known = [=](double there) { return std::min(1.0, ratio(most_lighter * there, density(i))); };
+          const double own = slope[i][d],
+                       beside = std::abs(known(low) * slope[below.node][d] + known(high) * slope[above.node][d]);
+          const double shared = own > 0 ? std::max(0.0, std::min(1.0, ratio(beside - own, own))) : 0.0;
+          all[i][d] = 1 - limited * bent * shared * std::min(1.0, change_that_counts * uneven);
         });
   }
 
  private:
-  static constexpr double change_that_counts = 32;
+  static constexpr double change_that_counts = 32, most_lighter = 8;
 
   // g of each direction; from one side where the other has no neighbour. weight(i, j): of what the neighbour j says of the
   // slope at i, not negative.

@@ -8,6 +8,7 @@
 #include "kernel/engine/holding.hpp"
 #include "kernel/engine/locating.hpp"
 #include "kernel/engine/method_of_lines.hpp"
+#include "kernel/engine/pressures.hpp"
 #include "kernel/engine/stress.hpp"
 #include "kernel/engine/to_grid.hpp"
 #include "kernel/shapes/shape.hpp"
@@ -42,7 +43,8 @@ class Mechanics final : public Engine {
         momentum_(space_, scene, layout_.field_of_body),
         strain_(space_, scene.strain_smoothing, ledger),
         stress_(space_, scene, shares_of(scene, space_.filters_at_rate(scene), options.keep_loss)),
-        motion_(space_, scene, options.keep_loss, ledger) {
+        motion_(space_, scene, options.keep_loss, ledger),
+        pressures_(space_, scene.density, scene.sharpened_density ? scene.sharpening : 0) {
     refuse_what_cannot_work(scene, space_);
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
       Body& body = scene.bodies[b];
@@ -206,7 +208,11 @@ class Mechanics final : public Engine {
     step_.rates_of = NodalVelocity::start;  // the rates that the points carry serve
     step_.map_loss = 0;
     evaluate_stress(NodalVelocity::start);
-    for (Body& body : layout_.bodies) body.material->describe(body.points);
+    for (std::size_t b = 0; b < layout_.bodies.size(); ++b) {
+      Body& body = layout_.bodies[b];
+      body.material->describe(body.points);
+      pressures_.read(body, layout_.weights[b], layout_.field(b));
+    }
   }
 
   const Survey& survey() const override {
@@ -251,6 +257,7 @@ class Mechanics final : public Engine {
   Strain<Geometry> strain_;
   Stress<Geometry> stress_;
   Motion<Geometry> motion_;
+  Pressures<Geometry> pressures_;
   StepRecord<dim, Geometry::rotations> step_;
   StepClock clock_;
   mutable std::optional<Survey> survey_;  // none: points have changed since the last

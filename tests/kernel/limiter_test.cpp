@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "kernel/walls.hpp"
@@ -70,23 +71,38 @@ TEST(Limiter, KeepsMoreWhereSomeOfTheFlowIsLinear) {
   EXPECT_NEAR(bend.kept_at(10, 0.25), 1 - 0.75 * (1 - 2 * (200.0 / 221) * (42.0 / 111)), 1e-14);
 }
 
-// Densities r and 1/r beside a node, their difference over their sum x: of the limit 32 x counts, up to 1. An even gas, as one
-// that carries a small wave to first order, keeps all. [Limiter 2]
+// Densities r and 1/r beside a node, their difference over their sum x: of the limit 32 x counts, up to 1, and of slopes of 0, s r/(1 + r)
+// and s the share 1/r. An even gas, as one that carries a small wave to first order, keeps all. [Limiter 2]
 TEST(Limiter, CountsByTheChangeOfDensity) {
   for (const double x : {0.0, 1e-6, 0.01, 1.0 / 32, 0.1}) {
     const double ratio = std::sqrt((1 + x) / (1 - x));
     Line head([](int k) { return k < 10 ? 0.0 : 0.1 * (k - 10); }, [&](int k) { return std::pow(ratio, k); });
-    EXPECT_NEAR(head.kept_at(10, 0.25), 1 - 0.75 * std::min(1.0, 32 * x), 1e-13) << x;  // of some 32 roundings
+    EXPECT_NEAR(head.kept_at(10, 0.25), 1 - 0.75 * std::min(1.0, 32 * x) / ratio, 1e-13) << x;  // of some 32 roundings
   }
 }
 
-// At a free edge nothing is known beyond, and density falls to nothing: the least stays. At a wall the images have the
-// density that is there, for all that the wall's cell is half. [Limiter 2]
+// Slopes of 0, 1 and 1 + b: nothing is linear, and |1 + b| - 1 of the limit counts, up to 1. One that stands out is noise. [Limiter 2]
+TEST(Limiter, CountsByTheSlopesBesideOne) {
+  for (const double b : {-4.0, -2.75, -1.0, 0.0, 0.25, 1.0, 3.0}) {
+    const auto velocity = [=](int k) {  // from the differences of neighbours, of which a slope has 11/21 and 10/21
+      return 0.01 * (k <= 8 ? -10.0 / 11 * (k - 9) - 1 : k < 12 ? k - 10 : 2 + (1 + 2.1 * b) * (k - 11) - 1);
+    };
+    Line line(velocity, falling);
+    EXPECT_NEAR(line.kept_at(10, 0.25), 1 - 0.75 * std::clamp(std::abs(1 + b) - 1, 0.0, 1.0), 1e-13) << b;
+  }
+}
+
+// At a free edge density falls to nothing and no slope is known beyond: one as within keeps all, one of a third of that beside it, as
+// r- - 1 = 2, the least. At a wall the images have the density that is there, for all that the
+// wall's cell is half. [Limiter 2]
 TEST(Limiter, KnowsEdgesAndWalls) {
   const auto expanding = [](int k) { return 0.1 * k; };
-  Line edge(expanding, [](int k) { return k > 14 ? 0.0 : 1.0; });
-  EXPECT_DOUBLE_EQ(edge.kept_at(14, 0.25), 0.25);
+  const auto gas = [](int k) { return k > 14 ? 0.0 : 1.0; };
+  Line edge(expanding, gas);
+  EXPECT_NEAR(edge.kept_at(14, 0.25), 1, 1e-14);
   EXPECT_EQ(edge.kept_at(12, 0.25), 1);
+  Line slack([](int k) { return k < 14 ? 0.1 * k : 1.3 + 0.02; }, gas);
+  EXPECT_DOUBLE_EQ(slack.kept_at(14, 0.25), 0.25);
   Line wall([](int k) { return 0.01 * k * k * k; }, [](int) { return 1.0; }, Wall::symmetry);  // linear nowhere
   for (const int k : {0, 1, 2}) EXPECT_EQ(wall.kept_at(k, 0.25), 1) << k;
 }

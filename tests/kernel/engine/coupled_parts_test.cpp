@@ -1,7 +1,8 @@
-// Densities, chains, and losses that go to the gas, each built without the rest of the engine.
+// Densities, pressures, chains, and losses that go to the gas, each built without the rest of the engine.
 #include "kernel/engine/chains.hpp"
 #include "kernel/engine/densities.hpp"
 #include "kernel/engine/loss_to_gas.hpp"
+#include "kernel/engine/pressures.hpp"
 #include "kernel/materials/segment_membrane.hpp"
 #include "tests/kernel/engine/parts.hpp"
 
@@ -56,6 +57,59 @@ TEST(Densities, OfCellsAreSetOnThePoints) {
   Densities<Plane> densities(on.space, DensityMethod::cell);
   EXPECT_FALSE(densities.find(on.scene.bodies, on.body(), on.at.weights[0], on.field(), true).nodes);
   for (int p = 0; p < 2; ++p) EXPECT_DOUBLE_EQ(on.points()(column::density)[p], 2 * 2 / 0.25);  // [York 4.5]
+}
+
+// --- pressures ----------------------------------------------------------------------------------------------------------
+
+void read_pressures(Located& on, DensityMethod method, double sharpening) {
+  Columns& points = on.points();
+  const typename PointLoops<Plane>::Spread mass[] = {{points(column::mass), nullptr, on.field().mass.data(), 1}};
+  on.space.spread(points, on.at.weights[0], mass);
+  Pressures<Plane>(on.space, method, sharpening).read(on.body(), on.at.weights[0], on.field());
+}
+
+// A point alone, on a node: what presses is V_p p_p, spread over its nodes. [Read-off 2]
+TEST(Pressures, AreThoseOfTheNodes) {
+  Located on(points_at({{1.0, 1.0}}, Wall::free));
+  on.points()(column::volume)[0] = 0.125;
+  on.points()(column::pressure)[0] = 3;
+  read_pressures(on, DensityMethod::grid, 0);
+  EXPECT_NEAR(on.points()(column::pressure)[0], 0.125 * 3 / 0.25 * mean_square_weight() * mean_square_weight(), 1e-14);
+}
+
+// Four points a cell, denser on one side by eight times and hotter on the other: V_p p_p = (gamma - 1) m_p e_p is even, whatever
+// volumes are read there, and so is the pressure. Walls stand on all sides. [Read-off 2]
+TEST(Pressures, AreEvenAcrossAContact) {
+  std::vector<std::array<double, 2>> places;
+  for (int k = 0; k < 64; ++k) places.push_back({0.125 + 0.25 * (k % 8), 0.125 + 0.25 * (k / 8)});
+  for (const double sharpening : {0.0, 1.0}) {
+    Located on(points_at(places));
+    for (int p = 0; p < 64; ++p) {
+      on.points()(column::mass)[p] = p % 8 < 4 ? 8 : 1;
+      const double spread = on.points()(column::volume)[p] = 0.0625 * (1 + 0.3 * std::cos(p % 8));
+      on.points()(column::pressure)[p] = 5 * 0.0625 / spread;
+    }
+    read_pressures(on, DensityMethod::grid, sharpening);
+    for (int p = 0; p < 64; ++p) EXPECT_NEAR(on.points()(column::pressure)[p], 5, 1e-13) << p;
+  }
+}
+
+// Of other densities, of an enclosed gas, and where points have left the places of their weights, nothing is read.
+TEST(Pressures, AreReadOffDensitiesOfTheGridAlone) {
+  const auto kept = [](DensityMethod method, bool enclosed, bool moved) {
+    Located on(points_at({{1.0, 1.0}}, Wall::free));
+    on.points()(column::volume)[0] = 0.125;
+    on.points()(column::pressure)[0] = 3;
+    if (enclosed) on.body().enclosure.emplace();
+    if (moved) on.at.weights[0].keep(on.points());
+    read_pressures(on, method, 1);
+    return on.points()(column::pressure)[0] == 3;
+  };
+  EXPECT_FALSE(kept(DensityMethod::grid, false, false));
+  EXPECT_TRUE(kept(DensityMethod::continuity, false, false));
+  EXPECT_TRUE(kept(DensityMethod::quadratic, false, false));
+  EXPECT_TRUE(kept(DensityMethod::grid, true, false));
+  EXPECT_TRUE(kept(DensityMethod::grid, false, true));
 }
 
 // --- chains -------------------------------------------------------------------------------------------------------------

@@ -246,6 +246,17 @@ double NaiveStep::linear_share(const std::vector<Vec>& u, std::size_t i, int d, 
   return std::clamp(std::min({(before + after) / 2, 2 * before, 2 * after}), 0.0, 1.0);
 }
 
+double NaiveStep::slopes_beside(const std::vector<Vec>& u, std::size_t i, int d) const {
+  double relative = 0;
+  for (const int side : {-1, 1}) {
+    const auto j = massive(i, d, side);
+    if (!j) continue;
+    const double lighter = (nodes_[*j].m / nodes_[*j].volume) / (nodes_[i].m / nodes_[i].volume);
+    relative += std::min(1.0, 8 * lighter) * slope_at(u, *j, d, true) / slope_at(u, i, d, true);
+  }
+  return std::clamp(std::abs(relative) - 1, 0.0, 1.0);
+}
+
 std::vector<Vec> NaiveStep::kept_of_sharpening() const {
   std::vector<Vec> kept(nodes_.size(), Vec::Ones());
   if (scene_.sharpening_in_expansion == 1) return kept;
@@ -261,7 +272,7 @@ std::vector<Vec> NaiveStep::kept_of_sharpening() const {
       const double low = density(-1), high = density(1);
       const double uneven = std::abs(high - low) / (high + low);
       const double bent = std::max(0.0, 1 - 2 * (1 - uneven) * linear_share(u, i, d, true));
-      kept[i][d] -= (1 - scene_.sharpening_in_expansion) * bent * std::min(1.0, 32 * uneven);
+      kept[i][d] -= (1 - scene_.sharpening_in_expansion) * bent * std::min(1.0, 32 * uneven) * slopes_beside(u, i, d);
     }
   }
   return kept;
@@ -344,24 +355,30 @@ void NaiveStep::exchange(Of which, double dt) {
   });
 }
 
+std::vector<double> NaiveStep::read_off(const std::vector<double>& amounts) const {
+  std::vector<double> nodal(nodes_.size(), 0.0), read(points.size(), 0.0);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (!apart(points[p].x, nodes_[i])) nodal[i] += amounts[p] * weight(points[p], nodes_[i]);
+    }
+  }
+  for (std::size_t i = 0; i < nodes_.size(); ++i) nodal[i] /= nodes_[i].volume;
+  sharpen_densities(nodal);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (!apart(points[p].x, nodes_[i])) read[p] += weight(points[p], nodes_[i]) * nodal[i];
+    }
+  }
+  return read;
+}
+
 void NaiveStep::densities() {
   if (!gas_) return;
   if (scene_.density == DensityMethod::grid) {
-    std::vector<double> mass(nodes_.size(), 0.0);
-    for (const NaivePoint& point : points) {
-      for (std::size_t i = 0; i < nodes_.size(); ++i) {
-        if (!apart(point.x, nodes_[i])) mass[i] += point.m * weight(point, nodes_[i]);
-      }
-    }
-    for (std::size_t i = 0; i < nodes_.size(); ++i) mass[i] /= nodes_[i].volume;
-    sharpen_densities(mass);
-    for (NaivePoint& point : points) {
-      point.density = 0;
-      for (std::size_t i = 0; i < nodes_.size(); ++i) {
-        if (apart(point.x, nodes_[i])) continue;
-        point.density += weight(point, nodes_[i]) * mass[i];  // [EC-APIC 2]
-      }
-    }
+    std::vector<double> masses;
+    for (const NaivePoint& point : points) masses.push_back(point.m);
+    const std::vector<double> read = read_off(masses);
+    for (std::size_t p = 0; p < points.size(); ++p) points[p].density = read[p];  // [EC-APIC 2]
   }
   for (NaivePoint& point : points) point.volume = point.m / point.density;
 }

@@ -107,6 +107,11 @@ void NaiveStep::step(const std::string& integrator, double dt) {
 void NaiveStep::refresh() {
   densities();
   for (NaivePoint& point : points) point.pressure = (gas_->gamma - 1) * point.density * point.energy;  // [York 4.4]
+  if (scene_.density != DensityMethod::grid) return;
+  std::vector<double> pressed;
+  for (const NaivePoint& point : points) pressed.push_back(point.volume * point.pressure);
+  const std::vector<double> read = read_off(pressed);
+  for (std::size_t p = 0; p < points.size(); ++p) points[p].pressure = read[p];  // [Read-off 2]
 }
 
 Mat NaiveStep::strain_tensor(const Columns& from, std::size_t p) const {

@@ -166,12 +166,16 @@ class NaiveStep {
   double slope_at(const std::vector<Vec>& u, std::size_t i, int d, bool by_density) const;
   // psi of a nodal velocity. [Limiter 1]
   double linear_share(const std::vector<Vec>& u, std::size_t i, int d, bool by_density) const;
+  // How much steeper the slopes beside a node are than its own, which opens. [Limiter 2]
+  double slopes_beside(const std::vector<Vec>& u, std::size_t i, int d) const;
   // t of what is sharpened, by the velocity that was mapped. [Limiter 2]
   std::vector<Vec> kept_of_sharpening() const;
   // Each node against its neighbours, one axis after another, up to the third power. [Sharpening 1]
   std::vector<Vec> sharpened(const std::vector<Vec>& u) const;
   // Nodal densities with what two maps smoothed of them undone. [Read-off 1]
   void sharpen_densities(std::vector<double>& rho) const;
+  // Of what points hold as much per volume as nodes do where the points stand. [EC-APIC 2] [Read-off 2]
+  std::vector<double> read_off(const std::vector<double>& amounts) const;
   // All of kappa at an extremum of the nodal energies, a quarter where these are monotone. [Exchange 1]
   double exchange_share(std::size_t i) const;
   // What a point will get through the nodes. [Exchange 1]
