@@ -30,11 +30,11 @@ class Pressures {
     if (method_ != DensityMethod::grid || !body.material->has_density() || body.enclosure || at.kept()) return;
     std::vector<double> nodal(field.mass.size(), 0.0);
     double* const pressure = body.points(column::pressure);
-    const std::array<typename Space::Loops::Spread, 1> sums{
-        {{pressure, body.points(column::volume), nodal.data(), 1}}};
+    const std::array<typename Space::Loops::Spread, 1> sums{{{pressure, body.points(column::volume), nodal.data(), 1}}};
     space_.spread(body.points, at, sums);
     space_.walls.fold_even(field, nodal);
-    field.for_touched(space_.grid, [&](std::size_t i) { nodal[i] *= space_.inverse_volumes[i]; }, space_.threads);
+    field.for_touched(
+        space_.grid, [&](std::size_t i) { nodal[i] *= space_.inverse_volumes[i]; }, space_.threads);
     read_off_.apply(field, nodal, space_.threads);
     space_.walls.extend_even(field, nodal);
     const std::array<typename Space::Loops::Gather, 1> read{{{nodal.data(), 1, pressure}}};

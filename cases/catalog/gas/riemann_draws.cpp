@@ -133,13 +133,13 @@ Trial of_scheme(std::string name, std::string title, const std::vector<Override>
 }
 
 std::vector<Trial> trials() {
-  return {
-      of_scheme("default", "default: errors over those of finite volumes, 64 tubes of 100 cells", {}),
-      of_scheme("unfiltered",
-                "the same tubes: maps take all that is not affine once a step, motion and viscosity as without",
-                filtered_each_step),
-      of_scheme("sharper", "the same tubes: maps sharpened as much where gases expand", sharpened_everywhere),
-      of_scheme("nodes", "the same tubes: pressures at the nodes, maps sharpened as much where gases expand", at_nodes)};
+  return {of_scheme("default", "default: errors over those of finite volumes, 64 tubes of 100 cells", {}),
+          of_scheme("unfiltered",
+                    "the same tubes: maps take all that is not affine once a step, motion and viscosity as without",
+                    filtered_each_step),
+          of_scheme("sharper", "the same tubes: maps sharpened as much where gases expand", sharpened_everywhere),
+          of_scheme("nodes", "the same tubes: pressures at the nodes, maps sharpened as much where gases expand",
+                    at_nodes)};
 }
 
 // A trial has no level to be told.
@@ -187,7 +187,8 @@ std::vector<CaseGate> gates() {
       "the 18 tubes whose densities at the contact differ more than fifteenfold the median is 2.7 with s_2 = 0, of the "
       "others 1.36";
   const std::string waves =
-      "pressures err with velocities, in shocks and expansions, whose widths are those of two maps and of the viscosity; "
+      "pressures err with velocities, in shocks and expansions, whose widths are those of two maps and of the "
+      "viscosity; "
       "at contacts they are even";
   const Because exact_enough = reference_bound(
       "the exact solution is known to 1e-12 of its values, a thousandth of this: ratios are of errors, not of bounds");

@@ -172,7 +172,7 @@ CaseGate as_it_was(std::string id, Number number, double value, const std::strin
 
 std::vector<CaseGate> gates() {
   const std::string
-      sharper = "2026-11-28 ed8c7a6",   // sharpening to the next order, limited where gases expand, became default
+      sharper = "2026-11-28 ed8c7a6",  // sharpening to the next order, limited where gases expand, became default
       slopes = "2026-11-30 2b748617",  // and there by the slopes beside a node
       york = "2026-11-21 a97e456", bands = "2026-11-23 5825b24";
   const std::string low_end = "the low end of the 95 % interval of the fit, 0.05 below what the estimate must reach";

@@ -78,7 +78,7 @@ struct Findings {
 struct Trial {
   std::string name, title, why;
   std::function<Findings()> find;
-  Tier tier = Tier::quick;  // the lowest that makes it
+  Tier tier = Tier::quick;             // the lowest that makes it
   std::vector<Override> choices = {};  // of a look at one scheme: what it is the default but for
 };
 

@@ -52,9 +52,8 @@ std::set<std::string> words_of(std::string id) {
 
 // Whether the plan's trial has choices of its own.
 bool looks_at_another(const Case& entry, const StudyPlan& plan) {
-  return std::any_of(entry.trials.begin(), entry.trials.end(), [&](const Trial& trial) {
-    return trial.name == plan.id && !trial.choices.empty();
-  });
+  return std::any_of(entry.trials.begin(), entry.trials.end(),
+                     [&](const Trial& trial) { return trial.name == plan.id && !trial.choices.empty(); });
 }
 
 FailureOf named_by(const std::string& id) {
