@@ -111,7 +111,7 @@ std::vector<CaseGate> gates() {
                    "tenth of that",
                    {1.005, 1.011}, "2026-11-21 fbef8d3"),
         no_heating_gate("default", 160).fails(spray, {1.02, 1.6}, "2026-11-30 2b748617"),
-        no_heating_gate("default", 320).in(Tier::full).fails(spray, {1.1, 1.45}, "2026-11-26 0c29d45"),
+        no_heating_gate("default", 320).in(Tier::full).fails(spray, {1.02, 1.6}, "2026-11-30 2b748617"),
         restart_gate("default", "runs that split points", {{"split", 0.2}})}});
 }
 

@@ -39,13 +39,11 @@ TEST_P(GasCases, AreJudgedByNoEarlierMeasurement) {
   for (const CaseGate& gate : find_case(GetParam()).gates) EXPECT_NE(gate.gate.origin, Origin::regression);
 }
 
-// What may be missed: the coverage of LeBlanc's tube, and the moving tube at its own steps, beside a gate at equal ones that holds.
+// What may be missed: the coverage of LeBlanc's tube.
 TEST_P(GasCases, ExpectNoFailureButTheOneWithAReason) {
   for (const CaseGate& gate : find_case(GetParam()).gates) {
     const std::string& id = gate.gate.id;
-    const bool named = (GetParam() == "leblanc" && id == "default/coverage-100") ||
-                       (GetParam() == "sod-moving" &&
-                        (id == "default/invariance-100" || id == "default/invariance-400"));
+    const bool named = GetParam() == "leblanc" && id == "default/coverage-100";
     EXPECT_EQ(gate.gate.expected_failure.has_value(), named) << gate.gate.id;
   }
 }

@@ -72,7 +72,8 @@ PLUMBLINE_INTEGRATOR(Heating, "test-heating", "forgets a force", "this test");
 TEST(Experiment, ARunWhoseStepsBecomeTooShortEnds) {
   const Case& sod = find_case("sod");
   const RunResult result = run_experiment(
-      sod, "default", sod.settings("default", {{"cells", 20.0}, {"integrator", std::string("test-heating")}}));
+      sod, "default",
+      sod.settings("default", {{"cells", 20.0}, {"sharpening", 0.0}, {"integrator", std::string("test-heating")}}));
   ASSERT_TRUE(result.stop);
   EXPECT_EQ(result.stop->field, "dt");
   EXPECT_GT(result.stop->value, 0);
