@@ -10,6 +10,8 @@ std::vector<Case> toro() {
               {.name = "toro-2",
                .tube = {{{1, -2, 0.4}, {1, 2, 0.4}, 1.4}, 0, 1, 0.5, 0.15},
                .order = 0.5,
+               // Errors of the coarsest meshes scatter by points more or less in the middle: six levels for the fit.
+               .levels = {100, 200, 400, 800, 1600, 3200},
                .order_reason = "rarefactions allow 1; where they part in the middle gas is near vacuum, its entropy is "
                                "set in the first steps from a few points, and half an order is what can be relied on"}),
           tube_case({.name = "toro-3", .tube = {{{1, 0, 1000}, {1, 0, 0.01}, 1.4}, 0, 1, 0.5, 0.012}}),
