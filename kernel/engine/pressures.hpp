@@ -25,9 +25,11 @@ class Pressures {
         read_off_(space.grid, sharpening * space.shape.blur),
         method_(method) {}
 
-  // Of a body whose column `pressure` is that of its energies and volumes. Enclosed gas, whose volumes are no cells', keeps it.
+  // Of a gas whose column `pressure`, if it has one, is that of its energies and volumes. Enclosed gas, whose volumes are no cells',
+  // keeps it.
   void read(Body& body, const Weights<dim>& at, const Field& field) {
-    if (method_ != DensityMethod::grid || !body.material->has_density() || body.enclosure || at.kept()) return;
+    const bool gas = body.material->has_density() && body.points.has(column::pressure);
+    if (!gas || method_ != DensityMethod::grid || body.enclosure || at.kept()) return;
     std::vector<double> nodal(field.mass.size(), 0.0);
     double* const pressure = body.points(column::pressure);
     const std::array<typename Space::Loops::Spread, 1> sums{{{pressure, body.points(column::volume), nodal.data(), 1}}};
