@@ -9,8 +9,8 @@ namespace plumbline {
 
 // What a filtered map back gives where that and what the map to the nodes took are less than nothing by rounding.
 [[gnu::always_inline]] inline Pack repaid(const Pack& given, const Pack& taken) {
-  constexpr double rounding = 1e-12,
-                   least = 1e-300;  // of sums of squares that cancel; where numbers have hardly any digits
+  constexpr double rounding = 1e-12;  // of sums of squares that cancel
+  constexpr double least = 1e-300;    // J, below which numbers have hardly any digits
   return choose(taken >= 0.0 && given < -taken && given > -(1 + rounding) * taken - least, -taken, given);
 }
 
