@@ -188,8 +188,7 @@ std::vector<CaseGate> gates() {
       "others 1.36";
   const std::string waves =
       "pressures err with velocities, in shocks and expansions, whose widths are those of two maps and of the "
-      "viscosity; "
-      "at contacts they are even";
+      "viscosity; at contacts they are even";
   const Because exact_enough = reference_bound(
       "the exact solution is known to 1e-12 of its values, a thousandth of this: ratios are of errors, not of bounds");
   return {gate("default/density-median", measured("density.median"), at_most(1.25),
