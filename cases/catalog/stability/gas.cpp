@@ -70,7 +70,8 @@ class Gas final : public StabilityProblem {
   std::vector<Occurrence> occurrences(const SceneContents& scene) const override {
     std::vector<Occurrence> all;
     for (const SceneContents::Part& gas : scene.of(SceneContents::Matter::gas)) {
-      const double diffusion = gas.diffusivity / (gas.speed * scene.h);
+      // Cold gas has no speed, and neither viscosity nor scale of it.
+      const double diffusion = gas.diffusivity > 0 ? gas.diffusivity / (gas.speed * scene.h) : 0;
       const double bound = std::max(1.0, 2 * scene.dim * diffusion);
       const double factor = diffusion > 0 ? bound / scene.dim : 1 / std::sqrt(scene.dim);
       for (const double place : sampled_places) {

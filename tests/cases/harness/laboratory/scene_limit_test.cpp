@@ -25,6 +25,7 @@ const std::vector<SampleRun>& runs() {
   static const std::vector<SampleRun> all{
       {"sod", {{"cells", 50.0}}, {"gas"}},
       {"gas-expansion", {{"cells", 10.0}}, {"gas", "bar-edge"}},
+      {"noh", {{"cells", 20.0}}, {"gas"}},  // without pressure, and so without a speed of sound
       {"bar-vibration", {{"cells", 13.0}}, {"bar", "bar-edge"}},
       {"two-disks", {{"cells", 12.0}}, {"bar", "bar-edge", "contact"}},
       {"string-vibration", {{"cells", 20.0}}, {"membrane"}},
