@@ -24,6 +24,13 @@
 
 namespace plumbline {
 
+// chi of pressures between a least and a most, which is not negative, at an evenness > 0: 1 of equal ones, 0 of none or of those
+// that differ by more than that share.                                                                    [Quadrature 1]
+inline double even_share(double least, double most, double evenness) {
+  const double apart = most > 0 ? (most - least) / (evenness * most) : 1;
+  return apart < 1 ? (1 - apart * apart) * (1 - apart * apart) : 0;
+}
+
 template <int dim>
 class PressureQuadrature {
  public:
@@ -81,8 +88,7 @@ class PressureQuadrature {
       for (int k = first; k < last; ++k) {
         const auto i = static_cast<std::size_t>(row * grid_.row_length() + k);
         const bool even = inside && low[i] > 0 && k >= first_inside(0) && k <= last_inside(0);
-        const double apart = even ? (high[i] - low[i]) / (evenness_ * high[i]) : 1;
-        const double chi = apart < 1 ? (1 - apart * apart) * (1 - apart * apart) : 0;
+        const double chi = even ? even_share(low[i], high[i], evenness_) : 0;
         share[i] = chi > 0 ? chi * pressure[i] / mapped[i] : 0;
         pressure[i] *= chi;
       }

@@ -4,6 +4,7 @@
 #include "kernel/engine/loss_to_gas.hpp"
 #include "kernel/engine/pressures.hpp"
 #include "kernel/materials/segment_membrane.hpp"
+#include "kernel/pressure_quadrature.hpp"
 #include "tests/kernel/engine/parts.hpp"
 
 namespace plumbline::coupled_parts_test {
@@ -68,22 +69,48 @@ void read_pressures(Located& on, DensityMethod method, double sharpening) {
   Pressures<Plane>(on.space, method, sharpening).read(on.body(), on.at.weights[0], on.field());
 }
 
-// A point alone, on a node: what presses is V_p p_p, spread over its nodes. [Read-off 2]
-TEST(Pressures, AreThoseOfTheNodes) {
+// Four points a cell, between walls on all sides.
+std::vector<std::array<double, 2>> lattice() {
+  std::vector<std::array<double, 2>> places;
+  for (int k = 0; k < 64; ++k) places.push_back({0.125 + 0.25 * (k % 8), 0.125 + 0.25 * (k / 8)});
+  return places;
+}
+
+// A point alone, at whose edge there is no pressure.
+TEST(Pressures, AreTheirOwnAtAFreeEdge) {
   Located on(points_at({{1.0, 1.0}}, Wall::free));
   on.points()(column::volume)[0] = 0.125;
   on.points()(column::pressure)[0] = 3;
   read_pressures(on, DensityMethod::grid, 0);
-  EXPECT_NEAR(on.points()(column::pressure)[0], 0.125 * 3 / 0.25 * mean_square_weight() * mean_square_weight(), 1e-14);
+  EXPECT_EQ(on.points()(column::pressure)[0], 3);
 }
 
-// Four points a cell, denser on one side by eight times and hotter on the other: V_p p_p = (gamma - 1) m_p e_p is even, whatever
+// Rising along x by a share of the first: read where that is less than 0.3 of the most, more of it the less it is. [Read-off 2]
+TEST(Pressures, AreReadTheMoreTheEvener) {
+  const auto read = [](double rise, int p) {
+    Located on(points_at(lattice()));
+    for (int q = 0; q < 64; ++q) {
+      on.points()(column::volume)[q] = 0.0625;
+      on.points()(column::pressure)[q] = q % 8 < 4 ? 1 : 1 + rise;
+    }
+    read_pressures(on, DensityMethod::grid, 0);
+    return (on.points()(column::pressure)[p] - 1) / rise;
+  };
+  const int below = 3, above = 4;  // beside the jump, which maps smooth
+  EXPECT_EQ(read(1, below), 0);
+  EXPECT_EQ(read(1, above), 1);
+  const double smoothed = read(1e-3, below), less = read(0.1, below);
+  EXPECT_GT(smoothed, 0.2);
+  EXPECT_NEAR(read(1e-3, above), 1 - smoothed, 1e-4);
+  EXPECT_LT(less, smoothed);
+  EXPECT_GT(less, smoothed * even_share(1, 1.1, 0.3));  // nodes differ by less than points
+}
+
+// Denser on one side by eight times and hotter on the other: V_p p_p = (gamma - 1) m_p e_p is even, whatever
 // volumes are read there, and so is the pressure. Walls stand on all sides. [Read-off 2]
 TEST(Pressures, AreEvenAcrossAContact) {
-  std::vector<std::array<double, 2>> places;
-  for (int k = 0; k < 64; ++k) places.push_back({0.125 + 0.25 * (k % 8), 0.125 + 0.25 * (k / 8)});
   for (const double sharpening : {0.0, 1.0}) {
-    Located on(points_at(places));
+    Located on(points_at(lattice()));
     for (int p = 0; p < 64; ++p) {
       on.points()(column::mass)[p] = p % 8 < 4 ? 8 : 1;
       const double spread = on.points()(column::volume)[p] = 0.0625 * (1 + 0.3 * std::cos(p % 8));
@@ -97,9 +124,9 @@ TEST(Pressures, AreEvenAcrossAContact) {
 // Of other densities, of an enclosed gas, and where points have left the places of their weights, nothing is read.
 TEST(Pressures, AreReadOffDensitiesOfTheGridAlone) {
   const auto kept = [](DensityMethod method, bool enclosed, bool moved) {
-    Located on(points_at({{1.0, 1.0}}, Wall::free));
-    on.points()(column::volume)[0] = 0.125;
-    on.points()(column::pressure)[0] = 3;
+    Located on(points_at(lattice()));
+    for (int p = 0; p < 64; ++p)
+      on.points()(column::pressure)[p] = 3 / (on.points()(column::volume)[p] = p % 2 == 0 ? 1 : 2);
     if (enclosed) on.body().enclosure.emplace();
     if (moved) on.at.weights[0].keep(on.points());
     read_pressures(on, method, 1);

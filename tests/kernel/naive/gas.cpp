@@ -107,6 +107,16 @@ bool NaiveStep::for_overlapping(std::size_t i, Visit&& visit) const {
   return true;
 }
 
+double NaiveStep::even_share(const std::vector<double>& mapped, std::size_t i, double evenness) const {
+  double least = mapped[i], most = mapped[i];
+  const bool all = for_overlapping(i, [&](std::size_t j, const std::array<int, 3>&) {
+    least = std::min(least, mapped[j]);
+    most = std::max(most, mapped[j]);
+  });
+  const double apart = all && least > 0 ? (most - least) / (evenness * most) : 1;
+  return std::pow(std::max(0.0, 1 - apart * apart), 2);
+}
+
 void NaiveStep::correct_forces() {
   std::vector<double> mapped(nodes_.size(), 0.0);
   for_pairs([&](NaivePoint& p, NaiveNode& i, double n, const Vec&) {
@@ -117,13 +127,7 @@ void NaiveStep::correct_forces() {
   even_share_.assign(nodes_.size(), 0.0);
   for (auto& nodal : corrections_) nodal.clear();
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    double least = mapped[i], most = mapped[i];
-    const bool all = for_overlapping(i, [&](std::size_t j, const std::array<int, 3>&) {
-      least = std::min(least, mapped[j]);
-      most = std::max(most, mapped[j]);
-    });
-    const double apart = all && least > 0 ? (most - least) / (scene_.quadrature * most) : 1;
-    const double chi = std::pow(std::max(0.0, 1 - apart * apart), 2);
+    const double chi = even_share(mapped, i, scene_.quadrature);
     even[i] *= chi;
     even_share_[i] = chi > 0 ? even[i] / mapped[i] : 0;
   }
@@ -355,15 +359,19 @@ void NaiveStep::exchange(Of which, double dt) {
   });
 }
 
-std::vector<double> NaiveStep::read_off(const std::vector<double>& amounts) const {
-  std::vector<double> nodal(nodes_.size(), 0.0), read(points.size(), 0.0);
+std::vector<double> NaiveStep::per_volume(const std::vector<double>& amounts) const {
+  std::vector<double> nodal(nodes_.size(), 0.0);
   for (std::size_t p = 0; p < points.size(); ++p) {
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       if (!apart(points[p].x, nodes_[i])) nodal[i] += amounts[p] * weight(points[p], nodes_[i]);
     }
   }
   for (std::size_t i = 0; i < nodes_.size(); ++i) nodal[i] /= nodes_[i].volume;
-  sharpen_densities(nodal);
+  return nodal;
+}
+
+std::vector<double> NaiveStep::at_points(const std::vector<double>& nodal) const {
+  std::vector<double> read(points.size(), 0.0);
   for (std::size_t p = 0; p < points.size(); ++p) {
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       if (!apart(points[p].x, nodes_[i])) read[p] += weight(points[p], nodes_[i]) * nodal[i];
@@ -377,7 +385,9 @@ void NaiveStep::densities() {
   if (scene_.density == DensityMethod::grid) {
     std::vector<double> masses;
     for (const NaivePoint& point : points) masses.push_back(point.m);
-    const std::vector<double> read = read_off(masses);
+    std::vector<double> nodal = per_volume(masses);
+    sharpen_densities(nodal);
+    const std::vector<double> read = at_points(nodal);
     for (std::size_t p = 0; p < points.size(); ++p) points[p].density = read[p];  // [EC-APIC 2]
   }
   for (NaivePoint& point : points) point.volume = point.m / point.density;

@@ -110,8 +110,14 @@ void NaiveStep::refresh() {
   if (scene_.density != DensityMethod::grid) return;
   std::vector<double> pressed;
   for (const NaivePoint& point : points) pressed.push_back(point.volume * point.pressure);
-  const std::vector<double> read = read_off(pressed);
-  for (std::size_t p = 0; p < points.size(); ++p) points[p].pressure = read[p];  // [Read-off 2]
+  const std::vector<double> mapped = per_volume(pressed);
+  std::vector<double> even = mapped, share(mapped.size());
+  sharpen_densities(even);
+  for (std::size_t i = 0; i < mapped.size(); ++i) even[i] *= share[i] = even_share(mapped, i, 0.3);
+  const std::vector<double> read = at_points(even), taken = at_points(share);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    points[p].pressure = read[p] + (1 - taken[p]) * points[p].pressure;  // [Read-off 2]
+  }
 }
 
 Mat NaiveStep::strain_tensor(const Columns& from, std::size_t p) const {

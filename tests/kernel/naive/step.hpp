@@ -174,8 +174,11 @@ class NaiveStep {
   std::vector<Vec> sharpened(const std::vector<Vec>& u) const;
   // Nodal densities with what two maps smoothed of them undone. [Read-off 1]
   void sharpen_densities(std::vector<double>& rho) const;
-  // Of what points hold as much per volume as nodes do where the points stand. [EC-APIC 2] [Read-off 2]
-  std::vector<double> read_off(const std::vector<double>& amounts) const;
+  // Of what points hold, the nodes' amount per volume where the points stand; and what nodes have, there. [EC-APIC 2] [Read-off 2]
+  std::vector<double> per_volume(const std::vector<double>& amounts) const;
+  std::vector<double> at_points(const std::vector<double>& nodal) const;
+  // chi of node i. [Quadrature 1]
+  double even_share(const std::vector<double>& mapped, std::size_t i, double evenness) const;
   // All of kappa at an extremum of the nodal energies, a quarter where these are monotone. [Exchange 1]
   double exchange_share(std::size_t i) const;
   // What a point will get through the nodes. [Exchange 1]
