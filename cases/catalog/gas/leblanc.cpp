@@ -16,8 +16,7 @@ Case leblanc() {
     if (gate.gate.id != "default/coverage-100") continue;
     gate = std::move(gate).fails(
         "the density falls thirteenfold at the contact, and thin gas within a cell of it reads a mean with the dense "
-        "gas: "
-        "nine tenths of a cell are missing there, with four points a cell in the thin gas as with one",
+        "gas: nine tenths of a cell are missing there, with four points a cell in the thin gas as with one",
         {0.987, 0.99}, "2026-11-25 dbede7c");
   }
   return made;
