@@ -202,8 +202,9 @@ std::vector<Part> shells(const GasBall& ball, double gamma, const std::function<
 std::function<double(double)> points_per_length(const GasBall& ball, const PointRule& rule, double h) {
   if (ball.spacing) return [&ball](double r) { return 1 / ball.spacing(r); };
   // Points of one mass, rho s^d, stand s = (mass/rho)^(1/d) apart.
-  return [&ball, rule, h, centre = ball.initial(0).density](double r) {
-    return std::max(rule.ppc * std::pow(ball.initial(r).density / centre, 1.0 / ball.geometry.dim), 2 * rule.least) / h;
+  const double least = std::min(rule.ppc, 2 * rule.least);
+  return [&ball, rule, least, h, centre = ball.initial(0).density](double r) {
+    return std::max(rule.ppc * std::pow(ball.initial(r).density / centre, 1.0 / ball.geometry.dim), least) / h;
   };
 }
 

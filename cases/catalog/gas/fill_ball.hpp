@@ -19,8 +19,8 @@ struct GasBall {
 //                                  but those at the edge.
 //   equal mass                     concentric shells, each cut into sectors about as wide as it is thick, points spread
 //                                  so that each has the mass of one at the centre; where that would leave less than
-//                                  twice `least` a cell along a direction, that many, and lighter ones: with half of
-//                                  them the edge of a gas in vacuum is twice as far off.
+//                                  twice `least` a cell along a direction, and than `ppc`, that many, and lighter
+//                                  ones: with half of them the edge of a gas in vacuum is nearly twice as far off.
 //   `spacing` given                the same shells with this distance of points, whatever masses come out
 // In a slice of rings: intervals along the radius as fill_gas() has them. Rings are per radian: with equal spacing
 // their masses go with the distance from the axis, in all layouts.

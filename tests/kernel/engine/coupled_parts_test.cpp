@@ -125,8 +125,11 @@ TEST(Pressures, AreEvenAcrossAContact) {
 TEST(Pressures, AreReadOffDensitiesOfTheGridAlone) {
   const auto kept = [](DensityMethod method, bool enclosed, bool moved) {
     Located on(points_at(lattice()));
-    for (int p = 0; p < 64; ++p)
-      on.points()(column::pressure)[p] = 3 / (on.points()(column::volume)[p] = p % 2 == 0 ? 1 : 2);
+    for (int p = 0; p < 64; ++p) {
+      const double volume = p % 2 == 0 ? 1 : 2;
+      on.points()(column::volume)[p] = volume;
+      on.points()(column::pressure)[p] = 3 / volume;
+    }
     if (enclosed) on.body().enclosure.emplace();
     if (moved) on.at.weights[0].keep(on.points());
     read_pressures(on, method, 1);

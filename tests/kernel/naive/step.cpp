@@ -113,7 +113,10 @@ void NaiveStep::refresh() {
   const std::vector<double> mapped = per_volume(pressed);
   std::vector<double> even = mapped, share(mapped.size());
   sharpen_densities(even);
-  for (std::size_t i = 0; i < mapped.size(); ++i) even[i] *= share[i] = even_share(mapped, i, 0.3);
+  for (std::size_t i = 0; i < mapped.size(); ++i) {
+    share[i] = even_share(mapped, i, 0.3);
+    even[i] *= share[i];
+  }
   const std::vector<double> read = at_points(even), taken = at_points(share);
   for (std::size_t p = 0; p < points.size(); ++p) {
     points[p].pressure = read[p] + (1 - taken[p]) * points[p].pressure;  // [Read-off 2]

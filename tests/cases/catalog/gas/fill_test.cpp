@@ -1,5 +1,6 @@
 // Points are the gas: its mass, momentum and energy, in every geometry, for any ratio of densities.
 #include "cases/catalog/gas/fill.hpp"
+#include "cases/catalog/gas/fill_ball.hpp"
 
 #include <gtest/gtest.h>
 
@@ -168,6 +169,32 @@ TEST(Fill, RingsWeighWithTheirRadius) {
     EXPECT_NEAR(body.points(column::mass)[p] / body.points(column::volume)[p], 2, rounding);
     EXPECT_NEAR(body.points(column::volume)[p], body.points(column::position)[p] / 256, 1e-4);
   }
+}
+
+// The greatest distance between shells of a cylinder whose density falls to a hundredth, in cells.
+double widest_shell(double ppc) {
+  const double h = 0.1;
+  GasBall ball;
+  ball.geometry = radial_geometries(2).back();  // in the plane
+  ball.radius = 1;
+  ball.initial = [](double r) { return reference::GasState{1 - 0.99 * r, 0, 1}; };
+  ball.uniform = false;
+  const Body body = fill_ball(gas(), ball, {true, ppc, 1, 1}, grid_of(2, h));
+  std::vector<double> radii;
+  for (int p = 0; p < body.points.points(); ++p) {
+    radii.push_back(std::hypot(body.points(column::position)[p], body.points(column::position, 1)[p]));
+  }
+  std::sort(radii.begin(), radii.end());
+  double widest = 0;
+  for (std::size_t k = 1; k < radii.size(); ++k) widest = std::max(widest, radii[k] - radii[k - 1]);
+  return widest / h;
+}
+
+// Two a cell where points of one mass would stand farther apart, but no more than there shall be at the centre. Whole numbers of
+// shells and the sectors' centres of mass move them by less than a quarter.
+TEST(Fill, ShellsStandAtMostHalfACellApartWhereABallThins) {
+  EXPECT_NEAR(widest_shell(4), 0.5, 0.125);
+  EXPECT_NEAR(widest_shell(1), 1, 0.25);
 }
 
 TEST(Fill, PressureIsThatOfTheEnergy) {
