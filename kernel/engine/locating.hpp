@@ -68,7 +68,7 @@ class Locating {
       if (places.bins.points() == points) continue;
       std::vector<int> alone(static_cast<std::size_t>(points));
       std::iota(alone.begin(), alone.end(), 0);
-      placing_.build(alone, places, false);
+      places.bins.build(alone);
     }
   }
 

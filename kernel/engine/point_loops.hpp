@@ -60,9 +60,6 @@ class PointLoops {
                                      std::vector<double>& volume) const = 0;
   // Lowest nodes of the points; false: one of them stands outside of the grid.
   virtual bool find_lowest(const Columns& points, PointRange range, int* lowest) const = 0;
-  // Appends the points of a chunk that stand in another bin now, in their order; false: one of them stands outside of the grid.
-  virtual bool find_movers(const Columns& points, const Bins& bins, const Chunk& chunk,
-                           std::vector<Mover>& movers) const = 0;
   // D_p along d where the point stands, m^2.
   virtual double inertia(const Columns& points, int d, int p) const = 0;
   // The same of a pack of points from p on, `count` of them; the other lanes hold anything.

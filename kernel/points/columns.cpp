@@ -51,13 +51,7 @@ int Columns::components(const ColumnId& id) const {
 }
 
 void Columns::reorder(std::span<const int> order, std::span<const ColumnId> stale, int threads) {
-  std::vector<PointRun> runs;
-  find_runs(order, runs);
-  reorder(runs, stale, threads);
-}
-
-void Columns::reorder(std::span<const PointRun> runs, std::span<const ColumnId> stale, int threads) {
-  const int count = static_cast<int>(runs.size()) - 1, pieces = (count + piece - 1) / piece;
+  const int pieces = (points_ + piece - 1) / piece;
   for (std::size_t c = 0; c < columns_.size(); ++c) {
     Column& column = columns_[c];
     const auto is_it = [&](const ColumnId& id) { return static_cast<std::size_t>(id.index()) == c; };
@@ -67,11 +61,11 @@ void Columns::reorder(std::span<const PointRun> runs, std::span<const ColumnId> 
     std::vector<double>& spare = spare_[components];
     spare.resize(column.values.size());
     for_each_piece(pieces, threads, [&](int k) {
-      const int first = k * piece, last = std::min(first + piece, count);
-      const auto own = runs.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first + 1));
-      for (int d = 0; d < column.components; ++d) {
-        const std::size_t start = static_cast<std::size_t>(d) * stride();
-        copy_runs(own, column.values.data() + start, spare.data() + start, points_ + padding);
+      const int first = k * piece, last = std::min(first + piece, points_);
+      for (std::size_t d = 0; d < components; ++d) {
+        const double* from = column.values.data() + d * stride();
+        double* to = spare.data() + d * stride();
+        for (int p = first; p < last; ++p) to[p] = from[order[static_cast<std::size_t>(p)]];
       }
     });
     std::copy(column.values.end() - padding, column.values.end(), spare.end() - padding);

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "kernel/points/column_names.hpp"
-#include "kernel/points/runs.hpp"
 
 namespace plumbline {
 
@@ -37,8 +36,6 @@ class Columns {
   // Point k becomes what point order[k] was. `order` is a permutation of 0 ... points()-1. Columns in `stale` hold nothing
   // that will be read and stay as they are.
   void reorder(std::span<const int> order, std::span<const ColumnId> stale = {}, int threads = 1);
-  // The same of the runs of such an order, as find_runs() gives them.
-  void reorder(std::span<const PointRun> runs, std::span<const ColumnId> stale = {}, int threads = 1);
 
   // One more point behind the others for each of `of`, with the values of that point in every column.
   void append_copies(std::span<const int> of);
@@ -59,7 +56,7 @@ class Columns {
   }
 
   static constexpr int padding = 16;  // values behind the last component
-  static constexpr int piece = 1024;  // runs that one thread takes at a time
+  static constexpr int piece = 8192;  // points that one thread takes at a time
 
   int points_;
   std::vector<Column> columns_;  // by ColumnId::index()

@@ -29,11 +29,24 @@ std::vector<int> sorted_nodes(int points, int layer, int layers, unsigned long s
 
 constexpr int layer = 30, height = 4;
 
+// Of sorted nodes.
+Bins bins_of(const std::vector<int>& lowest) {
+  std::vector<int> node, start;
+  for (std::size_t p = 0; p < lowest.size(); ++p) {
+    if (p > 0 && lowest[p] == lowest[p - 1]) continue;
+    node.push_back(lowest[p]);
+    start.push_back(static_cast<int>(p));
+  }
+  start.push_back(static_cast<int>(lowest.size()));
+  Bins bins;
+  bins.build(node, start, layer, height);
+  return bins;
+}
+
 TEST(Bins, HoldThePointsOfOneNodeEach) {
   for (int points : {1, 2, 255, 256, 257, 5000}) {
     const std::vector<int> lowest = sorted_nodes(points, layer, 40);
-    Bins bins;
-    bins.build(lowest, layer, height, true);
+    const Bins bins = bins_of(lowest);
     int met = 0;
     for (int bin = 0; bin < bins.bins(); ++bin) {
       EXPECT_EQ(bins.start(bin), met);
@@ -48,9 +61,8 @@ TEST(Bins, HoldThePointsOfOneNodeEach) {
 }
 
 TEST(Bins, OfNoPointsAreNone) {
-  Bins bins;
-  bins.build(sorted_nodes(100, layer, 40), layer, height, true);
-  bins.build({}, layer, height, true);
+  Bins bins = bins_of(sorted_nodes(100, layer, 40));
+  bins.build({}, std::vector<int>{0}, layer, height);
   EXPECT_EQ(bins.bins(), 0);
   EXPECT_EQ(bins.chunk_count(), 0);
   EXPECT_TRUE(bins.blocks(0).empty());
@@ -62,7 +74,10 @@ TEST(Bins, ChunksAreConsecutiveBins) {
   for (bool in_order : {true, false}) {
     const std::vector<int> lowest = in_order ? sorted_nodes(20000, layer, 40) : random_nodes(20000, layer, 40, 5);
     Bins bins;
-    bins.build(lowest, layer, height, in_order);
+    if (in_order)
+      bins = bins_of(lowest);
+    else
+      bins.build(lowest);
     int bin = 0, point = 0;
     for (int c = 0; c < bins.chunk_count(); ++c) {
       const Chunk& chunk = bins.chunks()[static_cast<std::size_t>(c)];
@@ -93,8 +108,7 @@ TEST(Bins, BlocksOfOneColourShareNoNode) {
   for (unsigned long seed : {1ul, 2ul, 3ul}) {
     for (int points : {40, 3000, 30000}) {
       const std::vector<int> lowest = sorted_nodes(points, layer, 60, seed);
-      Bins bins;
-      bins.build(lowest, layer, height, true);
+      const Bins bins = bins_of(lowest);
       std::vector<int> seen(static_cast<std::size_t>(bins.chunk_count()));
       for (int colour = 0; colour < 2; ++colour) {
         int reached = -1;
@@ -126,7 +140,7 @@ TEST(Bins, BlocksOfOneColourShareNoNode) {
 TEST(Bins, AChainIsOneBlock) {
   const std::vector<int> lowest = random_nodes(5000, layer, 40, 7);
   Bins bins;
-  bins.build(lowest, layer, height, false);
+  bins.build(lowest);
   ASSERT_EQ(bins.blocks(0).size(), 1u);
   EXPECT_TRUE(bins.blocks(1).empty());
   EXPECT_EQ(bins.blocks(0)[0].first, 0);
@@ -158,13 +172,6 @@ std::vector<int> taken(const std::vector<int>& values, const std::vector<int>& o
   return result;
 }
 std::vector<int> copy_of(std::span<const int> order) { return {order.begin(), order.end()}; }
-std::vector<int> order_of(std::span<const PointRun> runs) {
-  std::vector<int> order;
-  for (std::size_t r = 0; r + 1 < runs.size(); ++r) {
-    for (int p = runs[r].to; p < runs[r + 1].to; ++p) order.push_back(runs[r].from + p - runs[r].to);
-  }
-  return order;
-}
 
 // Whatever the order they are given in, and as often as the same sorter is used, for fewer nodes and points as for more.
 TEST(BinSort, PointsAreSortedByNodeAndNumber) {
@@ -177,7 +184,7 @@ TEST(BinSort, PointsAreSortedByNodeAndNumber) {
 
 // From the order of the step before: a share of the points has gone to the next node, to any node, or nowhere; some bins
 // lose all their points, some nodes get their first. Many times over, one after another.
-TEST(BinSort, SortingAgainIsSorting) {
+TEST(BinSort, FindsTheBinsOfItsOrder) {
   constexpr int points = 2500, layers = 12, nodes = layer * layers;
   for (const double share : {0.0, 0.02, 0.4, 1.0}) {
     SCOPED_TRACE(share);
@@ -185,41 +192,33 @@ TEST(BinSort, SortingAgainIsSorting) {
     std::vector<int> lowest = random_nodes(points, layer, layers, 9), id = shuffled_numbers(points, 11);
     BinSort sorter;
     Bins bins;
-    const auto take = [&](const std::vector<int>& order) {
+    bool moved = true;  // before the first sort they stand in no order
+    for (int step = 0; step < 12; ++step) {
+      if (step > 0) {
+        EXPECT_EQ(bins.hold(lowest), !moved) << "step " << step;
+      }
+      const std::vector<int> order = copy_of(sorter.sort(lowest, id, nodes));
+      ASSERT_EQ(order, expected_order(lowest, id)) << "step " << step;
       lowest = taken(lowest, order);
       id = taken(id, order);
-      bins.build(lowest, layer, height, true);
-    };
-    take(copy_of(sorter.sort(lowest, id, nodes)));
-    std::size_t moved = 0;
-    for (int step = 0; step < 12; ++step) {
-      std::vector<Mover> movers;
-      for (std::size_t p = 0; p < lowest.size(); ++p) {
-        if (random(0, 1) >= share) continue;
-        const int far = static_cast<int>(random(0, nodes)), near = std::min(nodes - 1, lowest[p] + 1);
-        const int next = step % 2 ? far : near;
-        if (next == lowest[p]) continue;
-        movers.push_back({static_cast<int>(p), next});
-        lowest[p] = next;
-      }
-      moved += movers.size();
-      sorter.sort_again(bins, movers, id, nodes);
-      const std::vector<int> order = order_of(sorter.runs());
-      ASSERT_EQ(order, expected_order(lowest, id)) << "step " << step;
-      std::vector<PointRun> fewest;
-      find_runs(order, fewest);
-      EXPECT_EQ(sorter.runs().size(), fewest.size());
-      take(order);
-      Bins same;
-      same.build(sorter.node(), sorter.start(), layer, height);
+      bins.build(sorter.node(), sorter.start(), layer, height);
+      EXPECT_TRUE(bins.hold(lowest));
+      const Bins same = bins_of(lowest);
       ASSERT_EQ(same.bins(), bins.bins());
       for (int bin = 0; bin < bins.bins(); ++bin) {
         ASSERT_EQ(same.node(bin), bins.node(bin));
         ASSERT_EQ(same.end(bin), bins.end(bin));
       }
-      ASSERT_EQ(same.chunk_count(), bins.chunk_count());
+      moved = false;
+      for (int& node : lowest) {
+        if (random(0, 1) >= share) continue;
+        const int far = static_cast<int>(random(0, nodes)), near = std::min(nodes - 1, node + 1);
+        const int next = step % 2 ? far : near;
+        moved = moved || next != node;
+        node = next;
+      }
     }
-    EXPECT_EQ(moved > 0, share > 0);
+    EXPECT_EQ(moved, share > 0);
   }
 }
 

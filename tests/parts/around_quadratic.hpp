@@ -30,10 +30,6 @@ class AroundQuadratic : public PointLoops<Geometry> {
   bool find_lowest(const Columns& points, PointRange range, int* lowest) const override {
     return right_->find_lowest(points, range, lowest);
   }
-  bool find_movers(const Columns& points, const Bins& bins, const Chunk& chunk,
-                   std::vector<Mover>& movers) const override {
-    return right_->find_movers(points, bins, chunk, movers);
-  }
   double inertia(const Columns& points, int d, int p) const override { return right_->inertia(points, d, p); }
   void map_mass_and_momentum(const Body& body, const At& at, const Chunk& chunk, Field& field) const override {
     right_->map_mass_and_momentum(body, at, chunk, field);

@@ -27,8 +27,6 @@ class CornerLoops final : public ListLoops<Geometry> {
         per_h_(1 / Lists::grid().h()) {}
 
   bool find_lowest(const Columns& points, PointRange range, int* lowest) const override;
-  bool find_movers(const Columns& points, const Bins& bins, const Chunk& chunk,
-                   std::vector<Mover>& movers) const override;
 
   void map_mass_and_momentum(const Body& body, const At& at, const Chunk& chunk, Field& field) const override {
     in_packs(body) ? map_motion<true>(body, at, chunk, field) : Lists::map_mass_and_momentum(body, at, chunk, field);

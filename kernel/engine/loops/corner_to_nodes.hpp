@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kernel/engine/loops/corner_loops.hpp"
-#include "kernel/engine/loops/movers.hpp"
+#include "kernel/engine/loops/lowest_nodes.hpp"
 
 namespace plumbline {
 
@@ -25,17 +25,6 @@ bool CornerLoops<G>::find_lowest(const Columns& points, PointRange range, int* l
   const double* const x[] = {points(column::position, 0), points(column::position, 1)};
   return store_lowest_nodes(
       range, lowest, [&](int p, int count, PackMask& inside) __attribute__((always_inline)) {
-        return lowest_node({load(x[0] + p), load(x[1] + p)}, edges, p, count, inside);
-      });
-}
-
-template <class G>
-bool CornerLoops<G>::find_movers(const Columns& points, const Bins& bins, const Chunk& chunk,
-                                 std::vector<Mover>& movers) const {
-  const EdgeColumns edges(points);
-  const double* const x[] = {points(column::position, 0), points(column::position, 1)};
-  return append_movers(
-      bins, chunk, movers, [&](int p, int count, PackMask& inside) __attribute__((always_inline)) {
         return lowest_node({load(x[0] + p), load(x[1] + p)}, edges, p, count, inside);
       });
 }

@@ -107,20 +107,6 @@ bool ListLoops<G>::find_lowest(const Columns& points, PointRange range, int* low
 }
 
 template <class G>
-bool ListLoops<G>::find_movers(const Columns& points, const Bins& bins, const Chunk& chunk,
-                               std::vector<Mover>& movers) const {
-  std::vector<int> lowest(static_cast<std::size_t>(chunk.last - chunk.first));
-  const bool inside = find_lowest(points, {chunk.first, chunk.last}, lowest.data() - chunk.first);
-  for (int bin = chunk.first_bin; bin < chunk.last_bin; ++bin) {
-    for (int p = bins.start(bin); p < bins.end(bin); ++p) {
-      const int node = lowest[static_cast<std::size_t>(p - chunk.first)];
-      if (node != bins.node(bin)) movers.push_back({p, node});
-    }
-  }
-  return inside;
-}
-
-template <class G>
 double ListLoops<G>::inertia(const Columns& points, int d, int p) const {
   return inertia_of(reach(points, {p, p + 1}), p)(d, d);
 }

@@ -31,8 +31,6 @@ class ListLoops : public PointLoops<Geometry> {
                              std::vector<double>& volume) const override;
   // Throws std::logic_error for a point that reaches further than the shape's support, or off the grid.
   bool find_lowest(const Columns& points, PointRange range, int* lowest) const override;
-  bool find_movers(const Columns& points, const Bins& bins, const Chunk& chunk,
-                   std::vector<Mover>& movers) const override;
   double inertia(const Columns& points, int d, int p) const override;
   bool follows() const override { return shape_->follows(); }
   void follow(Columns& points) const override { shape_->follow(points); }

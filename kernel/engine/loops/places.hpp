@@ -1,10 +1,9 @@
-// Where points stand: their lowest nodes, which of them came to another bin, and their inertia there.
+// Where points stand: their lowest nodes and their inertia there.
 #pragma once
 
 #include <algorithm>
-#include <vector>
 
-#include "kernel/engine/loops/movers.hpp"
+#include "kernel/engine/loops/lowest_nodes.hpp"
 #include "kernel/engine/loops/shape_loops.hpp"
 
 namespace plumbline {
@@ -56,16 +55,6 @@ bool ShapeLoops<G, S>::find_lowest(const Columns& points, PointRange range, int*
   const Extent grid = extent(points);
   return store_lowest_nodes(
       range, lowest, [&](int p, int count, PackMask& inside) __attribute__((always_inline)) {
-        return lowest_node(grid, p, count, inside);
-      });
-}
-
-template <class G, class S>
-bool ShapeLoops<G, S>::find_movers(const Columns& points, const Bins& bins, const Chunk& chunk,
-                                   std::vector<Mover>& movers) const {
-  const Extent grid = extent(points);
-  return append_movers(
-      bins, chunk, movers, [&](int p, int count, PackMask& inside) __attribute__((always_inline)) {
         return lowest_node(grid, p, count, inside);
       });
 }

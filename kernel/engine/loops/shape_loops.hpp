@@ -66,8 +66,6 @@ class ShapeLoops final : public PointLoops<Geometry> {
       throw std::logic_error("only in two dimensions does a chain of points enclose a gas");
   }
   bool find_lowest(const Columns& points, PointRange range, int* lowest) const override;
-  bool find_movers(const Columns& points, const Bins& bins, const Chunk& chunk,
-                   std::vector<Mover>& movers) const override;
   double inertia(const Columns& points, int d, int p) const override;
   Pack pack_inertia(const Columns& points, int d, int p, int count) const override;
 
