@@ -1,5 +1,6 @@
 #include "kernel/bins.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -65,30 +66,28 @@ bool Bins::hold(std::span<const int> lowest) const {
 }
 
 std::span<const int> BinSort::sort(std::span<const int> lowest, std::span<const int> id, int nodes) {
-  first_.assign(static_cast<std::size_t>(nodes), 0);
-  for (const int node : lowest) ++first_[static_cast<std::size_t>(node)];
+  next_.assign(static_cast<std::size_t>(nodes), 0);
+  for (const int node : lowest) ++next_[static_cast<std::size_t>(node)];
   node_.clear();
   start_.clear();
   int placed = 0;
   for (int node = 0; node < nodes; ++node) {
-    const int count = std::exchange(first_[static_cast<std::size_t>(node)], placed);
+    const int count = std::exchange(next_[static_cast<std::size_t>(node)], placed);
     if (count == 0) continue;
     node_.push_back(node);
     start_.push_back(placed);
     placed += count;
   }
   start_.push_back(placed);
-  next_ = first_;
   order_.resize(lowest.size());
   for (std::size_t p = 0; p < lowest.size(); ++p) {
-    const auto node = static_cast<std::size_t>(lowest[p]);
-    int k = next_[node]++;
-    for (; k > first_[node]; --k) {  // points come all but sorted by id
-      const int before = order_[static_cast<std::size_t>(k - 1)];
-      if (id[static_cast<std::size_t>(before)] < id[p]) break;
-      order_[static_cast<std::size_t>(k)] = before;
-    }
-    order_[static_cast<std::size_t>(k)] = static_cast<int>(p);
+    int& next = next_[static_cast<std::size_t>(lowest[p])];
+    order_[static_cast<std::size_t>(next++)] = static_cast<int>(p);
+  }
+  const auto before = [&](int a, int b) { return id[static_cast<std::size_t>(a)] < id[static_cast<std::size_t>(b)]; };
+  for (std::size_t bin = 0; bin < node_.size(); ++bin) {
+    const auto first = order_.begin() + start_[bin], last = order_.begin() + start_[bin + 1];
+    if (!std::is_sorted(first, last, before)) std::sort(first, last, before);
   }
   return order_;
 }

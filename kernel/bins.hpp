@@ -61,7 +61,7 @@ class BinSort {
   std::span<const int> start() const { return start_; }  // and behind the last bin's how many points there are
 
  private:
-  std::vector<int> first_, next_;  // per node: where its first and its next point go
+  std::vector<int> next_;  // per node: where its next point goes
   std::vector<int> order_, node_, start_;
 };
 

@@ -236,5 +236,27 @@ TEST(Stencil, PacksAreSoManyPoints) {
   expect_packs_like_numbers<3, Cubic>();
 }
 
+// The last node of a point that stands `past` cells inside its reach: N = past^p / p!. At a free edge it is all but massless, and
+// forces, which go with the gradient, make it so fast that its energy is of order one; mass and energy keep their digits.
+// Sums of powers of the point's coordinate would not: a coefficient times it is as large as the node's value, and cancels.
+template <class Shape>
+void expect_digits_of_light_nodes(double first, double per_factorial) {
+  for (const double wanted : {1e-2, 1e-4, 1e-6, 1e-8}) {
+    SCOPED_TRACE(wanted);
+    const double local[1] = {first + wanted}, past = local[0] - first;
+    const Stencil<1, Shape, double> stencil(local, h);
+    const double weight = per_factorial * std::pow(past, Shape::degree);
+    double masses[Shape::support] = {};
+    stencil.spread(1.0, masses, 1);
+    EXPECT_NEAR(masses[Shape::support - 1] / weight, 1, rounding);
+    const auto square = [&](int k) { return k + 1 < Shape::support ? 1.0 : 2 / weight; };
+    EXPECT_NEAR(stencil.gather_array(square).value, 3 - weight, 3 * rounding);
+  }
+}
+TEST(Stencil, NodesWithHardlyAnyMassKeepTheirDigits) {
+  expect_digits_of_light_nodes<Quadratic>(-0.5, 1.0 / 2);
+  expect_digits_of_light_nodes<Cubic>(0, 1.0 / 6);
+}
+
 }  // namespace
 }  // namespace plumbline::stencil_test
