@@ -44,12 +44,13 @@ std::vector<double> stepped(const Subject& subject, Scene scene, double dt, int 
   return places_and_velocities(run.scene());
 }
 
-constexpr double dt = 0.1;  // h/c
-constexpr int steps = 16;
+constexpr double usual_step = 0.1;  // h/c
+constexpr int usual_steps = 16;
 
 Measured repeated(const Subject& subject) {
   const Scene scene = workable(with_some_maps(small_scene("plate"), subject.name()), subject.name());
-  return plain(largest_difference(stepped(subject, scene, dt, steps), stepped(subject, scene, dt, steps)));
+  return plain(largest_difference(stepped(subject, scene, usual_step, usual_steps),
+                                  stepped(subject, scene, usual_step, usual_steps)));
 }
 
 // Enough points that two threads share them.
@@ -69,22 +70,23 @@ Measured over_threads(const Subject& subject) {
     body.id.push_back(p);
     body.points(column::position)[p] += width * (p / n);
   }
-  return plain(largest_difference(stepped(subject, scene, dt, 4, 1), stepped(subject, scene, dt, 4, 2)));
+  return plain(
+      largest_difference(stepped(subject, scene, usual_step, 4, 1), stepped(subject, scene, usual_step, 4, 2)));
 }
 
 // As from a file: all that the new run has of the old one is numbers with names.
 Measured restarted(const Subject& subject) {
   const Scene scene = workable(with_some_maps(small_scene("plate"), subject.name()), subject.name());
-  Simulation whole(scene, subject.name(), control_of(subject, dt));
-  for (int k = 0; k < steps / 2; ++k) whole.step(dt);
+  Simulation whole(scene, subject.name(), control_of(subject, usual_step));
+  for (int k = 0; k < usual_steps / 2; ++k) whole.step(usual_step);
   Archive writing;
   archive_simulation(writing, whole, subject.name());
   const Archive::Table half_way = writing.take();
-  for (int k = 0; k < steps / 2; ++k) whole.step(dt);
-  Simulation again(scene, subject.name(), control_of(subject, dt));
+  for (int k = 0; k < usual_steps / 2; ++k) whole.step(usual_step);
+  Simulation again(scene, subject.name(), control_of(subject, usual_step));
   Archive reading(half_way);
   archive_simulation(reading, again, subject.name());
-  for (int k = 0; k < steps / 2; ++k) again.step(dt);
+  for (int k = 0; k < usual_steps / 2; ++k) again.step(usual_step);
   return plain(largest_difference(places_and_velocities(whole.scene()), places_and_velocities(again.scene())));
 }
 
@@ -92,7 +94,7 @@ Measured restarted(const Subject& subject) {
 Measured remembered(const Subject& subject) {
   constexpr int times = 64;
   const Scene scene = workable(with_some_maps(small_scene("bar"), subject.name()), subject.name());
-  StepMap map(scene, {}, subject.choice(), Positions::moving, dt);
+  StepMap map(scene, {}, subject.choice(), Positions::moving, usual_step);
   const std::vector<double> start = map.state();
   map.step();
   const std::vector<double> first = map.state();
@@ -109,8 +111,8 @@ Measured remembered(const Subject& subject) {
 Measured in_a_mirror(const Subject& subject) {
   const SmallScene small = with_some_maps(small_scene("plate"), subject.name());
   const Scene scene = workable(small, subject.name());
-  std::vector<double> there = state_at_end(small, scene, subject.choice(), steps);
-  const std::vector<double> mirror = state_at_end(small, mirrored(scene), subject.choice(), steps);
+  std::vector<double> there = state_at_end(small, scene, subject.choice(), usual_steps);
+  const std::vector<double> mirror = state_at_end(small, mirrored(scene), subject.choice(), usual_steps);
   double scale = 0;
   for (const double value : there) scale = larger(scale, std::abs(value));
   const std::size_t n = scene.bodies[0].id.size();
