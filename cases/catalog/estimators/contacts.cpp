@@ -104,7 +104,7 @@ void add_readings(const std::string& family, double exact, KnownAnswers& all) {
   }
 }
 
-// What points gain of the one change that is told, over what they have, by the work of the other forces less. [Ledger 3]
+// What points gain of the one change that is told, over what they have, less the work of the other forces.
 double kept_gain(double end) {
   const double kick = end - told_start, work = (own_end - own_start) * (told_start + end) / 2;
   return (kick * (own_start + kick / 2) - work) / (own_start * own_start + own_end * own_end);

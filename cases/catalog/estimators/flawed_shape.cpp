@@ -17,8 +17,7 @@ class FlawedShape final : public ShapeProbe {
   Eigen::RowVectorXd place(int node) const override { return of_->place(node); }
   std::array<int, 3> index(int node) const override { return of_->index(node); }
   bool inside(const ProbePoint& point) const override {
-    const bool found = of_->inside(point);
-    return flaws_.inside ? flaws_.inside(found) : found;
+    return flaws_.inside ? flaws_.inside(point) : of_->inside(point);
   }
 
   Interpolated interpolated(const Points& points, const Eigen::MatrixXd& u) const override {

@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <memory>
-#include <vector>
 
 #include "cases/harness/parts/shape_probe.hpp"
 
@@ -18,11 +17,11 @@ struct ShapeFlaws {
   // Beyond the place `from` along the first direction, m: added to values, and a kink, from which on values rise by so much a
   // cell, and the gradient along the first direction with them.
   double from = 0, jump = 0, kink = 0;
-  double inertia = 0;                            // added to D_p / h^2
-  double taken_velocity = 0, taken_slope = 0;    // added to the velocity, and to h C_p
-  double volume = 0, blur = 0;                   // volumes times 1 + volume; added to the blur
-  int lowest = 0;                                // added to the lowest node along the first direction
-  std::function<bool(bool inside)> inside = {};  // what is said of a place
+  double inertia = 0;                                        // added to D_p / h^2
+  double taken_velocity = 0, taken_slope = 0;                // added to the velocity, and to h C_p
+  double volume = 0, blur = 0;                               // volumes times 1 + volume; added to the blur
+  int lowest = 0;                                            // added to the lowest node along the first direction
+  std::function<bool(const ProbePoint& point)> inside = {};  // what is said of a place
 };
 
 // A shape of the kernel, and the flaws.

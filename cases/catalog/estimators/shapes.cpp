@@ -39,9 +39,21 @@ ShapeFlaws made(const std::function<void(ShapeFlaws&)>& set) {
   return flaws;
 }
 
+// The shape says that places up to so many cells beyond the sides are on the grid.
+ShapeFlaws reaching(const GridSpec& grid, double cells) {
+  return made([&](auto& f) {
+    f.inside = [grid, beyond = cells * grid.h](const ProbePoint& point) {
+      for (std::size_t d = 0; d < static_cast<std::size_t>(grid.dim); ++d) {
+        const double low = grid.origin[d] - beyond, high = grid.origin[d] + grid.cells[d] * grid.h + beyond;
+        if (!(point.x[d] >= low && point.x[d] <= high)) return false;
+      }
+      return true;
+    };
+  });
+}
+
 // Of any geometry; h: size of a cell, dim: number of directions.
 std::vector<FlawedRow> flawed_rows(double h, int dim) {
-  const double count = dim;
   return {
       {"unity", shape_identity_gates, made([](auto& f) { f.value = shape_flaw; }), shape_flaw},
       {"unity", shape_identity_gates, made([](auto& f) { f.value = -shape_flaw; }), shape_flaw},
@@ -57,9 +69,6 @@ std::vector<FlawedRow> flawed_rows(double h, int dim) {
       {"inertia/affine", shape_identity_gates, made([](auto& f) { f.taken_velocity = shape_flaw; }), shape_flaw},
       {"inertia/affine", shape_identity_gates, made([](auto& f) { f.taken_slope = shape_flaw; }), shape_flaw},
       {"volume", shape_identity_gates, made([](auto& f) { f.volume = shape_flaw; }), shape_flaw},
-      // Of eight places a direction beyond the sides or nowhere, and five on them or between.
-      {"support/sides", shape_support_gates, made([](auto& f) { f.inside = [](bool) { return true; }; }), 8 * count},
-      {"support/sides", shape_support_gates, made([](auto& f) { f.inside = [](bool) { return false; }; }), 5 * count},
   };
 }
 
@@ -79,6 +88,22 @@ KnownAnswers shape_answers() {
     const SharedSubject open = with_flaws("quadratic", geometry, made([](auto& f) { f.value = shape_flaw; }),
                                           &ShapeSubject::open);
     all.push_back({"open/" + where, reading(shape_identity_gates(open), "unity/" + where), shape_flaw});
+    // Places are tried along each direction: two a millionth of a cell beyond the sides, two five cells, two far off, one nowhere
+    // and one that is no number; two on the sides, two a millionth of a cell inside, and the middle.
+    for (const auto& [beyond, wrong] : {std::pair{0.0, 0.0},
+                                        {0.9e-6, 0},
+                                        {1.1e-6, 2},
+                                        {4.9, 2},
+                                        {5.1, 4},
+                                        {1e301, 6},
+                                        {HUGE_VAL, 7},
+                                        {-0.9e-6, 2},
+                                        {-1.1e-6, 4},
+                                        {-9, 5}}) {
+      const SharedSubject subject = with_flaws("quadratic", geometry, reaching(grid, beyond));
+      all.push_back({std::to_string(number++) + ".sides/" + where,
+                     reading(shape_support_gates(subject), "support/sides/" + where), wrong * grid.dim});
+    }
     // One node: what points give and take are sums.
     const std::pair<const char*, MapFlaws> maps[] = {
         {"adjoint/values", {.spread = shape_flaw}}, {"adjoint/values", {.mass = -shape_flaw}},
@@ -112,6 +137,9 @@ KnownAnswers path_answers() {
   all.push_back({"jump.integral", of(jump, "gradient/derivative"), size});
   all.push_back({"kink.slope", of(kink, "continuity/gradient"), size});
   all.push_back({"kink.value", of(kink, "continuity/value"), 0});
+  // Between points an edge of their domains apart the same jump.
+  const SharedSubject domains = with_flaws("cpdi", 0, jump);
+  all.push_back({"jump.domains", reading(shape_domain_gates(domains), "gradient/domain/line"), size});
   all.push_back({"slope.integral", of(slope, "gradient/derivative"), 9 * size});
   return all;
 }

@@ -13,7 +13,7 @@ namespace plumbline {
 namespace {
 
 // Student's t with 1, 2 and 4 degrees of freedom has closed forms; 0.025 is cut off at either end.
-// [W. T. Shaw, J. Comput. Finance 9 (2006) 37, section 2.3]
+// [W. T. Shaw, J. Comput. Finance 9 (2006) 37]
 constexpr double cut_off = 0.025, both_ends = 4 * cut_off * (1 - cut_off);
 double student_of_one() { return std::tan(std::numbers::pi * (0.5 - cut_off)); }
 double student_of_two() { return (1 - 2 * cut_off) * std::sqrt(2 / both_ends); }
