@@ -25,13 +25,20 @@ KnownAnswers norm_answers() {
   add_norm(norms[0], 5.0 / 4, 18.0 / 4, 1.75 / 4, all);
   add_norm(norms[1], std::sqrt(7.0 / 4), std::sqrt(84.0 / 4), std::sqrt(0.8125 / 4), all);
   add_norm(norms[2], 2, 5, 0.5, all);
+  const std::vector<FieldSample> unknown{{1, 0, NAN, 0, 0}, {1, 0, 0, 0, 0}};
+  for (const Measure& norm : field_norms("unknown", "1", unknown)) {
+    all.push_back({norm.name, std::isnan(norm.error) ? 1.0 : 0.0, 1});
+  }
   const Measure scalar = scalar_measure("scalar", -3, -5, 0.1, "1"), share = share_measure("share", 0.5, 0.75, 0.01);
   add_norm(scalar, 2, 5, 0.1, all);
   add_norm(share, 0.25, 1, 0.01, all);
-  for (const auto& [name, chosen, exact] :
-       {std::tuple{"larger", larger(2, -3), 2.0}, {"smaller", smaller(2, -3), -3.0}}) {
-    all.push_back({name, chosen, exact});
-  }
+  all.push_back({"larger", larger(2, -3), 2});
+  all.push_back({"smaller", smaller(2, -3), -3});
+  const std::pair<const char*, double> nowhere[] = {{"larger.first", larger(NAN, 1)},
+                                                    {"larger.second", larger(1, NAN)},
+                                                    {"smaller.first", smaller(NAN, 1)},
+                                                    {"smaller.second", smaller(1, NAN)}};
+  for (const auto& [name, chosen] : nowhere) all.push_back({name, std::isnan(chosen) ? 1.0 : 0.0, 1});
   return all;
 }
 

@@ -126,6 +126,12 @@ KnownAnswers verdict_answers() {
         {"margin.order_below", order_gate({{}, 2.0}), within(0.5, 1, 1.5), 0.25}}) {
     all.push_back({name, judge(gate, measured).margin.value_or(nan), exact});
   }
+  const std::pair<const char*, Range> ranges[] = {{"holds.at_most", {{}, 1.0}},
+                                                  {"holds.at_least", {1.0, {}}},
+                                                  {"holds.between", {1.0, 3.0}},
+                                                  {"holds.nothing", {}}};
+  for (const auto& [name, range] : ranges) all.push_back({name, static_cast<double>(range.contains(nan)), 0});
+  all.push_back({"holds.no_value", static_cast<double>(Range{}.contains(1)), 0});
   all.push_back({"margin.of_zero", static_cast<double>(margin({{}, 0.0}, 0).has_value()), 0});
 
   const Verdict pass = Verdict::pass, xfail = Verdict::xfail, unsure = Verdict::inconclusive, xpass = Verdict::xpass,
