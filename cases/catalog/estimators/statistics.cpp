@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "cases/catalog/estimators/known_answers.hpp"
+#include "cases/catalog/estimators/student_closed_forms.hpp"
 #include "cases/harness/compare/bands.hpp"
 #include "cases/harness/compare/two_samples.hpp"
 #include "cases/harness/integrators/cost.hpp"
@@ -11,15 +12,6 @@
 
 namespace plumbline {
 namespace {
-
-// Student's t with 1, 2 and 4 degrees of freedom has closed forms; 0.025 is cut off at either end.
-// [W. T. Shaw, J. Comput. Finance 9 (2006) 37]
-constexpr double cut_off = 0.025, both_ends = 4 * cut_off * (1 - cut_off);
-double student_of_one() { return std::tan(std::numbers::pi * (0.5 - cut_off)); }
-double student_of_two() { return (1 - 2 * cut_off) * std::sqrt(2 / both_ends); }
-double student_of_four() {
-  return 2 * std::sqrt(std::cos(std::acos(std::sqrt(both_ends)) / 3) / std::sqrt(both_ends) - 1);
-}
 
 // Residuals that are orthogonal to constants and to x: the line through them is the one they were added to.
 constexpr double scatter = 0.03;

@@ -145,8 +145,8 @@ KnownAnswers verdict_answers() {
     all.push_back({"allowed." + std::string(name(worse)), static_cast<double>(exit_status(growing, true)),
                    worse == xfail || worse == unsure ? 0.0 : 1.0});
   }
-  all.push_back({"exit.nothing", static_cast<double>(exit_status({}, false)), 1});
-  all.push_back({"overall.nothing", number_of(overall({})), number_of(Verdict::none)});
+  all.push_back({"exit.nothing", static_cast<double>(exit_status(std::vector<Verdict>{}, false)), 1});
+  all.push_back({"overall.nothing", number_of(overall(std::vector<Verdict>{})), number_of(Verdict::none)});
   return all;
 }
 
