@@ -4,7 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "cases/catalog/estimators/known_answers.hpp"
+#include "cases/catalog/estimators/answers.hpp"
 #include "cases/catalog/estimators/student_closed_forms.hpp"
 #include "cases/harness/compare/comparison.hpp"
 

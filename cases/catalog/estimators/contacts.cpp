@@ -1,7 +1,7 @@
 // What gates of contact measure of laws that are wrong by known amounts.
 #include <cmath>
 
-#include "cases/catalog/estimators/known_answers.hpp"
+#include "cases/catalog/estimators/answers.hpp"
 #include "cases/catalog/estimators/reading.hpp"
 #include "cases/harness/parts/contact_gates.hpp"
 

@@ -1,27 +1,13 @@
 // What the harness itself computes of runs, of data whose answers closed forms give.
-#include "cases/catalog/estimators/known_answers.hpp"
-
-#include <cmath>
-#include <utility>
-
-#include "cases/catalog/stability/trial_case.hpp"
+#include "cases/catalog/estimators/answers.hpp"
 
 namespace plumbline::estimators {
 namespace {
 
-struct Estimator {
-  const char *name, *title, *why;
-  KnownAnswers (*answers)();
-  double tolerance;
-  const char* reason;
-};
-
-constexpr double few_roundings = 1e-12, of_bisection = 2e-9, of_close_pieces = 1e-5, of_differences = 1e-7;
-constexpr const char* rounded =
-    "closed forms, to some thousand roundings of sums of up to a few hundred numbers of order one";
+constexpr double of_bisection = 2e-9, of_close_pieces = 1e-5, of_differences = 1e-7;
 
 // The estimators, in the order of what they take: levels, samples, fields, histories, steps, gates.
-constexpr Estimator all_estimators[] = {
+const std::vector<KnownTrial> all_estimators{
     {"lines", "straight lines and Student's t", "Residuals orthogonal to the line leave it as it is.", line_answers,
      few_roundings, rounded},
     {"orders", "observed orders and their intervals", "Power laws with known scatter have known orders and intervals.",
@@ -50,46 +36,7 @@ constexpr Estimator all_estimators[] = {
     {"paths", "gates of shapes along lines", "Values or gradients that jump by a known amount.", path_answers,
      of_close_pieces, "slopes and curvatures of ten a cell along the pieces of 2^-20 cells on which jumps are seen"}};
 
-// |found - exact| over the scale; infinite where one of the two is.
-double off(const KnownAnswer& answer) {
-  if (answer.found == answer.exact) return 0;
-  return std::abs(answer.found - answer.exact) / answer.scale;
-}
-
-Findings compared(const KnownAnswers& answers) {
-  ProfileColumn number{"number", "1", "number of the answer", {}}, deviations{"deviation", "1", "deviation", {}};
-  Findings findings;
-  double largest = 0;
-  for (const KnownAnswer& answer : answers) {
-    findings.measures.push_back(finding(answer.name, off(answer)));
-    number.values.push_back(static_cast<double>(number.values.size() + 1));
-    deviations.values.push_back(off(answer));
-    largest = larger(largest, off(answer));
-  }
-  findings.measures.push_back(finding("deviation", largest));
-  findings.profile.abscissa = "number";
-  findings.profile.columns = {std::move(number), std::move(deviations)};
-  return findings;
-}
-
-std::vector<Trial> trials() {
-  std::vector<Trial> all;
-  for (const Estimator& one : all_estimators) {
-    all.push_back({one.name, one.title, one.why, [answers = one.answers] { return compared(answers()); }});
-  }
-  return all;
-}
-
-std::vector<CaseGate> gates() {
-  std::vector<CaseGate> all;
-  for (const Estimator& one : all_estimators) {
-    all.push_back(gate(std::string(one.name) + "/deviation", value_of("deviation"), at_most(one.tolerance),
-                       identity(one.reason)));
-  }
-  return all;
-}
-
-Case estimators() { return trial_case("estimators", trials(), gates()); }
+Case estimators() { return known_answers_case("estimators", all_estimators); }
 PLUMBLINE_CASE(estimators);
 
 }  // namespace

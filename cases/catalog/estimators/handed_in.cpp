@@ -2,7 +2,7 @@
 #include <cmath>
 #include <memory>
 
-#include "cases/catalog/estimators/known_answers.hpp"
+#include "cases/catalog/estimators/answers.hpp"
 #include "cases/harness/exchange/balance.hpp"
 #include "kernel/materials/ideal_gas.hpp"
 

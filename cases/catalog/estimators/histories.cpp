@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "cases/catalog/estimators/known_answers.hpp"
+#include "cases/catalog/estimators/answers.hpp"
 #include "cases/harness/description/measures.hpp"
 #include "cases/harness/integrators/extrapolation.hpp"
 #include "cases/harness/integrators/measured_limit.hpp"

@@ -1,8 +1,10 @@
-// What the harness finds of data whose answer a closed form gives: fits, norms, periods, limits, verdicts.
+// Cases whose trials compare numbers with closed forms, without a run.
 #pragma once
 
 #include <string>
 #include <vector>
+
+#include "cases/harness/description/case.hpp"
 
 namespace plumbline {
 
@@ -13,20 +15,19 @@ struct KnownAnswer {
 };
 using KnownAnswers = std::vector<KnownAnswer>;
 
-KnownAnswers line_answers();        // straight lines by least squares, and Student's t
-KnownAnswers order_answers();       // observed orders and their intervals
-KnownAnswers sample_answers();      // ratios of two samples of times, bands of ensembles, costs at equal error
-KnownAnswers norm_answers();        // of fields and errors
-KnownAnswers period_answers();      // extremes of histories, and periods
-KnownAnswers halving_answers();     // limits for dt -> 0
-KnownAnswers comparison_answers();  // changes between two results folders
-KnownAnswers handed_in_answers();   // what final states of other programs kept of the start
-KnownAnswers verdict_answers();     // verdicts and margins of gates
-KnownAnswers growth_answers();      // growth of runs and of small steps
-KnownAnswers limit_answers();       // largest stable steps by bisection: to their own width
-KnownAnswers shape_answers();       // what gates of shapes measure of shapes that are wrong by known amounts
-KnownAnswers contact_answers();     // gates of contact, of laws
-KnownAnswers material_answers();    // gates of materials, of a rod: to differences of 1e-5
-KnownAnswers path_answers();        // and along lines across the grid: to what a piece of 2^-20 cells adds
+struct KnownTrial {
+  const char *name, *title, *why;
+  KnownAnswers (*answers)();
+  double tolerance;    // what |found - exact| over the scale may be at most
+  const char* reason;  // for the tolerance
+};
+
+// Closed forms against sums of up to a few hundred numbers of order one.
+inline constexpr double few_roundings = 1e-12;
+inline constexpr const char* rounded =
+    "closed forms, to some thousand roundings of sums of up to a few hundred numbers of order one";
+
+// Each trial measures every deviation, and is judged by the largest.
+Case known_answers_case(std::string name, const std::vector<KnownTrial>& trials);
 
 }  // namespace plumbline

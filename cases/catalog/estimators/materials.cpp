@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "cases/catalog/estimators/known_answers.hpp"
+#include "cases/catalog/estimators/answers.hpp"
 #include "cases/catalog/estimators/reading.hpp"
 #include "cases/harness/parts/material_gates.hpp"
 #include "cases/harness/parts/shape_probe.hpp"

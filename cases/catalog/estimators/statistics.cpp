@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "cases/catalog/estimators/known_answers.hpp"
+#include "cases/catalog/estimators/answers.hpp"
 #include "cases/catalog/estimators/student_closed_forms.hpp"
 #include "cases/harness/compare/bands.hpp"
 #include "cases/harness/compare/two_samples.hpp"

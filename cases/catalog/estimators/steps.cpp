@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "cases/catalog/estimators/known_answers.hpp"
+#include "cases/catalog/estimators/answers.hpp"
 #include "cases/harness/integrators/growth.hpp"
 #include "cases/harness/laboratory/limits.hpp"
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 
-#include "cases/catalog/estimators/known_answers.hpp"
+#include "cases/catalog/estimators/answers.hpp"
 #include "cases/harness/verdict/verdict.hpp"
 
 namespace plumbline {
