@@ -9,9 +9,9 @@
 namespace plumbline {
 
 struct KnownAnswer {
-  std::string name;  // as measures are called: "slope.weighted"
-  double found = 0, exact = 0;
-  double scale = 1;  // > 0, of the numbers that enter: roundings are relative to it
+  std::string name;             // as measures are called: "slope.weighted"
+  double found = 0, exact = 0;  // exact: finite
+  double scale = 1;             // > 0, of the numbers that enter: roundings are relative to it
 };
 using KnownAnswers = std::vector<KnownAnswer>;
 
@@ -27,7 +27,7 @@ inline constexpr double few_roundings = 1e-12;
 inline constexpr const char* rounded =
     "closed forms, to some thousand roundings of sums of up to a few hundred numbers of order one";
 
-// Each trial measures every deviation, and is judged by the largest.
+// Each trial is judged by its largest deviation; its measures name answers that are off.
 Case known_answers_case(std::string name, const std::vector<KnownTrial>& trials);
 
 }  // namespace plumbline
