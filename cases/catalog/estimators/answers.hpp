@@ -18,7 +18,7 @@ KnownAnswers growth_answers();      // growth of runs and of small steps
 KnownAnswers limit_answers();       // largest stable steps by bisection: to their own width
 KnownAnswers shape_answers();       // what gates of shapes measure of shapes that are wrong by known amounts
 KnownAnswers contact_answers();     // gates of contact, of laws
-KnownAnswers material_answers();    // gates of materials, of a rod: to differences of 1e-5
+KnownAnswers material_answers();    // gates of materials, of a solid: to differences of 1e-5
 KnownAnswers path_answers();        // and along lines across the grid: to what a piece of 2^-20 cells adds
 
 }  // namespace plumbline

@@ -48,7 +48,8 @@ class FlawedContact final : public Contact<dim> {
       visit({0, 2, along(own_start), along(own_end), along(told_start), along(end)});
     }
     if (flaw == ContactFlaw::other_nodes) {
-      for (const int node : decide ? std::vector{1, 2, 3} : std::vector{3, 4}) visit({node, 1, {}, {}, {}, {}});
+      for (const int node : decide ? std::vector{1, 2, 3} : std::vector{3, 4})
+        visit({node, 1, along(0), along(0), along(0), along(0)});
     }
     for (std::size_t i = 0; i < fields[0].mass.size(); ++i) alter(fields, i, visit);
   }

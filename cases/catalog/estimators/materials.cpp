@@ -19,7 +19,7 @@ constexpr double solid_flaw = 0.03;
 constexpr double stiffness = 50, solid_density = 2;  // Pa, kg/m^3
 const double solid_speed = std::sqrt(stiffness / solid_density);
 
-// Stiffness-free sizes of wrongs: |s| and |L| are those of the stress and of the velocity gradient.
+// How much is wrong; |s| and |L| are the sizes of the stress and of the velocity gradient.
 struct SolidFlaws {
   double energy = 0;        // stored besides the work, over V |s| (|L| + |hoop rate|)
   double told = 0;          // told of the energy that is stored, over all of it

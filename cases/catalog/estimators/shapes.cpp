@@ -9,8 +9,6 @@ namespace {
 
 constexpr double shape_flaw = 1e-3;  // far above roundings, far below what shapes themselves are
 
-using Rows = std::vector<MeasuredGate> (*)(const SharedSubject&);
-
 // The subject of a shape with flaws on one of both grids.
 SharedSubject with_flaws(const std::string& shape, std::size_t geometry, const ShapeFlaws& flaws,
                          std::unique_ptr<ShapeProbe> ShapeSubject::*grid = &ShapeSubject::walled) {
@@ -28,7 +26,6 @@ SharedSubject of_one_node(std::size_t geometry, const MapFlaws& flaws) {
 
 struct FlawedRow {
   const char* row;  // without the geometry
-  Rows rows;
   ShapeFlaws flaws;
   double exact;
 };
@@ -55,20 +52,19 @@ ShapeFlaws reaching(const GridSpec& grid, double cells) {
 // Of any geometry; h: size of a cell, dim: number of directions.
 std::vector<FlawedRow> flawed_rows(double h, int dim) {
   return {
-      {"unity", shape_identity_gates, made([](auto& f) { f.value = shape_flaw; }), shape_flaw},
-      {"unity", shape_identity_gates, made([](auto& f) { f.value = -shape_flaw; }), shape_flaw},
-      {"linear", shape_identity_gates, made([](auto& f) { f.value = shape_flaw; }), shape_flaw / h},
-      {"gradient/sums", shape_identity_gates, made([](auto& f) { f.constant_slope = shape_flaw; }), shape_flaw},
-      {"gradient/sums", shape_identity_gates, made([h](auto& f) { f.slope = shape_flaw * h; }), shape_flaw},
-      {"gradient/sums", shape_identity_gates,
-       made([h, dim](auto& f) { f.slope = shape_flaw * h, f.direction = dim - 1; }), shape_flaw},
-      {"inertia/second-moment", shape_identity_gates, made([](auto& f) { f.inertia = shape_flaw; }), shape_flaw},
-      {"inertia/constant", shape_identity_gates, made([](auto& f) { f.inertia = -shape_flaw; }), shape_flaw},
-      {"inertia/blur", shape_identity_gates, made([](auto& f) { f.blur = shape_flaw; }), shape_flaw},
-      {"inertia/blur", shape_identity_gates, made([](auto& f) { f.inertia = shape_flaw; }), shape_flaw / 2},
-      {"inertia/affine", shape_identity_gates, made([](auto& f) { f.taken_velocity = shape_flaw; }), shape_flaw},
-      {"inertia/affine", shape_identity_gates, made([](auto& f) { f.taken_slope = shape_flaw; }), shape_flaw},
-      {"volume", shape_identity_gates, made([](auto& f) { f.volume = shape_flaw; }), shape_flaw},
+      {"unity", made([](auto& f) { f.value = shape_flaw; }), shape_flaw},
+      {"unity", made([](auto& f) { f.value = -shape_flaw; }), shape_flaw},
+      {"linear", made([](auto& f) { f.value = shape_flaw; }), shape_flaw / h},
+      {"gradient/sums", made([](auto& f) { f.constant_slope = shape_flaw; }), shape_flaw},
+      {"gradient/sums", made([h](auto& f) { f.slope = shape_flaw * h; }), shape_flaw},
+      {"gradient/sums", made([h, dim](auto& f) { f.slope = shape_flaw * h, f.direction = dim - 1; }), shape_flaw},
+      {"inertia/second-moment", made([](auto& f) { f.inertia = shape_flaw; }), shape_flaw},
+      {"inertia/constant", made([](auto& f) { f.inertia = -shape_flaw; }), shape_flaw},
+      {"inertia/blur", made([](auto& f) { f.blur = shape_flaw; }), shape_flaw},
+      {"inertia/blur", made([](auto& f) { f.inertia = shape_flaw; }), shape_flaw / 2},
+      {"inertia/affine", made([](auto& f) { f.taken_velocity = shape_flaw; }), shape_flaw},
+      {"inertia/affine", made([](auto& f) { f.taken_slope = shape_flaw; }), shape_flaw},
+      {"volume", made([](auto& f) { f.volume = shape_flaw; }), shape_flaw},
   };
 }
 
@@ -83,7 +79,7 @@ KnownAnswers shape_answers() {
     for (const FlawedRow& one : flawed_rows(grid.h, grid.dim)) {
       const SharedSubject subject = with_flaws("quadratic", geometry, one.flaws);
       const std::string name = one.row + ("/" + where);
-      all.push_back({std::to_string(number++) + "." + name, reading(one.rows(subject), name), one.exact});
+      all.push_back({std::to_string(number++) + "." + name, reading(shape_identity_gates(subject), name), one.exact});
     }
     const SharedSubject open = with_flaws("quadratic", geometry, made([](auto& f) { f.value = shape_flaw; }),
                                           &ShapeSubject::open);
