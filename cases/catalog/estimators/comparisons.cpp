@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "cases/catalog/estimators/answers.hpp"
-#include "cases/catalog/estimators/student_closed_forms.hpp"
+#include "cases/catalog/estimators/closed_forms.hpp"
 #include "cases/harness/compare/comparison.hpp"
 
 namespace plumbline {
@@ -37,7 +37,7 @@ class Changes {
 
 // --- studies ---
 
-// Six levels a factor two apart, errors c h^p, whose logarithms are off by `off` times 1, -1, 0, 0, -1, 1: orthogonal to the line.
+// Six levels a factor two apart, errors c h^p, whose logarithms are off by `off` times off_line.
 struct PowerStudy {
   double order = 2, constant = 0.5, off = 0, half_width = 0.1;
   double first = 8;  // cells of the coarsest level
@@ -45,7 +45,6 @@ struct PowerStudy {
   bool stops = false;  // the finest
 
   Snapshot snapshot() const {
-    constexpr double residuals[] = {1, -1, 0, 0, -1, 1};
     StudyRecord study;
     study.case_name = "known";
     study.vary = "cells";
@@ -55,7 +54,7 @@ struct PowerStudy {
       level.h = 1 / level.value;
       level.finished = !(stops && k + 1 == levels);
       if (level.finished)
-        level.errors["error"].error = constant * std::pow(level.h, order) * std::exp(off * residuals[k]);
+        level.errors["error"].error = constant * std::pow(level.h, order) * std::exp(off * off_line[k]);
       study.levels.push_back(level);
     }
     FitRecord fit;
@@ -74,8 +73,7 @@ void add_studies(Changes changes) {
   const auto compared = [](const PowerStudy& before, const PowerStudy& after) {
     return compare(before.snapshot(), after.snapshot());
   };
-  // Of the logarithms' ratio the line is known, and its interval: 17.5 (ln 2)^2 is the sum of squares along it.
-  const double off = 0.03, half = student_of_four() * off / std::sqrt(17.5) / std::numbers::ln2;
+  const double off = 0.03, half = student_of_four() * slope_error_of_six(off);
   const Comparison better = compared({}, {.order = 2.3, .off = off}), worse = compared({}, {.order = 1.7, .off = off});
   changes.add("order.better", finding_in(better, "order", "error"), Change::better, 0.3, half);
   changes.add("order.worse", finding_in(worse, "order", "error"), Change::worse, -0.3, half);

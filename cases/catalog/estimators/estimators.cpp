@@ -4,7 +4,7 @@
 namespace plumbline::estimators {
 namespace {
 
-constexpr double of_bisection = 2e-9, of_close_pieces = 1e-5, of_differences = 1e-7;
+constexpr double of_bisection = 1.5e-9, of_close_pieces = 1e-5, of_differences = 1e-7;
 
 // The estimators, in the order of what they take: levels, samples, fields, histories, steps, gates.
 const std::vector<KnownTrial> all_estimators{
@@ -31,10 +31,12 @@ const std::vector<KnownTrial> all_estimators{
      rounded},
     {"shapes", "gates of shapes", "Shapes that are wrong by a known amount.", shape_answers, few_roundings, rounded},
     {"contacts", "gates of contact", "Laws that are wrong by a known amount.", contact_answers, few_roundings, rounded},
-    {"materials", "gates of materials", "A rod that is wrong by a known amount.", material_answers, of_differences,
+    {"materials", "gates of materials", "A solid that is wrong by a known amount.", material_answers, of_differences,
      "differences of 1e-5 in strain, whose own errors are below 1e-7"},
     {"paths", "gates of shapes along lines", "Values or gradients that jump by a known amount.", path_answers,
-     of_close_pieces, "slopes and curvatures of ten a cell along the pieces of 2^-20 cells on which jumps are seen"}};
+     of_close_pieces,
+     "slopes and curvatures of ten a cell along the pieces of 2^-20 cells on which jumps are seen; integrals are "
+     "nearer: third derivatives that jump within a hundredth of a cell, cubed"}};
 
 Case estimators() { return known_answers_case("estimators", all_estimators); }
 PLUMBLINE_CASE(estimators);

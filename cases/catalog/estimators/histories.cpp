@@ -116,7 +116,7 @@ KnownAnswers halving_answers() {
   all.push_back({"limit.uncertainty", limit.uncertainty, 0});
   all.push_back({"limit.finest", limit.finest, std::abs(cubic(-0.6, 1, 0.5, 0.4, 16))});
   all.push_back({"limit.before", limit.before, std::abs(cubic(-0.6, 1, 0.5, 0.4, 4))});
-  // Of three values 1 + dt^2 the extrapolations to first order are 1 - dt^2/2: of 1/2 and 1/4, then to second order 1.
+  // Of three values 1 + dt^2 the extrapolations, 0.5 and 0.875, differ by more than the last two values: these tell.
   const StepLimit three = limit_of_halvings({{2}, {1.25}, {1.0625}});
   all.push_back({"three.size", three.size, 1.0625});
   all.push_back({"three.uncertainty", three.uncertainty, 0.1875});

@@ -48,11 +48,11 @@ KnownAnswers growth_answers() {
   add_run("stays", watched({1}, watch), 1, 1, false, watched_steps, all);
   // 10^4 is passed at the first step n with 2^n > 10^4; the growth of the first step is not known yet.
   add_run("doubles", watched({2}, watch), 2, 16384, true, 14, all);
-  // By 0.5 % a step: 30 times only after 683 steps, and so after twice the second doubling of the run.
+  // By 0.5 % a step it is thirty times as large after 683 steps: the run is made twice as long, and once more.
   add_run("slowly", watched({1.005}, watch), 1.005, std::pow(1.005, 4 * watched_steps), true, 4 * watched_steps, all);
   // By 0.09 % a step, less than what counts as slow.
   add_run("hardly", watched({1.0009}, watch), 1.0009, std::pow(1.0009, watched_steps), false, watched_steps, all);
-  // At once by thirty, then no more: the last third tells.
+  // By 35 in the first step, then no more: the last third tells.
   add_run("once", watched({35, 1, 1}, watch), 1, 35, false, watched_steps, all);
   return all;
 }
@@ -70,7 +70,7 @@ void add_powers(const std::string& name, double a, double p, KnownAnswers& all) 
   all.push_back({name + ".growth", steps.growth.back(), growth, growth});
 }
 
-// A step that grows where `unstable` says so, by as much as it is beyond the nearest of the ends.
+// A step that is stable in these intervals, and else grows by as much as it is beyond the nearest of their ends.
 Growth growth_beyond(double dt, const std::vector<StableInterval>& stable) {
   double beyond = HUGE_VAL;
   for (const StableInterval& interval : stable) {
