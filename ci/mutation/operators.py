@@ -16,6 +16,7 @@ tolerance are within it. All three are counted and not drawn.
 
 import re
 from collections import Counter
+from typing import NamedTuple
 
 from clang.cindex import CursorKind as Kind
 
@@ -33,10 +34,17 @@ REAL_SWAPS = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "==": "!=", "!=": "=="
 LITERAL = re.compile(r"[\d.]+(?:[eE][-+]?\d+)?")
 
 
-class Walk(Expressions):
-    """Collects the sites of one file. columns: the names of all columns of points."""
+class PointColumns(NamedTuple):
+    """The names of all columns of points, and of those that each function that lists some names, by the function's name."""
 
-    def __init__(self, file, source, columns=()):
+    all: tuple = ()
+    listed: dict = {}
+
+
+class Walk(Expressions):
+    """Collects the sites of one file."""
+
+    def __init__(self, file, source, columns=PointColumns()):
         super().__init__(source)
         self.file, self.columns = file, columns
         self.sites, self.excluded = {}, Counter()
@@ -268,8 +276,10 @@ class Walk(Expressions):
             return
         start = self.span(children[-1])[0]
         first = re.match(r"\{|[\w:]+", self.text(start, start + 80))
-        named = re.findall(r"column::(\w+)", head)  # a list that names its columns holds no others
-        for column in (named or self.columns) if first else ():
+        # A list that names its columns holds no others.
+        listed = (self.columns.listed.get(call) for call in re.findall(r"(\w+)\(", head))
+        named = re.findall(r"column::(\w+)", head) or next(filter(None, listed), self.columns.all)
+        for column in named if first else ():
             condition = name % column
             text = first.group()
             new = f"{{ if ({condition}) continue;" if text == "{" else f"if ({condition}) continue; else {text}"

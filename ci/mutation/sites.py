@@ -18,6 +18,8 @@ from .state import Fingerprints
 FOLDERS = ("kernel", "reference", "cases/harness")
 LIBRARIES = ("algorithm", "array", "cmath", "filesystem", "functional", "map", "memory", "optional", "sstream", "string", "thread",
              "vector", "Eigen/Dense", "fmt/format.h", "nlohmann/json.hpp")  # fmt: skip
+# A function that returns a list of columns: its name, and its body on one line or on several.
+LIST_OF_COLUMNS = re.compile(r"<(?:const )?ColumnId\b[^>\n]*>&? (?:\w+::)?(\w+)\([^)]*\)[^;{]*\{(?:([^\n]+)\}\n|\n(.*?)\n {0,2}\})", re.DOTALL)
 
 
 def folder_of(file):
@@ -25,10 +27,14 @@ def folder_of(file):
 
 
 def columns_of(root):
-    found = set()
-    for path in sorted((root / "kernel").rglob("*.hpp")):
-        found |= set(re.findall(r'inline const ColumnId \w+\{"(\w+)"', path.read_text(encoding="utf-8")))
-    return sorted(found)
+    """operators.PointColumns of the sources; lists of the same name, as those of materials, are one."""
+    found, listed = set(), {}
+    for path in (path for folder in FOLDERS for path in (root / folder).rglob("*.[ch]pp")):
+        text = path.read_text(encoding="utf-8")
+        found |= set(re.findall(r'inline const ColumnId \w+\{"(\w+)"', text))
+        for name, *bodies in LIST_OF_COLUMNS.findall(text):
+            listed.setdefault(name, set()).update(re.findall(r"column::(\w+)", "".join(bodies)))
+    return operators.PointColumns(tuple(sorted(found)), {name: sorted(names) for name, names in listed.items()})
 
 
 def arguments_of(base):
@@ -111,7 +117,7 @@ def _relative(file, root):
     return str(path.relative_to(root)) if path.is_relative_to(root) else ""
 
 
-def of_unit(unit, root, done=frozenset(), columns=()):
+def of_unit(unit, root, done=frozenset(), columns=operators.PointColumns()):
     """{file: Walk} of the project's files that a unit holds and that are not `done`."""
     walks = {}
     for cursor in unit.cursor.get_children():

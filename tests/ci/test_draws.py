@@ -21,7 +21,7 @@ inline Pack operator+(const Pack& a, const Pack& b) { return b.v; }
 """
 
 
-def sites_of(folder, source, name="toy.cpp", columns=()):
+def sites_of(folder, source, name="toy.cpp", columns=operators.PointColumns()):
     (folder / name).write_text(source)
     unit = Index.create().parse(str(folder / name), ["-std=c++20"])
     assert not [d for d in unit.diagnostics if d.severity >= 3]
@@ -78,15 +78,35 @@ def test_stages_and_columns(tmp_path):
     source = """#include <initializer_list>
 struct ColumnId { const char* name() const; }; struct All { ColumnId* begin() const; ColumnId* end() const; };
 struct Points { double& operator()(const ColumnId&) const; }; namespace column { ColumnId mass, velocity; }
-void copy(const ColumnId&); void f(All all, Points points) {
+void copy(const ColumnId&); All own(); void f(All all, Points points) {
   for (const ColumnId& id : all) { copy(id); }
   for (const ColumnId& id : {column::velocity}) copy(id);
+  for (const ColumnId& id : own()) copy(id);
   points(column::mass) /= 2;
 }"""
-    walk = sites_of(tmp_path, source, "kernel/toy.cpp", columns=["mass"])
+    names = operators.PointColumns(("mass", "velocity"), {"own": ["density"]})
+    walk = sites_of(tmp_path, source, "kernel/toy.cpp", columns=names)
     found = {(site.find, site.wrap, site.type) for site in walk.sites.values() if site.operator == "column"}
-    assert found == {("{", "skip", 'id.name() == "mass"'), ("copy", "skip", 'id.name() == "velocity"'),
+    assert found == {("{", "skip", 'id.name() == "mass"'), ("{", "skip", 'id.name() == "velocity"'),
+                     ("copy", "skip", 'id.name() == "velocity"'), ("copy", "skip", 'id.name() == "density"'),
                      ("points(column::mass) /= 2;", "statement", "")}  # fmt: skip
+
+
+def test_lists_of_columns_are_found_by_their_names(tmp_path):
+    (tmp_path / "kernel").mkdir()
+    (tmp_path / "kernel/columns.hpp").write_text('inline const ColumnId mass{"mass", "kg"};\ninline const ColumnId tangent{"tangent", "1"};')
+    (tmp_path / "kernel/gas.cpp").write_text("""std::vector<const ColumnId*> Gas::own(const Context& context) const {
+  if (context.plane) return {&column::mass};
+  return {&column::density};
+}
+  const std::array<ColumnId, 1>& short_one() const { return {column::tangent}; }
+std::vector<ColumnId> of_all() {
+  return {};
+}
+void other() { use(column::mass); }""")
+    found = sites.columns_of(tmp_path)
+    assert found.all == ("mass", "tangent")
+    assert found.listed == {"own": ["density", "mass"], "short_one": ["tangent"], "of_all": []}
 
 
 def test_where_no_switch_can_stand_and_where_nothing_is_computed_sites_are_counted_and_left_out(tmp_path):
