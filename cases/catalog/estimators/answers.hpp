@@ -15,6 +15,8 @@ KnownAnswers comparison_answers();  // changes between two results folders
 KnownAnswers handed_in_answers();   // what final states of other programs kept of the start
 KnownAnswers verdict_answers();     // verdicts and margins of gates
 KnownAnswers growth_answers();      // growth of runs and of small steps
+KnownAnswers carried_answers();     // columns that are sorted and copied, runs that are saved and taken up
+KnownAnswers step_map_answers();    // a step as a map of one vector of numbers
 KnownAnswers limit_answers();       // largest stable steps by bisection: to their own width
 KnownAnswers shape_answers();       // what gates of shapes measure of shapes that are wrong by known amounts
 KnownAnswers contact_answers();     // gates of contact, of laws
