@@ -31,6 +31,8 @@ const std::vector<KnownTrial> all_estimators{
      few_roundings, rounded},
     {"step-maps", "a step as a map of numbers", "States set by hand are found in the columns.", step_map_answers,
      few_roundings, rounded},
+    {"contents", "what the laboratory reads off scenes", "Boxes and chains whose edges are known by hand.",
+     content_answers, few_roundings, rounded},
     {"verdicts", "verdicts and margins", "The rules of judgement, row by row.", verdict_answers, few_roundings,
      rounded},
     {"shapes", "gates of shapes", "Shapes that are wrong by a known amount.", shape_answers, few_roundings, rounded},
