@@ -18,6 +18,7 @@ KnownAnswers growth_answers();      // growth of runs and of small steps
 KnownAnswers carried_answers();     // columns that are sorted and copied, runs that are saved and taken up
 KnownAnswers step_map_answers();    // a step as a map of one vector of numbers
 KnownAnswers content_answers();     // what the laboratory reads off scenes
+KnownAnswers oscillation_answers(); // gates of integrators, of Runge-Kutta steps: to the width of a bisection
 KnownAnswers limit_answers();       // largest stable steps by bisection: to their own width
 KnownAnswers shape_answers();       // what gates of shapes measure of shapes that are wrong by known amounts
 KnownAnswers contact_answers();     // gates of contact, of laws

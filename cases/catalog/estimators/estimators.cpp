@@ -33,6 +33,8 @@ const std::vector<KnownTrial> all_estimators{
      few_roundings, rounded},
     {"contents", "what the laboratory reads off scenes", "Boxes and chains whose edges are known by hand.",
      content_answers, few_roundings, rounded},
+    {"oscillations", "gates of integrators", "Runge-Kutta steps on springs, and points that fall.", oscillation_answers,
+     of_bisection, "two bisections to a relative width of 1e-9; energies to the rounding of their logarithms"},
     {"verdicts", "verdicts and margins", "The rules of judgement, row by row.", verdict_answers, few_roundings,
      rounded},
     {"shapes", "gates of shapes", "Shapes that are wrong by a known amount.", shape_answers, few_roundings, rounded},
