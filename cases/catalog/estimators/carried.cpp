@@ -73,6 +73,10 @@ void add_columns(const std::string& name, const Columns& found, const std::vecto
 }
 
 void add_sorted(KnownAnswers& all) {
+  int components = 0;
+  for (std::size_t k = 0; k < registered_columns().size(); ++k) components += carried_components(k);
+  all.push_back(
+      {"doubles_per_point", static_cast<double>(every_column(1).doubles_per_point()), static_cast<double>(components)});
   const std::vector<int> order{3, 0, 4, 2, 1};
   Columns sorted = every_column(carried_points);
   sorted.reorder(order);
@@ -149,6 +153,24 @@ void add_taken_up(const std::string& integrator, KnownAnswers& all) {
   for (const double* number : own->kept()) row("kept", *number, later_kept);
 }
 
+// Whether a state is refused that has a point here.
+double refused_at(double x) {
+  Simulation saved(few_points(), "musl", {}), other(few_points(), "musl", {});
+  Checkpoint later = saved.save();
+  later.points[0](column::position, 1)[2] = x;
+  saved.restore(later);
+  Archive writing;
+  archive_simulation(writing, saved, "musl");
+  const Archive::Table kept = writing.take();
+  Archive reading(kept);
+  try {
+    archive_simulation(reading, other, "musl");
+  } catch (const ArchiveError&) {
+    return 1;
+  }
+  return 0;
+}
+
 }  // namespace
 
 KnownAnswers carried_answers() {
@@ -156,6 +178,9 @@ KnownAnswers carried_answers() {
   add_sorted(all);
   add_taken_up("generalized-alpha", all);   // with a parameter and a memory
   add_taken_up("central-difference", all);  // with a number that it keeps
+  // Four cells from 0 on, and rounding beyond them.
+  for (const double x : {-1e-9, 4 + 1e-9}) all.push_back({"at_the_edge", refused_at(x), 0});
+  for (const double x : {-0.01, 4.01}) all.push_back({"outside", refused_at(x), 1});
   return all;
 }
 

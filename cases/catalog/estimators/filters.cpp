@@ -25,7 +25,8 @@ double weight_at(const std::string& shape, int quarters) {
 // What the map from points to nodes leaves of a wave, and the map back of one that the nodes have.
 double of_one_map(const std::string& shape, double k) {
   double sum = 0;
-  for (int quarters = 1; quarters <= 5; quarters += 2) sum += weight_at(shape, quarters) * std::cos(0.25 * quarters * k);
+  for (int quarters = 1; quarters <= 5; quarters += 2)
+    sum += weight_at(shape, quarters) * std::cos(0.25 * quarters * k);
   return sum;
 }
 
