@@ -43,6 +43,8 @@ const std::vector<KnownTrial> all_estimators{
     {"contacts", "gates of contact", "Laws that are wrong by a known amount.", contact_answers, few_roundings, rounded},
     {"materials", "gates of materials", "A solid that is wrong by a known amount.", material_answers, of_differences,
      "differences of 1e-5 in strain, whose own errors are below 1e-7"},
+    {"pulls", "gates of points that pull", "Forces that are wrong by a known amount, and blocks without any.",
+     pull_answers, of_differences, "differences of 1e-5 in place, whose own errors are below 1e-7"},
     {"paths", "gates of shapes along lines", "Values or gradients that jump by a known amount.", path_answers,
      of_close_pieces,
      "slopes and curvatures of ten a cell along the pieces of 2^-20 cells on which jumps are seen; integrals are "
