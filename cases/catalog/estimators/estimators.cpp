@@ -4,7 +4,8 @@
 namespace plumbline::estimators {
 namespace {
 
-constexpr double of_bisection = 1.5e-9, of_close_pieces = 1e-5, of_differences = 1e-7, of_small_shares = 1e-9;
+constexpr double of_bisection = 1.5e-9, of_close_pieces = 1e-5, of_differences = 1e-7, of_small_shares = 1e-9,
+                 of_derivatives = 1e-8;
 
 // The estimators, in the order of what they take: levels, samples, fields, histories, steps, gates.
 const std::vector<KnownTrial> all_estimators{
@@ -35,6 +36,8 @@ const std::vector<KnownTrial> all_estimators{
      content_answers, few_roundings, rounded},
     {"oscillations", "gates of integrators", "Runge-Kutta steps on springs, and points that fall.", oscillation_answers,
      of_bisection, "two bisections to a relative width of 1e-9; energies to the rounding of their logarithms"},
+    {"waves", "matrices of steps of a bar", "One point a cell, whose dispersion is known.", wave_answers,
+     of_derivatives, "derivatives of a step by differences, good to 1e-9, of which a radius sums a few"},
     {"filters", "gates of transfers", "Filters that are known in closed form.", filter_answers, of_small_shares,
      "shares of 1e-6 and more of a wave, whose logarithms keep ten digits"},
     {"verdicts", "verdicts and margins", "The rules of judgement, row by row.", verdict_answers, few_roundings,
