@@ -20,6 +20,7 @@ KnownAnswers step_map_answers();     // a step as a map of one vector of numbers
 KnownAnswers content_answers();      // what the laboratory reads off scenes
 KnownAnswers oscillation_answers();  // gates of integrators, of Runge-Kutta steps: to the width of a bisection
 KnownAnswers filter_answers();       // gates of transfers, of filters: to what logarithms of small shares keep
+KnownAnswers rule_answers();         // ranges, bands, names, lattices
 KnownAnswers wave_answers();         // matrices of steps of a bar: to differences of the step
 KnownAnswers pull_answers();         // gates of points that pull at each other: to differences of 1e-5
 KnownAnswers limit_answers();        // largest stable steps by bisection: to their own width

@@ -42,6 +42,8 @@ const std::vector<KnownTrial> all_estimators{
      "shares of 1e-6 and more of a wave, whose logarithms keep ten digits"},
     {"verdicts", "verdicts and margins", "The rules of judgement, row by row.", verdict_answers, few_roundings,
      rounded},
+    {"rules", "ranges, bands, names, lattices", "Each rule at both sides of where it changes.", rule_answers,
+     few_roundings, rounded},
     {"shapes", "gates of shapes", "Shapes that are wrong by a known amount.", shape_answers, few_roundings, rounded},
     {"contacts", "gates of contact", "Laws that are wrong by a known amount.", contact_answers, few_roundings, rounded},
     {"materials", "gates of materials", "A solid that is wrong by a known amount.", material_answers, of_differences,
