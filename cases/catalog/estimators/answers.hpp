@@ -19,6 +19,8 @@ KnownAnswers limit_answers();       // largest stable steps by bisection: to the
 KnownAnswers shape_answers();       // what gates of shapes measure of shapes that are wrong by known amounts
 KnownAnswers contact_answers();     // gates of contact, of laws
 KnownAnswers material_answers();    // gates of materials, of a solid: to differences of 1e-5
+KnownAnswers frame_answers();       // snapshots of runs: of which instants and points
+KnownAnswers frame_value_answers(); // and what they hold of a point: numbers in single precision
 KnownAnswers path_answers();        // and along lines across the grid: to what a piece of 2^-20 cells adds
 
 }  // namespace plumbline

@@ -4,7 +4,8 @@
 namespace plumbline::estimators {
 namespace {
 
-constexpr double of_bisection = 1.5e-9, of_close_pieces = 1e-5, of_differences = 1e-7;
+constexpr double of_bisection = 1.5e-9, of_close_pieces = 1e-5, of_differences = 1e-7, of_floats = 1e-7;
+constexpr const char* as_floats = "numbers that are rounded to single precision, 2^-24 or 6e-8 of their size";
 
 // The estimators, in the order of what they take: levels, samples, fields, histories, steps, gates.
 const std::vector<KnownTrial> all_estimators{
@@ -36,7 +37,11 @@ const std::vector<KnownTrial> all_estimators{
     {"paths", "gates of shapes along lines", "Values or gradients that jump by a known amount.", path_answers,
      of_close_pieces,
      "slopes and curvatures of ten a cell along the pieces of 2^-20 cells on which jumps are seen; integrals are "
-     "nearer: third derivatives that jump within a hundredth of a cell, cubed"}};
+     "nearer: third derivatives that jump within a hundredth of a cell, cubed"},
+    {"frames", "instants and points of snapshots", "Points that drift by a known velocity, without a force.",
+     frame_answers, of_floats, as_floats},
+    {"frame-values", "stresses of snapshots", "Stresses whose principal ones are known.", frame_value_answers, of_floats,
+     as_floats}};
 
 Case estimators() { return known_answers_case("estimators", all_estimators); }
 PLUMBLINE_CASE(estimators);
