@@ -40,8 +40,16 @@ const std::vector<KnownTrial> all_estimators{
      "nearer: third derivatives that jump within a hundredth of a cell, cubed"},
     {"frames", "instants and points of snapshots", "Points that drift by a known velocity, without a force.",
      frame_answers, of_floats, as_floats},
-    {"frame-values", "stresses of snapshots", "Stresses whose principal ones are known.", frame_value_answers, of_floats,
-     as_floats}};
+    {"frame-values", "stresses of snapshots", "Stresses whose principal ones are known.", frame_value_answers,
+     of_floats, as_floats},
+    {"starts", "starts for other programs", "Scenes of a few points, read back column by column.", start_answers,
+     few_roundings, rounded},
+    {"files", "files of HDF5", "Numbers and texts of all kinds, read as they were written.", file_answers,
+     few_roundings, rounded},
+    {"final-states", "reading of final states", "Files of two points, read and completed by hand.", final_state_answers,
+     few_roundings, rounded},
+    {"scores", "scores of final states", "Two points whose speeds are off by a known amount.", score_answers,
+     few_roundings, rounded}};
 
 Case estimators() { return known_answers_case("estimators", all_estimators); }
 PLUMBLINE_CASE(estimators);
