@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "cases/harness/exchange/result_file.hpp"
 #include "cases/harness/files/hdf5_file.hpp"
@@ -14,134 +15,159 @@ void HandedFile::write(const std::string& path) const {
   Hdf5Writer file(path);
   for (const auto& [name, text] : texts) file.attribute("/", name, text);
   for (const auto& [name, number] : numbers) file.real_attribute("/", name, number);
-  for (const auto& [name, table] : tables) file.array<double>("/bodies/" + name, table.values, table.columns);
+  for (const auto& [body, tables] : bodies) {
+    for (const auto& [name, table] : tables) {
+      file.array<double>("/bodies/" + body + "/" + name, table.values, table.columns);
+    }
+  }
   file.commit();
 }
 
-Scene scene_of_handed(const std::string& name, const std::shared_ptr<const Material>& material, int dim, bool rings) {
+Scene scene_without_bodies(int dim, bool rings) {
   Scene scene;
   scene.grid.dim = dim;
   scene.grid.axisymmetric = rings;
   scene.grid.h = 0.5;
   scene.grid.origin = {1, -1, 0};
   scene.grid.cells = {4, dim > 1 ? 6 : 1, dim > 2 ? 8 : 1};
-  scene.bodies.push_back(make_body(name, material, 2, dim, rings));
   return scene;
 }
 
-HandedFile gas_file() {
-  HandedFile file;
-  file.tables = {{"gas/position", {2, {0.5, 2.5, 3.5, -1.5}}},
-                 {"gas/velocity", {2, {1, 2, 3, 4}}},
-                 {"gas/mass", {0, {0.5, 3}}},
-                 {"gas/density", {0, {2, 4}}},
-                 {"gas/energy", {1, {10, 0}}}};
-  return file;
+HandedTables gas_tables() {
+  return {{"position", {2, {0.5, 2.5, 3.5, -1.5}}},
+          {"velocity", {2, {1, 2, 3, 4}}},
+          {"mass", {0, {0.5, 3}}},
+          {"density", {0, {2, 4}}},
+          {"energy", {1, {10, 0}}}};
 }
 
-Scene scene_of_gas() {
+std::shared_ptr<const Material> handed_gas() {
   auto law = std::make_shared<IdealGas>();
   law->gamma = 1.5;
-  return scene_of_handed("gas", law, 2, false);
+  return law;
 }
 
 namespace {
 
-// Of files that differ from the gas's in one thing.
-class RefusedStates {
+std::string refusal_of(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// Bodies in one file, each of them the gas with one thing changed. Where nothing is wrong with one it is the others that are
+// refused: the scene has none of them.
+class ChangedBodies {
  public:
-  explicit RefusedStates(KnownAnswers& all) : all_(all) {}
-  void changed(const std::string& name, const std::function<void(HandedFile&)>& change, bool refused = true) {
-    HandedFile file = gas_file();
-    change(file);
-    file.write(folder_ / "changed.h5");
-    const bool found = refuses([&] { ResultFile(folder_ / "changed.h5").points(scene_of_gas()); });
-    all_.push_back({"refused." + name, found ? 1.0 : 0.0, refused ? 1.0 : 0.0});
+  void add(const std::string& name, HandedTables tables, bool refused) {
+    file_.bodies[name] = std::move(tables);
+    expected_.emplace_back(name, refused);
   }
-  void number(const std::string& name, const std::string& of, double value, bool refused = true) {
-    changed(
-        name, [&](HandedFile& file) { file.numbers[of] = value; }, refused);
+  void without(const std::string& dataset) {
+    HandedTables tables = gas_tables();
+    tables.erase(dataset);
+    add("no_" + dataset, std::move(tables), true);
   }
-  void table(const std::string& name, const std::string& of, const HandedTable& table, bool refused = true) {
-    changed(
-        name, [&](HandedFile& file) { file.tables["gas/" + of] = table; }, refused);
+  void with(const std::string& name, const std::string& dataset, const HandedTable& table, bool refused = true) {
+    HandedTables tables = gas_tables();
+    tables[dataset] = table;
+    add(name, std::move(tables), refused);
+  }
+
+  void ask(KnownAnswers& all) const {
+    const TrialFolder folder;
+    file_.write(folder / "changed.h5");
+    const ResultFile result(folder / "changed.h5");
+    const auto refused = [&](const std::string& name) {
+      Scene scene = scene_without_bodies(2, false);
+      scene.bodies.push_back(make_body(name, handed_gas(), 2, 2));
+      const std::string why = refusal_of([&] { result.points(scene); });
+      return why.find("the case has no such body") == std::string::npos;
+    };
+    for (const auto& [name, exact] : expected_) {
+      all.push_back({"refused." + name, refused(name) ? 1.0 : 0.0, exact ? 1.0 : 0.0});
+    }
+    all.push_back(yes("refused.no_body", refused("no_body")));
   }
 
  private:
-  TrialFolder folder_;
-  KnownAnswers& all_;
+  HandedFile file_;
+  std::vector<std::pair<std::string, bool>> expected_;
 };
 
-void add_refused_attributes(RefusedStates& states) {
-  for (const char* name : {"kind", "case", "start"}) {
-    states.changed(std::string("no_") + name, [&](HandedFile& file) { file.texts.erase(name); });
-  }
-  for (const char* name : {"exchange_format", "time", "cells"}) {
-    states.changed(std::string("no_") + name, [&](HandedFile& file) { file.numbers.erase(name); });
-  }
-  states.changed("start", [](HandedFile& file) { file.texts["kind"] = "initial-state"; });
-  states.number("format", "exchange_format", 2);
-  states.number("no_cells", "cells", 0);
-  states.number("one_cell", "cells", 1, false);
-  states.number("half_a_cell", "cells", 20.5);
-  states.number("most_cells", "cells", 1e9, false);
-  states.number("too_many_cells", "cells", 1e9 + 1);
-  states.number("fewer_steps_than_none", "steps", -1);
-  states.number("endless", "wall_s", HUGE_VAL);
-}
-
-void add_refused_datasets(RefusedStates& states) {
-  states.changed("no_body", [](HandedFile& file) { file.tables = {{"other/mass", {0, {1, 1}}}}; });
-  states.changed("another_body", [](HandedFile& file) { file.tables["other/mass"] = {0, {1, 1}}; });
-  for (const char* name : {"position", "velocity", "mass", "density", "energy"}) {
-    states.changed(std::string("no_") + name, [&](HandedFile& file) { file.tables.erase(std::string("gas/") + name); });
-  }
-  states.table("no_rows", "position", {2, {}});
-  states.table("flat_vector", "velocity", {0, {1, 2}});
-  states.table("more_rows", "velocity", {2, {1, 2, 3, 4, 5, 6}});
-  states.table("longer_list", "mass", {0, {1, 2, 3}});
-  states.table("wide_list", "mass", {2, {1, 2, 3, 4}});
-  states.table("no_number", "velocity", {2, {1, NAN, 3, 4}});
-  states.table("without_mass", "mass", {0, {1, 0}});
-  states.table("cold", "energy", {0, {0, 0}}, false);
-  states.table("colder", "energy", {0, {0, -1}});
-  states.table("backwards", "velocity", {2, {-1, -2, -3, -4}}, false);
+void add_refused_datasets(KnownAnswers& all) {
+  ChangedBodies bodies;
+  bodies.add("as_it_is", gas_tables(), false);
+  for (const char* dataset : {"position", "velocity", "mass", "density", "energy"}) bodies.without(dataset);
+  bodies.with("no_rows", "position", {2, {}});
+  bodies.with("flat_vector", "velocity", {0, {1, 2}});
+  bodies.with("more_rows", "velocity", {2, {1, 2, 3, 4, 5, 6}});
+  bodies.with("longer_list", "mass", {0, {1, 2, 3}});
+  bodies.with("wide_list", "mass", {2, {1, 2, 3, 4}});
+  bodies.with("no_number", "velocity", {2, {1, NAN, 3, 4}});
+  bodies.with("without_mass", "mass", {0, {1, 0}});
+  bodies.with("cold", "energy", {0, {0, 0}}, false);
+  bodies.with("colder", "energy", {0, {0, -1}});
+  bodies.with("backwards", "velocity", {2, {-1, -2, -3, -4}}, false);
   constexpr double low[] = {0.5, -1.5}, high[] = {3.5, 2.5}, little = 1e-3;
   for (std::size_t d = 0; d < 2; ++d) {
     const std::string axis = d == 0 ? "x" : "y";
     std::vector<double> below{1, 1, 1, 1}, above{1, 1, 1, 1};
     below[2 + d] = low[d] - little;
     above[2 + d] = high[d] + little;
-    states.table("below_in_" + axis, "position", {2, below});
-    states.table("above_in_" + axis, "position", {2, above});
+    bodies.with("below_in_" + axis, "position", {2, below});
+    bodies.with("above_in_" + axis, "position", {2, above});
   }
+  bodies.ask(all);
+}
+
+// Files of which an attribute is not there, or out of its range.
+void add_refused_attributes(KnownAnswers& all) {
+  const TrialFolder folder;
+  const auto changed = [&](const std::string& name, const std::function<void(HandedFile&)>& change) {
+    HandedFile file;
+    change(file);
+    file.write(folder / "changed.h5");
+    all.push_back(yes("refused." + name, refuses([&] { ResultFile{folder / "changed.h5"}; })));
+  };
+  const auto number = [&](const std::string& name, const std::string& of, double value) {
+    changed(name, [&](HandedFile& file) { file.numbers[of] = value; });
+  };
+  changed("no_start", [](HandedFile& file) { file.texts.erase("start"); });
+  changed("no_time", [](HandedFile& file) { file.numbers.erase("time"); });
+  changed("kind", [](HandedFile& file) { file.texts["kind"] = "initial-state"; });
+  number("format", "exchange_format", 2);
+  number("no_cells", "cells", 0);
+  number("half_a_cell", "cells", 20.5);
+  number("too_many_cells", "cells", 1e9 + 1);
+  number("fewer_steps_than_none", "steps", -1);
+  number("endless", "wall_s", HUGE_VAL);
 }
 
 }  // namespace
 
 void add_refused_states(KnownAnswers& all) {
-  RefusedStates states(all);
-  states.changed(
-      "as_it_is", [](HandedFile&) {}, false);
-  add_refused_attributes(states);
-  add_refused_datasets(states);
+  add_refused_attributes(all);
+  add_refused_datasets(all);
   // Of a solid the points of the start alone.
   HandedFile file;
-  file.tables = {{"solid/position", {1, {1, 2, 3}}},
-                 {"solid/velocity", {1, {1, 2, 3}}},
-                 {"solid/mass", {0, {1, 2, 3}}},
-                 {"solid/volume", {0, {1, 2, 3}}},
-                 {"solid/stress", {0, {1, 2, 3}}}};
+  for (const char* name : {"position", "velocity"}) file.bodies["solid"][name] = {1, {1, 2, 3}};
+  for (const char* name : {"mass", "volume", "stress"}) file.bodies["solid"][name] = {0, {1, 2, 3}};
   const TrialFolder folder;
   file.write(folder / "solid.h5");
+  const ResultFile result(folder / "solid.h5");
   auto law = std::make_shared<LinearElastic>();
   law->youngs_modulus = law->density = 1;
-  const Scene two = scene_of_handed("solid", law, 1, false);
-  Scene three = two;
-  three.bodies[0] = make_body("solid", law, 3, 1);
-  const ResultFile result(folder / "solid.h5");
-  all.push_back(yes("refused.other_points", refuses([&] { result.points(two); })));
-  all.push_back(no("refused.own_points", refuses([&] { result.points(three); })));
+  const auto refused = [&](int points) {
+    Scene scene = scene_without_bodies(1, false);
+    scene.bodies.push_back(make_body("solid", law, points, 1));
+    return refuses([&] { result.points(scene); });
+  };
+  all.push_back(yes("refused.other_points", refused(2)));
+  all.push_back(no("refused.own_points", refused(3)));
 }
 
 }  // namespace plumbline

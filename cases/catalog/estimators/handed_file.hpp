@@ -14,6 +14,7 @@ struct HandedTable {
   std::size_t columns = 0;  // 0: a list
   std::vector<double> values;
 };
+using HandedTables = std::map<std::string, HandedTable>;  // by the names of datasets
 
 // To be changed before it is written.
 struct HandedFile {
@@ -21,17 +22,17 @@ struct HandedFile {
                                            {"program", "my MPM+1.2"}, {"version", "7"}, {"problem", "def"}};
   std::map<std::string, double> numbers{
       {"exchange_format", 1}, {"time", 0.75}, {"cells", 20}, {"steps", 30}, {"wall_s", 1.5}};
-  std::map<std::string, HandedTable> tables{};  // by the names of body and dataset: "gas/mass"
+  std::map<std::string, HandedTables> bodies{};
 
   void write(const std::string& path) const;
 };
 
-// Two points of one body, in a grid from 1 m, -1 m, 0 m on with cells of half a metre.
-Scene scene_of_handed(const std::string& name, const std::shared_ptr<const Material>& material, int dim, bool rings);
+// A grid from 1 m, -1 m, 0 m on with cells of half a metre.
+Scene scene_without_bodies(int dim, bool rings);
 
-// A gas with gamma = 3/2 in the plane, at the very ends of a cell around the grid.
-HandedFile gas_file();
-Scene scene_of_gas();
+// Two points of a gas with gamma = 3/2 in the plane, at the very ends of a cell around the grid.
+HandedTables gas_tables();
+std::shared_ptr<const Material> handed_gas();
 
 // Files that are no final state, or not of the scene.
 void add_refused_states(KnownAnswers& all);

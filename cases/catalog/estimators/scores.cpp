@@ -96,11 +96,11 @@ std::string write_scored(const TrialFolder& folder, const Case& entry, const Han
   file.numbers["cells"] = handing.mesh;
   file.numbers["time"] = scored_end;
   const auto both = [](double value) { return HandedTable{0, {value, value}}; };
-  file.tables = {{"gas/position", {1, {1, 3}}},
-                 {"gas/velocity", {1, {wanted_speed + handing.off, wanted_speed - handing.off}}},
-                 {"gas/mass", both(handing.mass)},
-                 {"gas/volume", both(handing.volume)},
-                 {"gas/energy", both(handing.energy)}};
+  file.bodies["gas"] = {{"position", {1, {1, 3}}},
+                        {"velocity", {1, {wanted_speed + handing.off, wanted_speed - handing.off}}},
+                        {"mass", both(handing.mass)},
+                        {"volume", both(handing.volume)},
+                        {"energy", both(handing.energy)}};
   const std::string path = folder / ("scored-" + std::to_string(handing.mesh) + ".h5");
   file.write(path);
   return path;
