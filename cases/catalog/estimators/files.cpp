@@ -6,6 +6,7 @@
 
 #include "cases/catalog/estimators/answers.hpp"
 #include "cases/catalog/estimators/trial_files.hpp"
+#include "cases/harness/exchange/foreign_file.hpp"
 #include "cases/harness/files/hdf5_file.hpp"
 
 namespace plumbline {
@@ -89,7 +90,7 @@ void add_read_by_own(const std::string& path, KnownAnswers& all) {
 }
 
 void add_read_by_other(const std::string& path, KnownAnswers& all) {
-  const ForeignFile file(path);
+  const ForeignReader file(path);
   all.push_back(yes("other.text", file.text_attribute("text") == "w\xc3\xb6rter"));
   all.push_back(yes("other.letters", file.text_attribute("letters") == "VTKHDF"));
   all.push_back(yes("other.longest", file.text_attribute("longest") == std::string(longest_of_texts - 1, 'x')));
@@ -125,6 +126,21 @@ void add_read_by_other(const std::string& path, KnownAnswers& all) {
   all.push_back({"other.no_members", static_cast<double>(file.members("/others").size()), 0});
 }
 
+// The same by a process of its own.
+void add_read_elsewhere(const std::string& path, KnownAnswers& all) {
+  const ForeignFile file(path);
+  const NumberTable table = file.numbers("/tables/many");
+  const std::vector<std::string> tables{"few", "many", "none", "whole32", "zeros"};
+  all.push_back(yes("elsewhere.shape", table.shape == std::vector<std::size_t>{many / 3, 3}));
+  all.push_back(yes("elsewhere.values", table.values == thirds(many)));
+  all.push_back(yes("elsewhere.members", file.members("/tables") == tables));
+  all.push_back(yes("elsewhere.text", file.text_attribute("text") == "w\xc3\xb6rter"));
+  all.push_back({"elsewhere.number", file.number_attribute("whole").value_or(NAN), -7e9, 7e9});
+  all.push_back(no("elsewhere.no_text", file.text_attribute("none") || file.number_attribute("none")));
+  all.push_back(yes("elsewhere.has", file.has("/tables") && !file.has("/others")));
+  all.push_back(yes("elsewhere.refused", refuses([&] { file.number_attribute("text"); }) && file.has("/tables")));
+}
+
 // A file that is not committed is not there; one that another program wrote over is no longer ours; nor is a text HDF5.
 void add_refused_files(const TrialFolder& folder, const std::string& path, KnownAnswers& all) {
   const std::string given_up = folder / "given_up.h5", text = folder / "text.h5", changed = folder / "changed.h5";
@@ -132,9 +148,9 @@ void add_refused_files(const TrialFolder& folder, const std::string& path, Known
   all.push_back(no("refused.given_up", std::filesystem::exists(given_up)));
   { std::ofstream(text) << "no HDF5"; }
   all.push_back(yes("refused.text", refuses([&] { Hdf5Reader{text}; })));
-  all.push_back(yes("refused.text_of_others", refuses([&] { ForeignFile{text}; })));
+  all.push_back(yes("refused.text_of_others", refuses([&] { ForeignReader{text}; })));
   all.push_back(yes("refused.none", refuses([&] { Hdf5Reader{folder / "none.h5"}; })));
-  all.push_back(yes("refused.none_of_others", refuses([&] { ForeignFile{folder / "none.h5"}; })));
+  all.push_back(yes("refused.none_of_others", refuses([&] { ForeignReader{folder / "none.h5"}; })));
   std::filesystem::copy_file(path, changed);
   {
     std::fstream file(changed, std::ios::in | std::ios::out | std::ios::binary);
@@ -153,6 +169,7 @@ KnownAnswers file_answers() {
   write_everything(path);
   add_read_by_own(path, all);
   add_read_by_other(path, all);
+  add_read_elsewhere(path, all);
   add_refused_files(folder, path, all);
   return all;
 }

@@ -113,7 +113,7 @@ Scene plane_of_gas_and_chains() {
   gas.points.add(column::affine, 4);
   gas.points.add(column::body_force, 2);
   fill_columns(gas, 2);
-  gas.points(column::density)[0] = 0;  // left to the density method
+  gas.points(column::density)[0] = gas.points(column::density)[2] = 0;  // left to the density method
   gas.load = [](double time, Columns& points, std::span<const int> id) {
     for (std::size_t p = 0; p < id.size(); ++p) {
       points(column::body_force, 0)[p] = time * (1 + id[p]);
@@ -143,6 +143,9 @@ Scene rings_of_solids() { return scene_of_solids(2, true); }
 
 Scene space_of_solids() {
   Scene scene = scene_of_solids(3, false);
+  scene.bodies.front().load = [](double, Columns& points, std::span<const int>) {
+    points(column::body_force, 1)[0] = points(column::position, 2)[1];
+  };
   Body& body = scene.bodies.back();
   body.points.add(column::body_force, 3);
   fill_columns(body, 3);

@@ -18,7 +18,7 @@ std::vector<double> given_rows(const ColumnId& id, int components, int points, i
 Scene plane_of_gas_and_chains();  // a gas with a load in time, an open and a closed chain, a layer; walls and pistons
 Scene rings_of_bands();           // one chain
 Scene rings_of_solids();          // at small and at finite strains
-Scene space_of_solids();          // the same, one with a force on each point
+Scene space_of_solids();          // the same, one with a load that asks how high it is, one with a force on each point
 Scene line_of_solids();           // of which loads ask where they are, and how fast
 
 }  // namespace plumbline

@@ -116,7 +116,7 @@ void add_refused_datasets(KnownAnswers& all) {
   for (std::size_t d = 0; d < 2; ++d) {
     const std::string axis = d == 0 ? "x" : "y";
     std::vector<double> below{1, 1, 1, 1}, above{1, 1, 1, 1};
-    below[2 + d] = low[d] - little;
+    below[d] = low[d] - little;
     above[2 + d] = high[d] + little;
     bodies.with("below_in_" + axis, "position", {2, below});
     bodies.with("above_in_" + axis, "position", {2, above});

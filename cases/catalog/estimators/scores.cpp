@@ -85,6 +85,7 @@ Case scored_case() {
 struct Handing {
   int mesh;
   double off = 0, mass = 1, energy = 0, volume = 2;
+  int steps = 30;
 };
 
 std::string write_scored(const TrialFolder& folder, const Case& entry, const Handing& handing) {
@@ -95,6 +96,7 @@ std::string write_scored(const TrialFolder& folder, const Case& entry, const Han
   file.texts["program"] = "mpm";
   file.numbers["cells"] = handing.mesh;
   file.numbers["time"] = scored_end;
+  file.numbers["steps"] = handing.steps;
   const auto both = [](double value) { return HandedTable{0, {value, value}}; };
   file.bodies["gas"] = {{"position", {1, {1, 3}}},
                         {"velocity", {1, {wanted_speed + handing.off, wanted_speed - handing.off}}},
@@ -123,10 +125,17 @@ bool not_judged(const Score& score, const std::string& id) {
   return false;
 }
 
+void add_range(const Score& score, const std::string& id, double low, double high, KnownAnswers& all) {
+  const JudgedGate* const gate = judged(score, id);
+  const Range range = gate ? gate->gate.expected : Range{NAN, NAN};
+  all.push_back({"range.low." + id, range.low.value_or(0), low});
+  all.push_back({"range.high." + id, range.high.value_or(0), high});
+}
+
 // Half of what the start is off, over the size, but 30 % at least and 50 % at most: of the meshes 37.5 %, 30 % and 50 %.
 void add_bounds(const Case& entry, KnownAnswers& all) {
   const TrialFolder folder;
-  const std::vector<Handing> handings{{20, 0.75}, {40, 0.9}, {80, 1}};
+  const std::vector<Handing> handings{{20, 0.75}, {40, 0.9, 1, 0, 2, 0}, {80, 1}};
   const double exact[] = {0.75 / 1.5, 0.9 / 1.2, 1 / 2.0};
   std::vector<std::string> paths;
   for (std::size_t k = 0; k < handings.size(); ++k) {
@@ -141,6 +150,7 @@ void add_bounds(const Case& entry, KnownAnswers& all) {
   }
   const Score series = score(entry, {paths[2], paths[0], paths[1]}, {});
   all.push_back({"bound.all", judged_value(series, "main/foreign-speed.L1"), 0.75});
+  all.push_back({"series.unknown_step", series.study.levels.at(1).run.dt, 0});
   all.push_back(yes("series.files", series.files == paths));
   for (std::size_t k = 0; k < 3; ++k) all.push_back({"series.level", series.study.levels.at(k).value, 20.0 * (1 << k)});
   all.push_back(yes("series.order", judged(series, "main/order") != nullptr));
@@ -187,6 +197,11 @@ void add_run_of_score(const Case& entry, KnownAnswers& all) {
   number("momentum", judged_value(found, "main/foreign-momentum"), (1.25 * 8 - 2) / (1.25 * 8));
   number("coverage", judged_value(found, "main/foreign-coverage"), 0.75);
   number("declared_error", judged_value(found, "main/error"), 0.75);
+  add_range(found, "main/foreign-mass", 0, 1e-6, all);
+  add_range(found, "main/foreign-energy", 0, 2, all);
+  add_range(found, "main/foreign-momentum", 0, 1e-6, all);
+  add_range(found, "main/foreign-coverage", 0.99, 1.01, all);
+  add_range(found, "main/foreign-speed.L1", 0, 1, all);
   for (const char* id : {"missing", "order", "ledger", "red", "beside", "recorded"}) {
     all.push_back(yes(std::string("run.not_") + id, not_judged(found, std::string("main/") + id)));
   }

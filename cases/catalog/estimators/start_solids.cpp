@@ -99,6 +99,7 @@ void add_start_of_space(KnownAnswers& all) {
     return start.described(body)["datasets"][name]["components"];
   };
   start.say("position", components(0, "position"), R"(["x", "y", "z"])");
+  start.say("load", start.described(0)["load"]["kind"] == "follows the points");
   start.say("force", components(1, "body_force"), R"(["x", "y", "z"])");
   start.say("strain", components(0, "strain"), R"(["xx", "yy", "zz", "yz", "zx", "xy"])");
   start.say("full", components(1, "stress"), R"(["xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"])");

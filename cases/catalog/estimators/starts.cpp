@@ -82,14 +82,16 @@ void add_segments_of(WrittenStart& start, std::size_t body, std::size_t count, c
   all.push_back(yes(name + ".segments.said", described["segments"]["shape"] == Json{count, 2}));
 }
 
-// Of the gas the density that is missing is m / V; its volume and pressure follow from density and energy, gamma = 3/2.
+// Of the gas the densities that are missing are m / V; its volume and pressure follow from density and energy, gamma = 3/2.
 void add_plane(KnownAnswers& all) {
   const Case entry = case_of_given<GivenEnd>(plane_of_gas_and_chains, Kind::coupled);
   WrittenStart start("plane", entry, all);
   say_all_of_plane(start);
   say_all_of_file(start, entry);
   std::vector<double> density = given_rows(column::density, 1, 3, 2), volume, pressure;
-  density[0] = given_number(column::mass, 0, 0, 2) / given_number(column::volume, 0, 0, 2);
+  for (const int p : {0, 2}) {
+    density[static_cast<std::size_t>(p)] = given_number(column::mass, 0, p, 2) / given_number(column::volume, 0, p, 2);
+  }
   for (int p = 0; p < 3; ++p) {
     const double rho = density[static_cast<std::size_t>(p)];
     volume.push_back(given_number(column::mass, 0, p, 2) / rho);

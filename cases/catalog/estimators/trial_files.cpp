@@ -25,7 +25,7 @@ TrialFolder::~TrialFolder() {
   std::filesystem::remove_all(path_, ignored);
 }
 
-void add_table(const std::string& name, const ForeignFile& file, const std::string& dataset,
+void add_table(const std::string& name, const ForeignReader& file, const std::string& dataset,
                const std::vector<std::size_t>& shape, const std::vector<double>& values, KnownAnswers& all) {
   const bool there = file.has(dataset);
   all.push_back(yes(name + ".there", there));

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cases/catalog/estimators/known_answers.hpp"
-#include "cases/harness/exchange/foreign_file.hpp"
+#include "cases/harness/exchange/foreign_reader.hpp"
 #include "cases/harness/files/errors.hpp"
 #include "cases/harness/run/judged_at_end.hpp"
 
@@ -65,7 +65,7 @@ inline KnownAnswer yes(std::string name, bool found) { return {std::move(name), 
 inline KnownAnswer no(std::string name, bool found) { return {std::move(name), found ? 1.0 : 0.0, 0}; }
 
 // What a dataset holds, row after row, and its shape.
-void add_table(const std::string& name, const ForeignFile& file, const std::string& dataset,
+void add_table(const std::string& name, const ForeignReader& file, const std::string& dataset,
                const std::vector<std::size_t>& shape, const std::vector<double>& values, KnownAnswers& all);
 
 // Whether it throws a FileError.

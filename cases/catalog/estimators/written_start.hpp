@@ -18,7 +18,7 @@ class WrittenStart {
 
   const Json& description() const { return description_; }
   Json described(std::size_t body) const { return description_["bodies"].at(body); }
-  const ForeignFile& file() const { return file_; }
+  const ForeignReader& file() const { return file_; }
   std::string text_beside() const;
   // "position:2 mass:1 any number": what is to be handed in of a body, and how many points.
   std::string wanted_at_end(std::size_t body) const;
@@ -34,7 +34,7 @@ class WrittenStart {
   TrialFolder folder_;
   std::string name_, path_;
   Json description_;
-  ForeignFile file_;
+  ForeignReader file_;
   KnownAnswers& all_;
 };
 
