@@ -1,13 +1,17 @@
 #include "cases/harness/exchange/foreign_file.hpp"
 
 #include <fmt/format.h>
+#include <hdf5.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
+#include <exception>
+#include <functional>
 #include <new>
+#include <optional>
 #include <system_error>
 #include <type_traits>
 #include <utility>
@@ -15,6 +19,7 @@
 #include "cases/harness/exchange/foreign_reader.hpp"
 #include "cases/harness/files/errors.hpp"
 #include "cases/harness/files/forked_child.hpp"
+#include "cases/harness/files/hdf5_handle.hpp"
 #include "cases/harness/files/signals.hpp"
 
 namespace plumbline {
@@ -161,6 +166,28 @@ void answer_questions(const std::string& path, const End& end) try {
   }
 } catch (const OtherEndGone&) {}
 
+// HDF5 has one lock for all threads: a process that is split off while another thread holds it would wait for it for ever. Within
+// what HDF5 itself calls, as where it makes a list of properties, this thread holds it, and its copy in the new process does.
+void under_lock_of_hdf5(const std::string& path, const std::function<void()>& work) {
+  struct Call {
+    const std::function<void()>& work;
+    std::exception_ptr failure;
+  } call{work, nullptr};
+  const auto run = [](hid_t, void* data) -> herr_t {
+    Call& of = *static_cast<Call*>(data);
+    try {
+      of.work();
+    } catch (...) {
+      of.failure = std::current_exception();
+    }
+    return 0;
+  };
+  const Hdf5Handle kind(H5Pcreate_class(H5P_ROOT, "under lock", run, &call, nullptr, nullptr, nullptr, nullptr),
+                        H5Pclose_class, path, "make a class of properties");
+  const Hdf5Handle list(H5Pcreate(kind), H5Pclose, path, "make a property list");
+  if (call.failure) std::rethrow_exception(call.failure);
+}
+
 struct Pair {
   int ends[2];
   Pair() {
@@ -208,11 +235,13 @@ class ForeignFile::Reading {
       : path_(std::move(path)),
         patience_(patience),
         here_(pair.ends[0]),
-        there_(pair.ends[1]),
-        child_([this] {
-          here_.close();
-          answer_questions(path_, there_);
-        }) {
+        there_(pair.ends[1]) {
+    under_lock_of_hdf5(path_, [this] {
+      child_.emplace([this] {
+        here_.close();
+        answer_questions(path_, there_);
+      });
+    });
     there_.close();
   }
 
@@ -232,21 +261,21 @@ class ForeignFile::Reading {
     while (::poll(&wanted, 1, pause) <= 0) {
       throw_if_interrupted();
       if (Clock::now() < until_) continue;
-      child_.end();
+      child_->end();
       throw FileError(path_, fmt::format("{}: reading it was not done after {:g} s", path_, patience_));
     }
   }
 
   [[noreturn]] void refuse_as_dead() {
-    child_.wait();
-    throw FileError(path_, fmt::format("{}: the process that read it {}", path_, child_.how()));
+    child_->wait();
+    throw FileError(path_, fmt::format("{}: the process that read it {}", path_, child_->how()));
   }
 
   std::string path_;
   double patience_;
   Clock::time_point until_;
   End here_, there_;
-  ForkedChild child_;
+  std::optional<ForkedChild> child_;  // from its making on
 };
 
 ForeignFile::ForeignFile(std::string path, double patience)

@@ -1,6 +1,7 @@
 #include "cases/harness/exchange/foreign_reader.hpp"
 
 #include <fmt/format.h>
+#include <hdf5.h>
 
 #include <algorithm>
 

@@ -1,8 +1,7 @@
 // Reads HDF5 files that anybody may have written, in this process: see ForeignFile.
 #pragma once
 
-#include <hdf5.h>
-
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,7 +29,7 @@ class ForeignReader {
   [[noreturn]] void refuse(const std::string& why) const;
 
   std::string path_;
-  hid_t file_ = -1;
+  std::int64_t file_ = -1;
 };
 
 }  // namespace plumbline

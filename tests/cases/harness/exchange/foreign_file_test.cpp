@@ -6,9 +6,12 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <fstream>
+#include <thread>
 
 #include "cases/harness/files/errors.hpp"
+#include "cases/harness/files/hdf5_file.hpp"
 #include "cases/harness/files/hdf5_handle.hpp"
 #include "tests/cases/harness/temporary_folder.hpp"
 
@@ -99,6 +102,19 @@ TEST_F(ForeignFileTest, DoesNotWaitForEver) {
 TEST_F(ForeignFileTest, LeavesNoProcessBehind) {
   { const ForeignFile file(path), other(path); }
   EXPECT_THAT(children(), ElementsAre());
+}
+
+// The lock of HDF5 that another thread holds is not held for ever in the process that reads.
+TEST_F(ForeignFileTest, IsReadWhileAnotherThreadWrites) {
+  std::atomic<bool> writes = true;
+  std::thread writer([&] {
+    while (writes) Hdf5Writer(folder / "other.h5").numbers("/numbers", std::vector<double>(4000, 1.5));
+  });
+  for (int k = 0; k < 10; ++k) {
+    EXPECT_NO_THROW(EXPECT_EQ(ForeignFile(path, 10).number_attribute("time"), 5.0));
+  }
+  writes = false;
+  writer.join();
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // What gates of shapes measure of shapes that are wrong by known amounts.
 #include "cases/catalog/estimators/answers.hpp"
-#include "cases/catalog/estimators/flawed_shape.hpp"
-#include "cases/catalog/estimators/reading.hpp"
+#include "cases/catalog/estimators/parts/flawed_shape.hpp"
+#include "cases/catalog/estimators/parts/reading.hpp"
 #include "cases/harness/parts/shape_gates.hpp"
 
 namespace plumbline {

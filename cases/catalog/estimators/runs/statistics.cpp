@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include "cases/catalog/estimators/answers.hpp"
-#include "cases/catalog/estimators/closed_forms.hpp"
+#include "cases/catalog/estimators/runs/closed_forms.hpp"
 #include "cases/harness/compare/bands.hpp"
 #include "cases/harness/compare/two_samples.hpp"
 #include "cases/harness/integrators/cost.hpp"

@@ -1,4 +1,4 @@
-#include "cases/catalog/estimators/flawed_shape.hpp"
+#include "cases/catalog/estimators/parts/flawed_shape.hpp"
 
 #include <utility>
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "cases/catalog/estimators/answers.hpp"
-#include "cases/catalog/estimators/closed_forms.hpp"
+#include "cases/catalog/estimators/runs/closed_forms.hpp"
 #include "cases/harness/compare/comparison.hpp"
 
 namespace plumbline {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "cases/catalog/estimators/answers.hpp"
-#include "cases/catalog/estimators/reading.hpp"
+#include "cases/catalog/estimators/parts/reading.hpp"
 #include "cases/harness/parts/contact_gates.hpp"
 
 namespace plumbline {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "cases/catalog/estimators/answers.hpp"
-#include "cases/catalog/estimators/reading.hpp"
+#include "cases/catalog/estimators/parts/reading.hpp"
 #include "cases/harness/parts/material_gates.hpp"
 #include "cases/harness/parts/pair_gates.hpp"
 

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "cases/catalog/estimators/answers.hpp"
-#include "cases/catalog/estimators/reading.hpp"
+#include "cases/catalog/estimators/parts/reading.hpp"
 #include "cases/harness/parts/transfer_gates.hpp"
 #include "kernel/shapes/shape.hpp"
 #include "kernel/transfers/transfer.hpp"
@@ -11,7 +11,7 @@
 namespace plumbline {
 namespace {
 
-constexpr int wave_cells = 64, shortest = 64, longest = 2;  // half waves between the walls
+constexpr int wave_cells = 64, most_halves = 64, least_halves = 2;  // half waves between the walls
 constexpr double kept_by_blend = 0.95;
 
 // The weight of a point so many quarters of a cell from a node: 1, 3 or 5.
@@ -71,7 +71,7 @@ KnownAnswers filter_answers() {
     for (const std::string transfer : {"flip", "blend", "pic", "xpic", "fmpm"}) {
       const auto rows = transfer_filter_gates(transfer_named(transfer), shape_named(shape));
       double beyond = -1;
-      for (int halves = longest; halves <= shortest; halves += 2) {
+      for (int halves = least_halves; halves <= most_halves; halves += 2) {
         const double left = left_of_wave(transfer, shape, halves);
         beyond = std::max({beyond, left - 1, -left});
       }

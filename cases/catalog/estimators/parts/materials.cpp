@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "cases/catalog/estimators/answers.hpp"
-#include "cases/catalog/estimators/reading.hpp"
+#include "cases/catalog/estimators/parts/reading.hpp"
 #include "cases/harness/parts/material_gates.hpp"
 #include "cases/harness/parts/shape_probe.hpp"
 #include "kernel/points/column_names.hpp"
