@@ -6,6 +6,7 @@
 #include "cases/catalog/estimators/answers.hpp"
 #include "cases/harness/laboratory/amplification.hpp"
 #include "cases/harness/laboratory/bar_patch.hpp"
+#include "cases/harness/laboratory/safe_step.hpp"
 #include "cases/harness/laboratory/wave.hpp"
 
 namespace plumbline {
@@ -74,6 +75,39 @@ void add_plate(KnownAnswers& all) {
   }
 }
 
+// With points in the middle of square cells a wave strains them as a plane wave with the wave numbers sin(x) cos^2(y/2) along x and
+// sin(y) cos^2(x/2) along y: of all waves the one of four cells along either axis is the fastest.
+void add_oblique(KnownAnswers& all) {
+  const double dt = 3.2;
+  const Amplification plate(plate_patch(linear_flip, 1, 0.5, 0.5, 0, {1, 5}), {"rk4", {}}, Positions::frozen, dt);
+  const auto radius = [&](const WaveNumber& theta) {
+    const double x = dt * std::hypot(std::sin(theta[0]) * std::pow(std::cos(theta[1] / 2), 2),
+                                     std::sin(theta[1]) * std::pow(std::cos(theta[0] / 2), 2));
+    return std::max({1.0, radius_of_rk4(x), radius_of_rk4(x * std::sqrt(0.5))});
+  };
+  for (const WaveNumber& theta : {WaveNumber{1.4, 0.3}, {0.2, -1.6}, {1.2, 0.6}, {-1.5, 0.4}}) {
+    all.push_back({"oblique.radius", plate.spectral_radius(theta), radius(theta)});
+  }
+  const WorstWave worst = worst_wave(plate, 2);
+  all.push_back({"oblique.worst", worst.radius, radius_of_rk4(dt)});
+  // Along one axis or the other, and known to the square root of what radii are.
+  const double along = std::max(std::abs(worst.theta[0]), std::abs(worst.theta[1])),
+               across = std::min(std::abs(worst.theta[0]), std::abs(worst.theta[1]));
+  all.push_back({"oblique.along", along, half_turn / 2, 1e4});
+  all.push_back({"oblique.across", across, 0, 1e4});
+}
+
+// The least limit of points at different places in their cells, 2 over the highest frequency; to the relative width of 1e-4 at which
+// bisections end.
+void add_safe_step(KnownAnswers& all) {
+  const SafeStep safe = safe_step_of_bar({"usf", "linear", "flip"}, 2, {}, 1, false);
+  constexpr double coarsely = 1e5;
+  const double least = 0.01;
+  all.push_back({"safe.regular", safe.regular, 2, coarsely});
+  all.push_back({"safe.limit", safe.limit, 2 / frequency(fastest_wave(least), least), coarsely});
+  all.push_back({"safe.place", safe.place, least});
+}
+
 // Half a wave between two walls: velocities 0.8 of a sine and strains 0.6 of a cosine turn into each other.
 void add_standing(KnownAnswers& all) {
   constexpr int cells = 6, steps = 5;
@@ -101,6 +135,8 @@ KnownAnswers wave_answers() {
   KnownAnswers all;
   add_matrices(all);
   add_plate(all);
+  add_oblique(all);
+  add_safe_step(all);
   add_standing(all);
   return all;
 }
