@@ -15,6 +15,7 @@ KnownAnswers halving_answers();     // limits for dt -> 0
 KnownAnswers comparison_answers();  // changes between two results folders
 KnownAnswers verdict_answers();     // verdicts and margins of gates
 KnownAnswers rule_answers();        // recorded ranges, bands of expected failures, nearest names, lattices of points
+KnownAnswers size_answers();        // points, cells and bytes that are foreseen
 
 // What the laboratory makes of steps.
 KnownAnswers growth_answers();       // growth of runs and of small steps

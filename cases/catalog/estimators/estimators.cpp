@@ -27,6 +27,8 @@ const std::vector<KnownTrial> all_estimators{
      rounded},
     {"rules", "ranges, bands, names, lattices", "Each rule at both sides of where it changes.", rule_answers,
      few_roundings, rounded},
+    {"sizes", "what runs are foreseen to take", "Scenes whose points grow as known powers.", size_answers,
+     few_roundings, rounded},
     {"growth", "growth of perturbations in runs", "A size that grows by a known factor a step.", growth_answers,
      few_roundings, rounded},
     {"limits", "largest stable steps", "Steps that grow beyond known ends.", limit_answers, of_bisection,

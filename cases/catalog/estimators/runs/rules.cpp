@@ -8,7 +8,6 @@
 #include "cases/harness/description/fill_solid.hpp"
 #include "cases/harness/files/nearest.hpp"
 #include "cases/harness/judge/regressions.hpp"
-#include "cases/harness/run/budget.hpp"
 #include "kernel/materials/ideal_gas.hpp"
 
 namespace plumbline {
@@ -171,8 +170,6 @@ KnownAnswers rule_answers() {
   add_bands(all);
   add_names(all);
   add_lattices(all);
-  const double bytes = SceneSize{.points = 10, .cells = 20, .dim = 2}.bytes();
-  all.push_back({"size.bytes", bytes, 10 * 625 + 20 * 300, bytes});
   return all;
 }
 
