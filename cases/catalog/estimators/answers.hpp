@@ -35,6 +35,10 @@ KnownAnswers final_state_answers();  // final states of other programs: what is 
 KnownAnswers handed_in_answers();    // what these kept of the start
 KnownAnswers score_answers();        // and how they are judged
 
+// What references are made of.
+KnownAnswers bound_answers();     // numbers with bounds
+KnownAnswers function_answers();  // functions, integrals, roots, spectra
+
 // Gates of parts.
 KnownAnswers shape_answers();     // of shapes that are wrong by known amounts
 KnownAnswers path_answers();      // along lines across the grid: to what a piece of 2^-20 cells adds
