@@ -45,7 +45,7 @@ def of_status(outcome):
         yield Fault("hang", f"{outcome.late}: {outcome.seconds:.0f} s on the clock, estimate {call.estimate:.2g} s")
     elif code == -signal.SIGPIPE and call.stdout == "gone":
         pass
-    elif call.interrupted and call.interrupted[1] < 0.1 and code == -call.interrupted[0] and not (outcome.err or outcome.out or outcome.new):
+    elif call.interrupted and not outcome.heard and code == -call.interrupted[0] and not (outcome.err or outcome.out or outcome.new):
         pass  # it came before the program had begun
     elif code < 0:
         yield Fault("crash", f"ended by signal {signal.Signals(-code).name}: {last_line(outcome)}")

@@ -81,6 +81,7 @@ class Outcome:
     after: dict               # name -> (what it is, size, time of change), relative to the folder
     folder: Path
     answered: float = 0.0     # s between the signal and the end
+    heard: bool = True        # whether the program had begun to listen for the signal when it was sent
 
     @property
     def text(self):
@@ -134,18 +135,19 @@ def make(executable, call, folder, slow=1.0, memory=MEMORY):
                           stdout=subprocess.PIPE if target is None else target, stderr=subprocess.PIPE) as process:
         if target is not None:
             os.close(target)
-        out, err, late, answered = wait(process, call, min(IDLE, 8 * slow * call.floor))
-    return Outcome(call, process.returncode, out or b"", err or b"", time.monotonic() - begin, late, before, contents(folder), folder, answered)
+        out, err, late, answered, heard = wait(process, call, min(IDLE, 8 * slow * call.floor))
+    return Outcome(call, process.returncode, out or b"", err or b"", time.monotonic() - begin, late, before, contents(folder), folder, answered, heard)
 
 
 def wait(process, call, idle):
-    """(standard output, standard error, why it was ended, seconds from the signal to the end). `idle`: s without any work"""
-    stdin, sent = call.stdin, 0.0
+    """(standard output, standard error, why it was ended, seconds from the signal to the end, whether it listened). `idle`: s without any work"""
+    stdin, sent, heard = call.stdin, 0.0, True
     if call.interrupted:
         try:
             out, err = process.communicate(stdin, timeout=call.interrupted[1])
-            return out, err, "", 0.0
+            return out, err, "", 0.0, heard
         except subprocess.TimeoutExpired:
+            heard = listens(process.pid, call.interrupted[0])
             process.send_signal(call.interrupted[0])
             stdin, sent = None, time.monotonic()
     late, worked, last = "", -1.0, time.monotonic()
@@ -163,7 +165,16 @@ def wait(process, call, idle):
                 os.killpg(process.pid, signal.SIGKILL)
     if process.returncode == -signal.SIGXCPU:
         late = "processor time used up"
-    return out, err, late, time.monotonic() - sent if sent else 0.0
+    return out, err, late, time.monotonic() - sent if sent else 0.0, heard
+
+
+def listens(process, number):
+    """Whether a process has a handler for a signal: none while it is loaded, however long a busy machine takes for that."""
+    try:
+        status = Path(f"/proc/{process}/status").read_text(encoding="utf-8", errors="replace")
+    except OSError:
+        return True
+    return bool(int(status.partition("SigCgt:")[2].split()[0], 16) >> (number - 1) & 1)
 
 
 def work(session):

@@ -112,6 +112,9 @@ def test_a_signal_is_answered(broken, monkeypatch):
     assert broken(deaf.format(4.0), "run", "sod", **sent) == []
     assert broken(deaf.format(14.0), "run", "sod", **sent) == ["signal"]
     assert broken("time.sleep(60)", "run", "sod", **sent) == ["crash"]   # Python ends by the signal itself
+    deaf = "signal.signal(signal.SIGINT, signal.SIG_DFL); time.sleep(60)"   # as a program that is not loaded yet
+    assert broken(deaf, "run", "sod", **sent) == []
+    assert broken("print('begun', flush=True); " + deaf, "run", "sod", **sent) == ["crash"]
 
 
 def test_a_reader_that_has_left_may_end_it(broken):
