@@ -75,11 +75,11 @@ class Matrix:
         return wrong, red
 
     def _clean_of(self, column):
-        """What the clean run met holds for the bugs that were there: with another set of them it is run again."""
+        """What the clean run met holds for the bugs that were there and their numbers: with others it is run again."""
         return self.state.get("", column.name, self._clean_fingerprint(column))
 
     def _clean_fingerprint(self, column):
-        own = [self.prints.of_mutant(m) for m in self.mutants if column.concerns(m)]
+        own = [f"{m.number} {self.prints.of_mutant(m)}" for m in self.mutants if column.concerns(m)]
         return f"{column.fingerprint} {self.prints_of(own)}"
 
     @staticmethod

@@ -320,3 +320,11 @@ def test_numbers_are_the_same_only_if_every_case_that_meets_the_bug_ran(tmp_path
         table.run_to_first_red([mutant], 1, lambda text: None)
         assert table.same_numbers(mutant) is expected
         (tmp_path / "state.jsonl").unlink()
+
+
+def test_what_a_clean_run_met_holds_for_the_numbers_that_the_bugs_had(tmp_path):
+    kept, judge = state.State(tmp_path / "state.jsonl"), CaseOfOneGate("case", 1)
+    for number, runs in ((1, 1), (1, 1), (2, 2)):  # another bug stands before it at last
+        mutant = declarations.Mutant("one", "", "toy.cpp", "", "a", "b", "", "drawn", at=0, number=number)
+        matrix.Matrix([mutant], [matrix.Column(judge, "same")], kept, state.Fingerprints(tmp_path)).judge_clean(1, lambda text: None)
+        assert judge.runs == [""] * runs
