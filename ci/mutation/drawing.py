@@ -118,16 +118,20 @@ def switches_of(files):
 
 
 def faulty(folder, mutants):
-    """Names of the bugs in whose lines the compiler found errors; of those it names otherwise if there is none."""
+    """Names of the bugs in whose lines the compiler found errors; if there is none, of those whose lines it names otherwise; else of the
+    nearest above each error, which may have made another type of what stands there."""
     log = (folder / "build.log").read_text(encoding="utf-8", errors="replace")
+    lines = {mutant.id: _lines(folder / "overlay", mutant) for mutant in mutants}
+    named = {}
     for marks in (r"error", r"error|note|   required from"):
-        found = set()
-        for file, line, _ in re.findall(rf"overlay/([^\s:]+):(\d+):\d+:\s+({marks})", log):
-            found.add((file, int(line)))
-        names = [mutant.id for mutant in mutants if found & _lines(folder / "overlay", mutant)]
-        if names:
+        named[marks] = {(file, int(line)) for file, line, _ in re.findall(rf"overlay/([^\s:]+):(\d+):\d+:\s+({marks})", log)}
+        if names := [name for name, own in lines.items() if named[marks] & own]:
             return names
-    return []
+    above = set()
+    for file, line in named["error"]:
+        own = [(min(places)[1], name) for name, places in lines.items() if min(places)[0] == file and min(places)[1] < line]
+        above |= {max(own)[1]} if own else set()
+    return sorted(above)
 
 
 def _lines(overlay_folder, mutant):

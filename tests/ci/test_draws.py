@@ -186,6 +186,20 @@ int main() { std::printf("%g", used(1)); }
     broken = declarations.Mutant("b2", "coefficient", "toy.cpp", "", "3.0 * x", "no_such * x", "", "drawn", at=bugs[1].at, number=2)
     assert not compiled(bugs[0], broken) and drawing.faulty(tmp_path, [bugs[0], broken]) == ["b2"]
 
+    # What a lambda returns is another type: the error stands below, and names no line of the bug.
+    text = """#include <algorithm>
+#include <cstdio>
+int above() { return 5 - 4; }
+int used() {
+  const auto most = [](int d) { return d - 3; };
+  return std::min(1, most(2));
+}
+int main() { std::printf("%d", used()); }
+"""
+    typed = [declarations.Mutant(name, "sign", "toy.cpp", "", find, f"-({find})", "", "drawn", at=text.index(find), wrap="factor", type="-1", number=number)
+             for number, name, find in ((1, "above", "4"), (2, "typed", "3"))]  # fmt: skip
+    assert not compiled(*typed) and drawing.faulty(tmp_path, typed) == ["typed"]
+
 
 def test_a_drawn_bug_holds_for_the_sources_it_was_drawn_from(tmp_path):
     bug = {"find": "a * b", "replace": "1.02 * (a * b)", "wrap": "expression", "type": "", "at": 8}
