@@ -6,6 +6,8 @@ namespace {
 
 constexpr double of_bisection = 1.5e-9, of_close_pieces = 1e-5, of_differences = 1e-7, of_small_shares = 1e-9,
                  of_derivatives = 1e-8, of_floats = 1e-7;
+constexpr const char* as_bisected =
+    "two bisections to a relative width of 1e-9, of which one counts twice: three halves of it at most";
 constexpr const char* as_floats = "numbers that are rounded to single precision, 2^-24 or 6e-8 of their size";
 
 // In the order of answers.hpp.
@@ -31,8 +33,7 @@ const std::vector<KnownTrial> all_estimators{
      few_roundings, rounded},
     {"growth", "growth of perturbations in runs", "A size that grows by a known factor a step.", growth_answers,
      few_roundings, rounded},
-    {"limits", "largest stable steps", "Steps that grow beyond known ends.", limit_answers, of_bisection,
-     "two bisections to a relative width of 1e-9, of which one counts twice: three halves of it at most"},
+    {"limits", "largest stable steps", "Steps that grow beyond known ends.", limit_answers, of_bisection, as_bisected},
     {"contents", "what the laboratory reads off scenes", "Boxes and chains whose edges are known by hand.",
      content_answers, few_roundings, rounded},
     {"step-maps", "a step as a map of numbers", "States set by hand are found in the columns.", step_map_answers,
@@ -40,7 +41,7 @@ const std::vector<KnownTrial> all_estimators{
     {"waves", "matrices of steps of a bar", "One point a cell, whose dispersion is known.", wave_answers,
      of_derivatives, "derivatives of a step by differences, good to 1e-9, of which a radius sums a few"},
     {"oscillations", "gates of integrators", "Runge-Kutta steps on springs, and points that fall.", oscillation_answers,
-     of_bisection, "two bisections to a relative width of 1e-9; energies to the rounding of their logarithms"},
+     of_bisection, as_bisected},
     {"carried", "columns and runs that are carried on", "Each number has a value that no other has.", carried_answers,
      few_roundings, rounded},
     {"frames", "instants and points of snapshots", "Points that drift by a known velocity, without a force.",

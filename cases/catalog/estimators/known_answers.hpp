@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cases/harness/description/case.hpp"
@@ -14,6 +15,23 @@ struct KnownAnswer {
   double scale = 1;             // > 0, of the numbers that enter: roundings are relative to it
 };
 using KnownAnswers = std::vector<KnownAnswer>;
+
+// Answers that are yes or no.
+inline KnownAnswer whether(std::string name, bool found, bool exact) {
+  return {std::move(name), found ? 1.0 : 0.0, exact ? 1.0 : 0.0};
+}
+inline KnownAnswer yes(std::string name, bool found) { return whether(std::move(name), found, true); }
+inline KnownAnswer no(std::string name, bool found) { return whether(std::move(name), found, false); }
+
+template <class Error, class Work>
+bool throws(const Work& work) {
+  try {
+    work();
+  } catch (const Error&) {
+    return true;
+  }
+  return false;
+}
 
 struct KnownTrial {
   const char *name, *title, *why;

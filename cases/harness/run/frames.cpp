@@ -15,7 +15,7 @@
 namespace plumbline {
 namespace {
 
-constexpr float none = std::numeric_limits<float>::quiet_NaN();
+constexpr float no_value = std::numeric_limits<float>::quiet_NaN();
 
 bool is_closed(const Material& material) {
   if (const auto* segments = dynamic_cast<const SegmentMembrane*>(&material)) return segments->closed;
@@ -113,7 +113,7 @@ void add_body(const Body& body, const std::string& kind, const GridSpec& grid, l
     frame.id.push_back(body.id.empty() ? p : body.id[static_cast<std::size_t>(p)]);
     add_vector(body.points, column::position, grid.dim, p, frame.position);
     add_vector(body.points, column::velocity, grid.dim, p, frame.velocity);
-    float pressure = none, stress = none;
+    float pressure = no_value, stress = no_value;
     if (kind == "gas") {
       pressure = static_cast<float>(body.points(column::pressure)[p]);
     } else if (kind == "membrane") {

@@ -1,42 +1,17 @@
 #include "cases/harness/verify/restart_gate.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <atomic>
 #include <bit>
 #include <cstdint>
-#include <filesystem>
 #include <map>
 
-#include "cases/harness/files/errors.hpp"
+#include "cases/harness/files/scratch_folder.hpp"
 #include "cases/harness/results/checkpoint_file.hpp"
 #include "cases/harness/results/fingerprint.hpp"
 
 namespace plumbline {
 namespace {
-
-// A file's name of our own, and the file gone with it.
-class TemporaryFile {
- public:
-  TemporaryFile() {
-    static std::atomic<int> count = 0;
-    std::error_code none;
-    const auto folder = std::filesystem::temp_directory_path(none);
-    if (none) throw FileError("TMPDIR", "there is no folder for temporary files: " + none.message());
-    path_ = folder / fmt::format("plumbline-restart-{}-{}.h5", ::getpid(), count++);
-  }
-  ~TemporaryFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  std::string path() const { return path_.string(); }
-
- private:
-  std::filesystem::path path_;
-};
 
 // All that came of a run but for the time that it took.
 Archive::Table numbers_of(RunResult& run) {
@@ -91,7 +66,8 @@ void compare(const Archive::Table& one, const Archive::Table& other, RestartDiff
 
 RestartDifference restart_difference(const Case& entry, const std::string& scheme, const Settings& settings,
                                      double share) {
-  const TemporaryFile file;
+  const ScratchFolder folder;
+  const std::string file = folder / "restart.h5";
   const double end = entry.problem(settings)->end_time();
   const auto reached = [end](double time, double part) { return time >= part * end - 1e-12 * end; };
   const auto run = [&](const RunState* from, bool write) {
@@ -105,8 +81,7 @@ RestartDifference restart_difference(const Case& entry, const std::string& schem
     states.keep = [&](const RunState& state) {
       if (!written) {
         write_checkpoint(
-            file.path(),
-            {entry.name, scheme, settings.canonical(), fingerprint(entry), build_in_words(), {}, 0, state});
+            file, {entry.name, scheme, settings.canonical(), fingerprint(entry), build_in_words(), {}, 0, state});
         written = true;
       }
       if (reached(state.time, 1)) ended.state = state.numbers;
@@ -116,11 +91,11 @@ RestartDifference restart_difference(const Case& entry, const std::string& schem
     return ended;
   };
   const Ended whole = run(nullptr, true);
-  if (!std::filesystem::exists(file.path())) return {};
-  const CheckpointFile checkpoint = read_checkpoint(file.path());
-  require_same_code(checkpoint, file.path());
+  if (!std::filesystem::exists(file)) return {};
+  const CheckpointFile checkpoint = read_checkpoint(file);
+  require_same_code(checkpoint, file);
   RestartDifference difference;
-  if (!(settings_of(checkpoint, file.path()) == settings)) return {1, 1, "settings"};
+  if (!(settings_of(checkpoint, file) == settings)) return {1, 1, "settings"};
   const Ended resumed = run(&checkpoint.state, false);
   compare(whole.state, resumed.state, difference);
   compare(whole.result, resumed.result, difference);

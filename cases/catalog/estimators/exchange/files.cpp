@@ -142,7 +142,7 @@ void add_read_elsewhere(const std::string& path, KnownAnswers& all) {
 }
 
 // A file that is not committed is not there; one that another program wrote over is no longer ours; nor is a text HDF5.
-void add_refused_files(const TrialFolder& folder, const std::string& path, KnownAnswers& all) {
+void add_refused_files(const ScratchFolder& folder, const std::string& path, KnownAnswers& all) {
   const std::string given_up = folder / "given_up.h5", text = folder / "text.h5", changed = folder / "changed.h5";
   { Hdf5Writer(given_up).numbers("/lists", thirds(few)); }
   all.push_back(no("refused.given_up", std::filesystem::exists(given_up)));
@@ -164,7 +164,7 @@ void add_refused_files(const TrialFolder& folder, const std::string& path, Known
 
 KnownAnswers file_answers() {
   KnownAnswers all;
-  const TrialFolder folder;
+  const ScratchFolder folder;
   const std::string path = folder / "everything.h5";
   write_everything(path);
   add_read_by_own(path, all);

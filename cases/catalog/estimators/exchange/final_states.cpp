@@ -20,7 +20,7 @@ struct HandedBody {
   std::vector<std::pair<ColumnId, std::vector<double>>> exact;
 };
 
-void add_handed_in(const TrialFolder& folder, int dim, bool rings, const std::vector<HandedBody>& bodies,
+void add_handed_in(const ScratchFolder& folder, int dim, bool rings, const std::vector<HandedBody>& bodies,
                    KnownAnswers& all) {
   HandedFile file;
   Scene scene = scene_without_bodies(dim, rings);
@@ -114,7 +114,7 @@ HandedBody hooke(const std::string& name, int dim, const std::vector<double>& st
            {column::volume, {5, 6}}}};
 }
 
-void add_bodies(const TrialFolder& folder, KnownAnswers& all) {
+void add_bodies(const ScratchFolder& folder, KnownAnswers& all) {
   std::vector<HandedBody> plane = handed_gases();
   plane.push_back(hooke("plane", 2, {3 + 2, 3 + 4, 7}, {1, 2, 7}));
   plane.push_back(hooke("plane_stress", 2, {2 + 2, 2 + 4, 7}, {1, 2, 7}, true));
@@ -129,7 +129,7 @@ void add_bodies(const TrialFolder& folder, KnownAnswers& all) {
   add_handed_in(folder, 3, false, {hooke("space", 3, {8 + 2, 8 + 4, 8 + 10, 7, -3, 4}, {1, 2, 5, 7, -3, 4})}, all);
 }
 
-void add_attributes(const TrialFolder& folder, KnownAnswers& all) {
+void add_attributes(const ScratchFolder& folder, KnownAnswers& all) {
   HandedFile whole, least, most;
   whole.write(folder / "whole.h5");
   const ResultFile file(folder / "whole.h5");
@@ -168,7 +168,7 @@ void add_attributes(const TrialFolder& folder, KnownAnswers& all) {
 
 KnownAnswers final_state_answers() {
   KnownAnswers all;
-  const TrialFolder folder;
+  const ScratchFolder folder;
   add_attributes(folder, all);
   add_bodies(folder, all);
   add_refused_states(all);

@@ -46,9 +46,9 @@ struct ToBeSeen {
 void add_seen(const std::string& name, const FrameSet& set, const ToBeSeen& exact, KnownAnswers& all) {
   const FrameSet::BodyInfo& body = set.bodies.at(0);
   const bool described = body.name == "row" && body.material == exact.material && body.kind == exact.kind;
-  all.push_back({name + ".described", described ? 1.0 : 0.0, 1});
-  all.push_back({name + ".chain", body.chain ? 1.0 : 0.0, exact.chain ? 1.0 : 0.0});
-  all.push_back({name + ".closed", body.closed ? 1.0 : 0.0, exact.closed ? 1.0 : 0.0});
+  all.push_back(yes(name + ".described", described));
+  all.push_back(whether(name + ".chain", body.chain, exact.chain));
+  all.push_back(whether(name + ".closed", body.closed, exact.closed));
   all.push_back({name + ".pressure", farthest(set.frames.at(0).pressure, exact.pressure), 0});
   all.push_back({name + ".stress", farthest(set.frames.at(0).stress, exact.stress), 0});
 }

@@ -154,17 +154,12 @@ bool refuses_frames(int count, const std::string& entry, const std::vector<doubl
   writer.history(written);
   Archive::Table kept = written.take();
   if (!entry.empty()) kept[entry] = values;
-  try {
-    Archive read(kept);
-    reader.history(read);
-  } catch (const ArchiveError&) {
-    return true;
-  }
-  return false;
+  Archive read(kept);
+  return throws<ArchiveError>([&] { reader.history(read); });
 }
 void add_refused_frames(KnownAnswers& all) {
   const auto refused = [&](const std::string& name, bool found, bool exact) {
-    all.push_back({"refused." + name, found ? 1.0 : 0.0, exact ? 1.0 : 0.0});
+    all.push_back(whether("refused." + name, found, exact));
   };
   refused("as_kept", refuses_frames(5, "", {}), false);
   refused("as_many", refuses_frames(1, "", {}), false);

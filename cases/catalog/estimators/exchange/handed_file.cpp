@@ -78,7 +78,7 @@ class ChangedBodies {
   }
 
   void ask(KnownAnswers& all) const {
-    const TrialFolder folder;
+    const ScratchFolder folder;
     file_.write(folder / "changed.h5");
     const ResultFile result(folder / "changed.h5");
     const auto refused = [&](const std::string& name) {
@@ -88,7 +88,7 @@ class ChangedBodies {
       return why.find("the case has no such body") == std::string::npos;
     };
     for (const auto& [name, exact] : expected_) {
-      all.push_back({"refused." + name, refused(name) ? 1.0 : 0.0, exact ? 1.0 : 0.0});
+      all.push_back(whether("refused." + name, refused(name), exact));
     }
     all.push_back(yes("refused.no_body", refused("no_body")));
   }
@@ -126,7 +126,7 @@ void add_refused_datasets(KnownAnswers& all) {
 
 // Files of which an attribute is not there, or out of its range.
 void add_refused_attributes(KnownAnswers& all) {
-  const TrialFolder folder;
+  const ScratchFolder folder;
   const auto changed = [&](const std::string& name, const std::function<void(HandedFile&)>& change) {
     HandedFile file;
     change(file);
@@ -156,7 +156,7 @@ void add_refused_states(KnownAnswers& all) {
   HandedFile file;
   for (const char* name : {"position", "velocity"}) file.bodies["solid"][name] = {1, {1, 2, 3}};
   for (const char* name : {"mass", "volume", "stress"}) file.bodies["solid"][name] = {0, {1, 2, 3}};
-  const TrialFolder folder;
+  const ScratchFolder folder;
   file.write(folder / "solid.h5");
   const ResultFile result(folder / "solid.h5");
   auto law = std::make_shared<LinearElastic>();

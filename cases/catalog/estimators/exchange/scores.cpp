@@ -88,7 +88,7 @@ struct Handing {
   int steps = 30;
 };
 
-std::string write_scored(const TrialFolder& folder, const Case& entry, const Handing& handing) {
+std::string write_scored(const ScratchFolder& folder, const Case& entry, const Handing& handing) {
   HandedFile file;
   const Settings settings = entry.settings("default", {{"cells", static_cast<double>(handing.mesh)}});
   file.texts["start"] = start_id(entry, settings);
@@ -134,7 +134,7 @@ void add_range(const Score& score, const std::string& id, double low, double hig
 
 // Half of what the start is off, over the size, but 30 % at least and 50 % at most: of the meshes 37.5 %, 30 % and 50 %.
 void add_bounds(const Case& entry, KnownAnswers& all) {
-  const TrialFolder folder;
+  const ScratchFolder folder;
   const std::vector<Handing> handings{{20, 0.75}, {40, 0.9, 1, 0, 2, 0}, {80, 1}};
   const double exact[] = {0.75 / 1.5, 0.9 / 1.2, 1 / 2.0};
   std::vector<std::string> paths;
@@ -171,7 +171,7 @@ void add_bounds(const Case& entry, KnownAnswers& all) {
 }
 
 void add_run_of_score(const Case& entry, KnownAnswers& all) {
-  const TrialFolder folder;
+  const ScratchFolder folder;
   const std::string path = write_scored(folder, entry, {20, 0.75, 1.25, 60, 1.5});
   const Score found = score(entry, {path}, {});
   const RunResult& run = found.study.levels.at(0).run;

@@ -1,7 +1,6 @@
 // Files that trials write, and the cases of which they are: the shock tube's, with a scene of a few points instead of its own.
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
@@ -10,22 +9,10 @@
 #include "cases/catalog/estimators/known_answers.hpp"
 #include "cases/harness/exchange/foreign_reader.hpp"
 #include "cases/harness/files/errors.hpp"
+#include "cases/harness/files/scratch_folder.hpp"
 #include "cases/harness/run/judged_at_end.hpp"
 
 namespace plumbline {
-
-// A folder of our own, gone with the object.
-class TrialFolder {
- public:
-  TrialFolder();
-  ~TrialFolder();
-  TrialFolder(const TrialFolder&) = delete;
-  TrialFolder& operator=(const TrialFolder&) = delete;
-  std::string operator/(const std::string& file) const { return (path_ / file).string(); }
-
- private:
-  std::filesystem::path path_;
-};
 
 inline constexpr double end_of_given = 2;  // s
 
@@ -60,23 +47,13 @@ Case case_of_given(Scene (*scene)(), Kind kind) {
 }
 inline Settings settings_of_given() { return find_case("sod").settings("default", {{"cells", 20.0}}); }
 
-// Yes or no, as answers.
-inline KnownAnswer yes(std::string name, bool found) { return {std::move(name), found ? 1.0 : 0.0, 1}; }
-inline KnownAnswer no(std::string name, bool found) { return {std::move(name), found ? 1.0 : 0.0, 0}; }
-
 // What a dataset holds, row after row, and its shape.
 void add_table(const std::string& name, const ForeignReader& file, const std::string& dataset,
                const std::vector<std::size_t>& shape, const std::vector<double>& values, KnownAnswers& all);
 
-// Whether it throws a FileError.
 template <class Work>
 bool refuses(const Work& work) {
-  try {
-    work();
-  } catch (const FileError&) {
-    return true;
-  }
-  return false;
+  return throws<FileError>(work);
 }
 
 }  // namespace plumbline

@@ -31,7 +31,7 @@ class WrittenStart {
   void holds_nothing_else(std::size_t body, int members);
 
  private:
-  TrialFolder folder_;
+  ScratchFolder folder_;
   std::string name_, path_;
   Json description_;
   ForeignReader file_;

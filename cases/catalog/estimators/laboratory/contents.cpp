@@ -230,7 +230,7 @@ KnownAnswers content_answers() {
   const SceneContents::Part box = contents_of(two).parts.at(0);
   all.push_back({"box.speed", box.speed, 3, 3});
   all.push_back({"box.diffusivity", box.diffusivity, 0});
-  all.push_back({"box.solid", box.matter == Matter::solid ? 1.0 : 0.0, 1});
+  all.push_back(yes("box.solid", box.matter == Matter::solid));
   two.bodies.push_back(two.bodies[0]);
   two.contact = "touching";
   all.push_back({"one_field.contact", static_cast<double>(contents_of(two).contact), 0});

@@ -108,7 +108,7 @@ void add_growth(KnownAnswers& all) {
     all.push_back({std::string(name) + ".limit", limit_on_oscillator(Subject({name, {}})), 2, 2});
   }
   const double none = limit_on_oscillator(Subject({"implicit-midpoint", {}}));
-  all.push_back({"implicit-midpoint.limit", std::isinf(none) ? 1.0 : 0.0, 1});
+  all.push_back(yes("implicit-midpoint.limit", std::isinf(none)));
 }
 
 // Two clouds of gas without pressure, far from each other.
@@ -182,7 +182,7 @@ void add_yardsticks(KnownAnswers& all) {
     solid->density = solid->youngs_modulus = 1;
     if (!gas) scene.bodies = {make_body("solid", solid, 1, 2)};
     const std::string found = yardstick(Subject({subject, {}}), scene).name;
-    all.push_back({std::string("yardstick.") + subject, found == exact ? 1.0 : 0.0, 1});
+    all.push_back(yes(std::string("yardstick.") + subject, found == exact));
   };
   row("musl", "flip", true, "rk4");
   row("rk4", "flip", true, "ssp-rk3");

@@ -105,7 +105,7 @@ KnownAnswers limit_answers() {
   }
   const Prediction always = predicted({{0, 9}}), never = predicted({{8, 9}});
   all.push_back({"always.stable", static_cast<double>(always.always_stable()), 1});
-  all.push_back({"always.no_limit", std::isinf(always.limit()) ? 1.0 : 0.0, 1});
+  all.push_back(yes("always.no_limit", std::isinf(always.limit())));
   all.push_back({"never.stable", static_cast<double>(never.always_unstable()), 1});
   all.push_back({"never.limit", never.limit(), 0});
   // A radius that rises as a root: by e beyond 1 at a distance of e^2 from the limit.

@@ -104,7 +104,7 @@ KnownAnswers bound_answers() {
   add_arithmetic(BoundRows(all));
   add_functions(BoundRows(all));
   const auto below = [&](const char* name, Bounded a, Bounded b, bool exact) {
-    all.push_back({name, certainly_below(a, b) ? 1.0 : 0.0, exact ? 1.0 : 0.0});
+    all.push_back(whether(name, certainly_below(a, b), exact));
   };
   below("below", {1, 0.25}, {2, 0.5}, true);
   below("touching", {1, 0.5}, {2, 0.5}, false);

@@ -27,7 +27,7 @@ KnownAnswers norm_answers() {
   add_norm(norms[2], 2, 5, 0.5, all);
   const std::vector<FieldSample> unknown{{1, 0, NAN, 0, 0}, {1, 0, 0, 0, 0}};
   for (const Measure& norm : field_norms("unknown", "1", unknown)) {
-    all.push_back({norm.name, std::isnan(norm.error) ? 1.0 : 0.0, 1});
+    all.push_back(yes(norm.name, std::isnan(norm.error)));
   }
   const Measure scalar = scalar_measure("scalar", -3, -5, 0.1, "1"), share = share_measure("share", 0.5, 0.75, 0.01);
   add_norm(scalar, 2, 5, 0.1, all);
@@ -38,7 +38,7 @@ KnownAnswers norm_answers() {
                                                     {"larger.second", larger(1, NAN)},
                                                     {"smaller.first", smaller(NAN, 1)},
                                                     {"smaller.second", smaller(1, NAN)}};
-  for (const auto& [name, chosen] : nowhere) all.push_back({name, std::isnan(chosen) ? 1.0 : 0.0, 1});
+  for (const auto& [name, chosen] : nowhere) all.push_back(yes(name, std::isnan(chosen)));
   return all;
 }
 

@@ -105,7 +105,7 @@ void add_bands(KnownAnswers& all) {
 void add_names(KnownAnswers& all) {
   const std::vector<std::string> known{"leapfrog", "musl", "midpoint", "rk4", "ssp-rk3", "usf", "usl", "energy", "usf"};
   const auto row = [&](const char* wrong, std::size_t most, const std::vector<std::string>& exact) {
-    all.push_back({std::string("nearest.") + wrong, nearest(wrong, known, most) == exact ? 1.0 : 0.0, 1});
+    all.push_back(yes(std::string("nearest.") + wrong, nearest(wrong, known, most) == exact));
   };
   row("lepafrog", 3, {"leapfrog"});  // neighbours swapped: one change
   row("MUSL", 3, {"musl", "usl"});

@@ -39,17 +39,6 @@ SceneSize foreseen_of(double of_cells, double of_ppc, double cells, double ppc) 
   return foreseen_size(entry, entry.settings("default", {{"cells", cells}, {"ppc", ppc}}));
 }
 
-// Whether it throws a UsageError.
-template <class Work>
-double is_refused(const Work& work) {
-  try {
-    work();
-  } catch (const UsageError&) {
-    return 1;
-  }
-  return 0;
-}
-
 }  // namespace
 
 KnownAnswers size_answers() {
@@ -75,13 +64,15 @@ KnownAnswers size_answers() {
 
   const double steps = budget().steps;
   const Settings settings = find_case("sod").settings("default", {});
-  row("steps.allowed", is_refused([&] { require_steps(2, 2.01 / steps, settings); }), 0);
-  row("steps.refused", is_refused([&] { require_steps(2, 1.99 / steps, settings); }), 1);
-  row("end.finite", is_refused([] { require_end(1e300); }), 0);
-  row("end.infinite", is_refused([] { require_end(std::numeric_limits<double>::infinity()); }), 1);
+  all.push_back(no("steps.allowed", throws<UsageError>([&] { require_steps(2, 2.01 / steps, settings); })));
+  all.push_back(yes("steps.refused", throws<UsageError>([&] { require_steps(2, 1.99 / steps, settings); })));
+  all.push_back(no("end.finite", throws<UsageError>([] { require_end(1e300); })));
+  all.push_back(yes("end.infinite", throws<UsageError>([] { require_end(std::numeric_limits<double>::infinity()); })));
   const double most = budget().memory / (125 + 250);
-  row("memory.allowed", is_refused([&] { require_memory({.points = 0.99 * most, .cells = 0}, settings); }), 0);
-  row("memory.refused", is_refused([&] { require_memory({.points = 1.01 * most, .cells = 0}, settings); }), 1);
+  all.push_back(
+      no("memory.allowed", throws<UsageError>([&] { require_memory({.points = 0.99 * most, .cells = 0}, settings); })));
+  all.push_back(yes("memory.refused",
+                    throws<UsageError>([&] { require_memory({.points = 1.01 * most, .cells = 0}, settings); })));
   return all;
 }
 
