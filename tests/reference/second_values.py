@@ -18,25 +18,25 @@ kept = {}  # by test: entries by request
 def agrees(answer, second, within=0):
     """Whether a reference's (value, bound) holds what a second computation found, itself known to `within` (>= 0)."""
     bound, kind = answer[1], type(second)
-    return is_near(answer, second, kind(bound) + kind(within))
+    _keep(answer, float(second), float(within), float(bound))
+    return abs(kind(answer[0]) - second) <= kind(bound) + kind(within)
 
 
 def is_near(answer, second, tolerance):
     """Whether a reference's value is that of a second computation of the same model, whatever bound it has."""
-    if hasattr(answer, "request"):
-        _keep(answer, float(second), float(tolerance))
+    _keep(answer, float(second), float(tolerance))
     return abs(type(second)(answer[0]) - second) <= tolerance
 
 
-def _keep(answer, second, tolerance):
-    test = os.environ["PYTEST_CURRENT_TEST"].rpartition(" ")[0]
-    if tolerance > ROUGH * max(abs(second), abs(answer.value)):
+def _keep(answer, second, within, bound=0.0):
+    if not hasattr(answer, "request") or within + bound > ROUGH * max(abs(second), abs(answer.value)):
         return
+    test = os.environ["PYTEST_CURRENT_TEST"].rpartition(" ")[0]
     entries = kept.setdefault(pathlib.Path(test.split("::")[0]).name + "::" + test.split("::", 1)[1], {})
     values = entries.get(answer.request, {})
     of_test = sum(_has(others, answer.name) for others in entries.values())
     if answer.name in values or (of_test < OF_TEST and _has(values, answer.name) < OF_REQUEST):
-        entries[answer.request] = {**values, answer.name: [second, tolerance]}
+        entries[answer.request] = {**values, answer.name: [second, within, bound]}
 
 
 def _has(values, name):

@@ -28,7 +28,7 @@ struct Kept {
   std::vector<double> at;
   struct Value {
     std::string name;
-    double second, tolerance;  // tolerance: what both computations may be off, >= 0
+    double second, within, bound;  // what the second computation may be off, and the first: 0 where no bound is judged
   };
   std::vector<Value> values;
 };
@@ -54,7 +54,7 @@ std::vector<Kept> kept_of(std::string_view reference) {
               .at = entry.at("at"),
               .values = {}};
     for (const auto& [name, numbers] : entry.at("values").items()) {
-      kept.values.push_back({name, numbers.at(0), numbers.at(1)});
+      kept.values.push_back({name, numbers.at(0), numbers.at(1), numbers.at(2)});
     }
     all.push_back(std::move(kept));
   }
@@ -74,23 +74,32 @@ std::vector<std::string> compared_references() {
 // tests/reference/converged_gas_second_test.py, and the comparator of the tubes, whose bound is its error against the exact solution.
 constexpr std::array computed_flows{"finite-volume", "shu-osher", "woodward-colella"};
 
-std::map<std::string, double> answered(const Kept& kept) {
+std::map<std::string, reference::Bounded> answered(const Kept& kept) {
   const reference::Reference* const asked = reference::find_reference(kept.reference);
   if (!asked) throw std::runtime_error(fmt::format("{}: there is no reference {}", kept.by, kept.reference));
   const reference::Answer answer = asked->evaluate(kept.settings, kept.at);
-  std::map<std::string, double> numbers(answer.values.begin(), answer.values.end());
+  std::map<std::string, reference::Bounded> numbers;
+  for (std::size_t k = 0; k < answer.values.size(); ++k) {
+    numbers[answer.values[k].first] = {answer.values[k].second, answer.bounds[k].second};
+  }
   for (std::size_t row = 0; row < answer.at.size(); ++row) {
-    for (const auto& [name, value] : answer.at[row]) numbers[fmt::format("{}[{}]", name, row)] = value;
+    for (std::size_t k = 1; k < answer.at[row].size(); ++k) {  // after the abscissa
+      numbers[fmt::format("{}[{}]", answer.at[row][k].first, row)] = {answer.at[row][k].second,
+                                                                      answer.at_bounds[row][k - 1].second};
+    }
   }
   return numbers;
 }
 
-// |value - second| over the tolerance, to which come a few roundings: of what is kept, and of what another compiler makes of the value.
-// At weak fronts the deviation is the tolerance itself, since bounds cover both sides. NaN if the value is no number.
-double deviation(double value, const Kept::Value& kept) {
-  const double off = std::abs(value - kept.second);
+// |value - second| over what both may be off, to which come a few roundings: of what is kept, and of what another compiler makes of
+// the value. Of two bounds, the one kept and the one given now, the smaller is judged: neither a wider bound nor one that does not
+// hold passes. At weak fronts the deviation is the tolerance itself, since bounds cover both sides. NaN if the value is no number.
+double deviation(const reference::Bounded& found, const Kept::Value& kept) {
+  if (kept.bound > 0 && !(found.bound >= 0)) return HUGE_VAL;
+  const double off = std::abs(found.value - kept.second);
   if (off == 0) return 0;
-  return off / (kept.tolerance + 4 * std::numeric_limits<double>::epsilon() * (std::abs(kept.second) + kept.tolerance));
+  const double tolerance = kept.within + std::min(kept.bound, found.bound);
+  return off / (tolerance + 4 * std::numeric_limits<double>::epsilon() * (std::abs(kept.second) + tolerance));
 }
 
 Findings compared(const std::string& name) {
@@ -98,12 +107,12 @@ Findings compared(const std::string& name) {
       deviations{"deviation", "1", "deviation over its tolerance", {}};
   double largest = 0;
   for (const Kept& kept : kept_of(name)) {
-    const std::map<std::string, double> found = answered(kept);
+    const std::map<std::string, reference::Bounded> found = answered(kept);
     for (const Kept::Value& one : kept.values) {
       const auto value = found.find(one.name);
       if (value == found.end()) throw std::runtime_error(fmt::format("{}: {} has no {}", kept.by, name, one.name));
       number.values.push_back(static_cast<double>(number.values.size() + 1));
-      values.values.push_back(value->second);
+      values.values.push_back(value->second.value);
       deviations.values.push_back(deviation(value->second, one));
       largest = larger(largest, deviations.values.back());
     }
