@@ -16,6 +16,7 @@ KnownAnswers comparison_answers();  // changes between two results folders
 KnownAnswers verdict_answers();     // verdicts and margins of gates
 KnownAnswers rule_answers();        // recorded ranges, bands of expected failures, nearest names, lattices of points
 KnownAnswers size_answers();        // points, cells and bytes that are foreseen
+KnownAnswers flow_answers();        // flows on which steps are timed, and the bytes that these move
 
 // What the laboratory makes of steps.
 KnownAnswers growth_answers();       // growth of runs and of small steps

@@ -31,6 +31,8 @@ const std::vector<KnownTrial> all_estimators{
      few_roundings, rounded},
     {"sizes", "what runs are foreseen to take", "Scenes whose points grow as known powers.", size_answers,
      few_roundings, rounded},
+    {"flows", "flows on which steps are timed", "Sums of waves over a lattice, and columns counted by hand.",
+     flow_answers, few_roundings, rounded},
     {"growth", "growth of perturbations in runs", "A size that grows by a known factor a step.", growth_answers,
      few_roundings, rounded},
     {"limits", "largest stable steps", "Steps that grow beyond known ends.", limit_answers, of_bisection, as_bisected},

@@ -102,10 +102,16 @@ double deviation(const reference::Bounded& found, const Kept::Value& kept) {
   return off / (tolerance + 4 * std::numeric_limits<double>::epsilon() * (std::abs(kept.second) + tolerance));
 }
 
+// By how much the bound is another than the one kept, up or down, relative.
+double change_of_bound(double bound, double kept) {
+  if (kept == 0 || bound == kept) return 0;
+  return bound > 0 ? std::max(bound / kept, kept / bound) - 1 : HUGE_VAL;
+}
+
 Findings compared(const std::string& name) {
   ProfileColumn number{"number", "1", "number kept", {}}, values{"value", "1", "value", {}},
       deviations{"deviation", "1", "deviation over its tolerance", {}};
-  double largest = 0;
+  double largest = 0, change = 0;
   for (const Kept& kept : kept_of(name)) {
     const std::map<std::string, reference::Bounded> found = answered(kept);
     for (const Kept::Value& one : kept.values) {
@@ -115,10 +121,12 @@ Findings compared(const std::string& name) {
       values.values.push_back(value->second.value);
       deviations.values.push_back(deviation(value->second, one));
       largest = larger(largest, deviations.values.back());
+      change = larger(change, change_of_bound(value->second.bound, one.bound));
     }
   }
   Findings findings;
-  findings.measures = {finding("deviation", largest), finding("numbers", static_cast<double>(number.values.size()))};
+  findings.measures = {finding("deviation", largest), finding("bounds", change),
+                       finding("numbers", static_cast<double>(number.values.size()))};
   findings.profile.abscissa = "number";
   findings.profile.columns = {std::move(number), std::move(values), std::move(deviations)};
   return findings;
@@ -159,6 +167,9 @@ std::vector<CaseGate> gates() {
   for (const std::string& name : compared_references()) {
     all.push_back(gate(name + "/deviation", value_of("deviation"), at_most(1),
                        identity("both hold the true number within their bounds: they differ by no more than the sum")));
+    all.push_back(gate(name + "/bounds", value_of("bounds"), at_most(0.01),
+                       requirement("the bound that the second computation was compared with: whoever derives another runs that "
+                                   "again; 1 % for what functions of another C library change")));
   }
   return all;
 }

@@ -2,6 +2,7 @@
 #include <map>
 #include <thread>
 
+#include "cases/harness/bench/bench_targets.hpp"
 #include "cases/harness/commands/bench_cases.hpp"
 #include "cases/harness/commands/bench_runs.hpp"
 #include "cases/harness/commands/command.hpp"

@@ -26,12 +26,4 @@ class MachineLimits {
 // An entry of "kernels". part: matrix, target or scale.
 Json kernel_entry(const std::string& part, const BenchFlow& flow, const StepTiming& timing, MachineLimits& limits);
 
-// An entry of "targets": a figure of speed that is wanted; a missed one is shown as missed.
-Json target_entry(const std::string& name, const std::string& unit, double measured, std::optional<double> low,
-                  std::optional<double> high);
-
-// Largest over smallest cost of a particle-step among sizes from 1e4 to 1e7 points; one entry per
-// number of threads. `kernels`: entries of part scale.
-std::vector<Json> scale_targets(const Json& kernels);
-
 }  // namespace plumbline

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cases/harness/bench/bench_targets.hpp"
 #include "cases/harness/run/experiment.hpp"
 #include "kernel/materials/uniaxial_membrane.hpp"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "cases/harness/commands/bench_flow.hpp"
+#include "cases/harness/bench/bench_flow.hpp"
 
 namespace plumbline {
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cases/harness/parts/largest_entry.hpp"
 #include "cases/harness/parts/shape_gates.hpp"
 
 namespace plumbline {
@@ -10,10 +11,6 @@ namespace {
 
 constexpr int identities_points = 200;
 constexpr unsigned long identities_seed = 20;
-
-double largest(const Eigen::MatrixXd& off) {
-  return off.hasNaN() ? std::numeric_limits<double>::quiet_NaN() : off.cwiseAbs().maxCoeff();
-}
 
 std::vector<ProbePoint> anywhere(const ShapeProbe& probe) {
   return probe_points(probe.grid(), identities_points, identities_seed);
@@ -36,12 +33,12 @@ Eigen::MatrixXd node_places(const ShapeProbe& probe) {
 Eigen::MatrixXd ones(const ShapeProbe& probe) { return Eigen::MatrixXd::Ones(probe.nodes(), probe.grid().dim); }
 
 double off_unity(const ShapeProbe& probe) {
-  return largest(probe.interpolated(anywhere(probe), ones(probe)).value.array() - 1.0);
+  return largest_entry(probe.interpolated(anywhere(probe), ones(probe)).value.array() - 1.0);
 }
 
 double off_linear(const ShapeProbe& probe) {
   const std::vector<ProbePoint> points = anywhere(probe);
-  return largest(probe.interpolated(points, node_places(probe)).value - places(probe, points)) / probe.grid().h;
+  return largest_entry(probe.interpolated(points, node_places(probe)).value - places(probe, points)) / probe.grid().h;
 }
 
 // sum_i grad N_ip = 0 and sum_i x_i grad N_ip = 1, the former in cells.
@@ -54,7 +51,7 @@ double off_gradient(const ShapeProbe& probe) {
     const auto direction = static_cast<Eigen::Index>(d);
     Eigen::MatrixXd slope = linear.gradient[d];
     slope.col(direction).array() -= 1.0;
-    for (const double found : {probe.grid().h * largest(constant.gradient[d]), largest(slope)}) {
+    for (const double found : {probe.grid().h * largest_entry(constant.gradient[d]), largest_entry(slope)}) {
       if (!(found <= off)) off = found;
     }
   }
@@ -76,12 +73,12 @@ Eigen::MatrixXd second_moments(const ShapeProbe& probe, const std::vector<ProbeP
 double off_inertia(const ShapeProbe& probe) {
   const std::vector<ProbePoint> points = anywhere(probe);
   const double h = probe.grid().h;
-  return largest(probe.inertia(points) / (h * h) - second_moments(probe, points));
+  return largest_entry(probe.inertia(points) / (h * h) - second_moments(probe, points));
 }
 
 double off_constant_inertia(const ShapeProbe& probe, double claimed) {
   const double h = probe.grid().h;
-  return largest((probe.inertia(anywhere(probe)) / (h * h)).array() - claimed);
+  return largest_entry((probe.inertia(anywhere(probe)) / (h * h)).array() - claimed);
 }
 
 // What points take of an affine velocity, times h where it is C_p.
@@ -95,7 +92,7 @@ double off_affine(const ShapeProbe& probe) {
   off.leftCols(dim) -= (x * slope.transpose()).rowwise() + a.head(dim).transpose();
   for (int k = 0; k < dim * dim; ++k) off.col(dim + k).array() -= slope(k / dim, k % dim);
   off.rightCols(dim * dim) *= probe.grid().h;
-  return largest(off);
+  return largest_entry(off);
 }
 
 Eigen::VectorXd amounts() {
@@ -110,7 +107,7 @@ double off_adjoint(const ShapeProbe& probe) {
   const Eigen::VectorXd taken = probe.interpolated(points, u.replicate(1, probe.grid().dim)).value.col(0);
   const double work = q.dot(taken), scale = q.dot(taken.cwiseAbs());
   const double spread = u.dot(probe.spread(points, q)), mass = u.dot(probe.mapped_mass(points, q));
-  return largest(Eigen::Vector2d(spread - work, mass - work)) / scale;
+  return largest_entry(Eigen::Vector2d(spread - work, mass - work)) / scale;
 }
 
 // V_p = m_p / sum_i N_ip rho_i, and V_p = m_p sum_i N_ip v_i of specific volumes.
@@ -120,7 +117,8 @@ double off_volumes_read(const ShapeProbe& probe) {
   const Eigen::VectorXd here = probe.interpolated(points, nodal.replicate(1, probe.grid().dim)).value.col(0);
   const Eigen::VectorXd of_density = probe.read_off(points, m, nodal, false).cwiseProduct(here).cwiseQuotient(m),
                         of_volume = probe.read_off(points, m, nodal, true).cwiseQuotient(here.cwiseProduct(m));
-  return largest(Eigen::Vector2d(largest(of_density.array() - 1.0), largest(of_volume.array() - 1.0)));
+  return largest_entry(
+      Eigen::Vector2d(largest_entry(of_density.array() - 1.0), largest_entry(of_volume.array() - 1.0)));
 }
 
 // m_p sum_i N_ip |v_p + C (x_i - x_p) - u_i|^2 / 2 is what the map to the nodes takes from a point. [EC-APIC 1]
@@ -139,7 +137,7 @@ double off_loss(const ShapeProbe& probe) {
     const Eigen::VectorXd square = 0.5 * m[p] * apart.rowwise().squaredNorm();
     exact[p] = probe.interpolated({points[static_cast<std::size_t>(p)]}, square.replicate(1, dim)).value(0, 0);
   }
-  return largest(lost - exact) / exact.maxCoeff();
+  return largest_entry(lost - exact) / exact.maxCoeff();
 }
 
 // The power of stresses over the points is that of their forces over the nodes: u . f = -sum_p V_p sigma : grad u.

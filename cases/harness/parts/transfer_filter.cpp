@@ -14,7 +14,7 @@ namespace plumbline {
 namespace {
 
 constexpr int line_cells = 64;
-constexpr double within = 0.2;  // what of an order may be left to short waves
+constexpr double order_margin = 0.2;  // what of an order may be left to short waves
 
 // Share of a wave with `halves` half waves between the walls that is left after one pass.
 double left_over(const TransferEntry& transfer, const ShapeEntry& shape, int halves) {
@@ -37,15 +37,15 @@ double left_over(const TransferEntry& transfer, const ShapeEntry& shape, int hal
 
 // The order in k h with which what is taken vanishes, from waves of 16 to 64 cells.
 Measured order(const TransferEntry& transfer, const ShapeEntry& shape) {
-  std::vector<Level> levels;
+  std::vector<Level> waves;
   for (const int halves : {8, 6, 5, 4, 3, 2}) {
     Level level;
     level.h = halves;
     level.error = std::abs(1 - left_over(transfer, shape, halves));
     level.rounding = rounding_of_parts / 100;
-    levels.push_back(level);
+    waves.push_back(level);
   }
-  return measured_order(fit_order(levels, Weighting::equal));
+  return measured_order(fit_order(waves, Weighting::equal));
 }
 
 // By how much what is left of a wave is beyond 0 and 1: the most, of waves of 64 to 2 cells.
@@ -86,7 +86,7 @@ std::vector<MeasuredGate> transfer_filter_gates(const TransferEntry& transfer, c
       "filter",
       gate_row("filter", "order/line",
                "order in k h with which what a pass takes of a wave vanishes, of waves of 16 to 64 cells",
-               {claimed - within, {}}, Origin::theory,
+               {claimed - order_margin, {}}, Origin::theory,
                fmt::format("{:g} of this kind of transfer: long waves are left alone; 0.2 for short ones", claimed)),
       "a term of the filter lacks a factor", [&] { return order(transfer, shape); }};
   row.gate.order = true;  // the interval of the fit is judged

@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "cases/harness/parts/largest_entry.hpp"
 #include "cases/harness/parts/parts.hpp"
 #include "cases/harness/parts/shape_probe.hpp"
 #include "cases/harness/parts/transfer_probe.hpp"
@@ -71,10 +72,6 @@ TransferProbe probe_of(const Scene& scene, const MotionAt& motion) {
   return {scene, anywhere(scene.grid), masses(), motion};
 }
 TransferProbe probe_at_random(const Scene& scene) { return probe_of(scene, at_random(scene.grid)); }
-
-double largest(const Eigen::MatrixXd& off) {
-  return off.hasNaN() ? std::numeric_limits<double>::quiet_NaN() : off.cwiseAbs().maxCoeff();
-}
 
 // Change of sum m v along one direction in a few passes, over sum m |v|.
 double momentum_lost(const Scene& scene, std::size_t along) {
@@ -181,8 +178,8 @@ double off_uniform(const Subject& subject) {
   const Eigen::MatrixXd before = probe.places();
   probe.pass(dt, true);
   const Eigen::RowVectorXd end = (v + dt * b).transpose();
-  return worse(largest(probe.velocities().rowwise() - end),
-               largest((probe.places() - before).rowwise() - dt * end) / dt);
+  return worse(largest_entry(probe.velocities().rowwise() - end),
+               largest_entry((probe.places() - before).rowwise() - dt * end) / dt);
 }
 
 // Change of an affine velocity in a pass: of v_p, and of C_p times h.
@@ -195,14 +192,14 @@ double off_affine(const Subject& subject) {
   TransferProbe probe = probe_of(scene, [&](const Eigen::VectorXd& x) { return PointMotion{b * x, b}; });
   const Eigen::MatrixXd velocity = probe.velocities(), affine = probe.affine();
   probe.pass(0.01, false);
-  return worse(largest(probe.velocities() - velocity), scene.grid.h * largest(probe.affine() - affine));
+  return worse(largest_entry(probe.velocities() - velocity), scene.grid.h * largest_entry(probe.affine() - affine));
 }
 
 double velocity_change(const Subject& subject) {
   TransferProbe probe = probe_at_random(scene_of(subject, on_all_sides(Wall::free)));
   const Eigen::MatrixXd before = probe.velocities();
   probe.pass(0.01, false);
-  return largest(probe.velocities() - before);
+  return largest_entry(probe.velocities() - before);
 }
 
 // Pairs of points in one place with velocities that the grid cannot tell apart: how much theirs differ after a pass.

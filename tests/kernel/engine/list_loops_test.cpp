@@ -163,22 +163,11 @@ class Pair {
         return sums;
       });
     }
-    for (const std::optional<double> drift : {std::optional<double>{}, std::optional<double>{0.01}}) {
-      const std::vector<Vec>* const nodes[][2] = {{nullptr, nullptr},
-                                                  {&field_.midpoint, nullptr},
-                                                  {&field_.midpoint, &field_.start},
-                                                  {&field_.midpoint, &field_.midpoint}};
-      for (const auto& [straining, carrying] : nodes) {
-        if (drift && carrying) continue;
-        const typename Loops::Motion motion{
-            .dt = 0.01, .drift = drift, .straining = straining, .carrying = carrying, .exchange = carrying && gas};
-        to_points("motion", [&](const Loops& loops, Body& body, const Chunk& c) {
-          Weights<dim> at = at_;
-          at.keep(body.points);
-          return loops.gather_motion(body, at, c, field_, motion);
-        });
-      }
-    }
+    compare_motions(gas);
+    scenes::Random random(12);
+    field_.held(field_.gas.kept);  // with the filter of gases
+    for (double& share : field_.gas.kept) share = random(0.1, 0.9);
+    compare_motions(gas);
     compare_surveys();
   }
 
@@ -299,6 +288,25 @@ class Pair {
     expect_alike(a.torque, b.torque, 60, what + " torque");
     expect_alike(a.moved, b.moved, 60, what + " moved");
     EXPECT_EQ(a.too_far, b.too_far);
+  }
+
+  void compare_motions(bool gas) const {
+    for (const std::optional<double> drift : {std::optional<double>{}, std::optional<double>{0.01}}) {
+      const std::vector<Vec>* const nodes[][2] = {{nullptr, nullptr},
+                                                  {&field_.midpoint, nullptr},
+                                                  {&field_.midpoint, &field_.start},
+                                                  {&field_.midpoint, &field_.midpoint}};
+      for (const auto& [straining, carrying] : nodes) {
+        if (drift && carrying) continue;
+        const typename Loops::Motion motion{
+            .dt = 0.01, .drift = drift, .straining = straining, .carrying = carrying, .exchange = carrying && gas};
+        to_points("motion", [&](const Loops& loops, Body& body, const Chunk& c) {
+          Weights<dim> at = at_;
+          at.keep(body.points);
+          return loops.gather_motion(body, at, c, field_, motion);
+        });
+      }
+    }
   }
 
   void compare_surveys() const {

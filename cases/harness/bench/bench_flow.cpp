@@ -1,4 +1,4 @@
-#include "cases/harness/commands/bench_flow.hpp"
+#include "cases/harness/bench/bench_flow.hpp"
 
 #include <fmt/format.h>
 

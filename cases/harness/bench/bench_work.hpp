@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "cases/harness/commands/bench_flow.hpp"
+#include "cases/harness/bench/bench_flow.hpp"
 
 namespace plumbline {
 

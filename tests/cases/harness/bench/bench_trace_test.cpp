@@ -1,4 +1,4 @@
-#include "cases/harness/commands/bench_trace.hpp"
+#include "cases/harness/bench/bench_trace.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "cases/harness/commands/bench_work.hpp"
+#include "cases/harness/bench/bench_work.hpp"
 
-#include "cases/harness/commands/bench_trace.hpp"
+#include "cases/harness/bench/bench_trace.hpp"
 #include "kernel/rotations.hpp"
 #include "kernel/shapes/cubic.hpp"
 #include "kernel/shapes/linear.hpp"
