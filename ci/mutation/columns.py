@@ -28,7 +28,7 @@ def case_columns(root, program, prints, names=None):
     columns = []
     for case in cases:
         if names is None or case in names:
-            parts = (*state.EVERYWHERE, folders[case])
+            parts = (*state.EVERYWHERE, state.RECORDED, folders[case])
             columns.append(matrix.Column(judges.CaseJudge(program, case), prints.of(*parts)))
     return columns
 

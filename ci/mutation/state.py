@@ -13,6 +13,7 @@ from .judges import Outcome
 
 # What every run depends on, and of the cases those of one folder of physics.
 EVERYWHERE = ("kernel", "reference", "cases/harness", "cases/plumbline.cpp")
+RECORDED = "cases/regressions.json"  # and what gates hold them to
 
 
 class Fingerprints:

@@ -11,7 +11,7 @@ import pytest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "ci"))
 
-from mutation import declarations, judges, matrix, overlay, state  # noqa: E402
+from mutation import columns, declarations, judges, matrix, overlay, state  # noqa: E402
 
 TOY = """// A toy.
 double half(double x) { return 0.5 * x; }
@@ -314,3 +314,22 @@ def test_one_bug_is_shown_as_a_patch_that_applies(tmp_path):
     assert re.search(r"^\+.*complement\(StudentT\(degrees\), 0\.05\)", patch, re.MULTILINE)
     wrong = subprocess.run([*command, "order-one-side"], capture_output=True, text=True)
     assert wrong.returncode == 2 and "order-one-sided" in wrong.stderr
+
+
+def test_a_case_is_run_again_where_its_values_were_recorded_anew(tmp_path):
+    program = tmp_path / "plumbline"
+    program.write_text("""#!/bin/sh\necho '{"cases": [{"name": "toy"}]}'\n""")
+    program.chmod(0o755)
+
+    class Built:
+        plumbline = program
+        environment = staticmethod(lambda: None)
+
+    source, recorded = tmp_path / "cases/catalog/toys/toy.cpp", tmp_path / "cases/regressions.json"
+    source.parent.mkdir(parents=True)
+    source.write_text('"toy"')
+    prints = set()
+    for text in ("[1]", "[2]"):
+        recorded.write_text(text)
+        prints |= {column.fingerprint for column in columns.case_columns(tmp_path, Built, state.Fingerprints(tmp_path))}
+    assert len(prints) == 2
