@@ -11,7 +11,8 @@
 
 A site must be able to stand beside its clean form in one program. Where the language wants a constant (constexpr, default
 arguments, labels, `if constexpr`) no switch can stand; what throws an error or words a message computes nothing; 2 % of a
-tolerance are within it. All three are counted and not drawn.
+tolerance are within it, and do not change the sign of a number of which a comparison with zero reads nothing else. All four are
+counted and not drawn.
 """
 
 import re
@@ -27,6 +28,7 @@ PERCENT_2 = "1.02"
 # 2 % of a tolerance or of a bound on rounding is less than it tolerates.
 SMALLEST = 1e-5
 TOLERANCE = re.compile(r"\brounding::|\bepsilon\(\)")
+SHARE = re.compile(r"([\d.]+[eE]-\d+) \*")  # a tolerance times a size
 FUNCTIONS = {Kind.FUNCTION_DECL, Kind.CXX_METHOD, Kind.FUNCTION_TEMPLATE, Kind.CONSTRUCTOR, Kind.CONVERSION_FUNCTION}
 MESSAGES = {"format", "print", "format_to", "to_string"}
 WHOLE_SWAPS = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "=="}
@@ -48,7 +50,7 @@ class Walk(Expressions):
         super().__init__(source)
         self.file, self.columns = file, columns
         self.sites, self.excluded = {}, Counter()
-        self._operands_of_sums, self._conditions_of_loops = set(), set()
+        self._operands_of_sums, self._conditions_of_loops, self._signs_alone = set(), set(), set()
 
     def emit(self, operator, start, end, replace, why, wrap="expression", more=""):
         find = self.text(start, end)
@@ -66,8 +68,12 @@ class Walk(Expressions):
         find = self.text(start, end)
         if LITERAL.fullmatch(find) and not float(find):
             return
-        if operator == "coefficient" and (TOLERANCE.search(find) or (LITERAL.fullmatch(find) and float(find) < SMALLEST)):
-            why = why or "tolerance"
+        if operator == "coefficient":
+            small = LITERAL.fullmatch(find) or SHARE.match(find)
+            if TOLERANCE.search(find) or (small and float(small.group(small.lastindex or 0)) < SMALLEST):
+                why = why or "tolerance"
+            elif self._key(cursor) in self._signs_alone:
+                why = why or "sign alone"
         if kind == "real":
             new = {"0": "0.0", "-1": f"-({find})"}.get(factor, f"{factor} * ({find})")
             self.emit(operator, start, end, new, why)
@@ -184,8 +190,15 @@ class Walk(Expressions):
         kinds = {kind_of(self.bare(side).type) for side in (left, right)}
         if "" in kinds or self._key(cursor) in self._conditions_of_loops:
             return
+        for side, other in ((left, right), (right, left)):
+            if self.of(other) in ("0", "0.0"):
+                self._signs_alone.add(self._key(self._in_brackets(side)))
         new = (WHOLE_SWAPS if kinds == {"int"} else REAL_SWAPS)[symbol]
         self.emit("comparison", *self.span(cursor), f"{self.of(left)} {new} {self.of(right)}", why)
+
+    def _in_brackets(self, cursor):
+        cursor = self.bare(cursor)
+        return self._in_brackets(next(cursor.get_children())) if cursor.kind == Kind.PAREN_EXPR else cursor
 
     # --- indices and ranges ---
 

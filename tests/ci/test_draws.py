@@ -32,6 +32,13 @@ def changes(walk, operator):
     return {(site.find, site.replace) for site in walk.sites.values() if site.operator == operator}
 
 
+def test_two_per_cent_of_a_tolerance_or_of_a_number_whose_sign_alone_is_read_change_nothing(tmp_path):
+    source = "bool f(double x, double y) { return 2 * x * y <= 0 || 0 < (3 * x) || 1e-9 * y > x || 4 * x < y || 5 * x + y < 0; }"
+    walk = sites_of(tmp_path, source)
+    assert changes(walk, "coefficient") == {("4 * x", "1.02 * (4 * x)"), ("5 * x", "1.02 * (5 * x)")}
+    assert walk.excluded["coefficient", "sign alone"] == 2 and walk.excluded["coefficient", "tolerance"] == 1
+
+
 def test_coefficients_are_products_and_numbers_that_stand_alone(tmp_path):
     source = "namespace rounding { double unit; }\ndouble f(double x) { return 2 * x * (0.5 * x) + 3.0 - 1e-9 + rounding::unit * x; }"
     walk = sites_of(tmp_path, source)
