@@ -175,16 +175,18 @@ class GoogleTestJudge(Judge):
 
     def __init__(self, program, path, first_only=False):
         super().__init__(path)
-        self.program, self.more = program, ["--gtest_fail_fast"] if first_only else []
+        self.program, self.first_only = program, first_only
 
     def judge(self, mutant, clean):
         with tempfile.TemporaryDirectory(prefix="plumbline-mutant-") as folder:
-            command = [self.program.tests[self.name], "--gtest_output=json:tests.json", "--gtest_brief=1", *self.more]
+            command = [self.program.tests[self.name], "--gtest_output=json:tests.json", "--gtest_brief=1"]
+            if self.first_only and mutant:
+                command.append("--gtest_fail_fast")
             status, _, outcome = self._run(self.program, command, mutant, clean, folder)
             document = pathlib.Path(folder) / "tests.json"
             if document.exists():
                 suites = json.loads(document.read_text(encoding="utf-8"))["testsuites"]
-                for test in (t for suite in suites for t in suite["testsuite"]):
+                for test in (t for suite in suites for t in suite["testsuite"] if t["status"] == "RUN"):
                     verdict = "FAIL" if test.get("failures") else "PASS"
                     outcome.gates[f"{test['classname']}.{test['name']}"] = {"verdict": verdict, "origin": "test", "numbers": []}
             elif not outcome.stopped:

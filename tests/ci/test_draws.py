@@ -1,9 +1,11 @@
 """Bugs drawn at random: what each operator makes of a small source, what it leaves alone, the draw, and its rates."""
 
 import json
+import os
 import pathlib
 import subprocess
 import sys
+import types
 
 import pytest
 
@@ -349,3 +351,45 @@ def test_what_a_clean_run_met_holds_for_the_numbers_that_the_bugs_had(tmp_path):
         mutant = declarations.Mutant("one", "", "toy.cpp", "", "a", "b", "", "drawn", at=0, number=number)
         matrix.Matrix([mutant], [matrix.Column(judge, "same")], kept, state.Fingerprints(tmp_path)).judge_clean(1, lambda text: None)
         assert judge.runs == [""] * runs
+
+
+UNIT_TESTS = """#!/usr/bin/env python3
+import json, os, sys
+bug = os.environ["PLUMBLINE_MUTANT"] != "-1"
+ends = "--gtest_fail_fast" in sys.argv
+def test(name, red, run=True):
+    return {"name": name, "classname": "Toy", "status": "RUN" if run else "NOTRUN", **({"failures": [{}]} if red else {})}
+tests = [test("First", %(clean)s or bug), test("Second", False, not (ends and (%(clean)s or bug)))]
+json.dump({"testsuites": [{"testsuite": tests}]}, open("tests.json", "w"))
+"""
+
+
+class UnitTests:
+    def __init__(self, folder, red_without_any_bug):
+        program = folder / "toy_test"
+        program.write_text(UNIT_TESTS % {"clean": red_without_any_bug})
+        program.chmod(0o755)
+        self.tests = {"tests/toy": program}
+
+    @staticmethod
+    def environment(**more):
+        return {**os.environ, **more}
+
+
+def test_unit_tests_run_to_their_end_without_any_bug_and_to_the_first_red_one_with_a_bug(tmp_path):
+    judge = judges.GoogleTestJudge(UnitTests(tmp_path, False), "tests/toy", first_only=True)
+    clean = judge.judge(None, None)
+    assert {name: gate["verdict"] for name, gate in clean.gates.items()} == {"Toy.First": "PASS", "Toy.Second": "PASS"}
+    bug = declarations.Mutant("one", "", "toy.cpp", "", "a", "b", "", "drawn", at=0, number=1)
+    outcome = judge.judge(bug, clean)
+    assert {name: gate["verdict"] for name, gate in outcome.gates.items()} == {"Toy.First": "FAIL"}
+
+
+def test_unit_tests_that_are_red_without_any_bug_are_no_judges(tmp_path):
+    judge = judges.GoogleTestJudge(UnitTests(tmp_path, True), "tests/toy", first_only=True)
+    table = matrix.Matrix([], [matrix.Column(judge, "same")], state.State(tmp_path / "state.jsonl"), state.Fingerprints(tmp_path))
+    stopped, red = table.judge_clean(1, lambda text: None)
+    base = types.SimpleNamespace(build=tmp_path)
+    _, wrong = columns.told_apart(base, red, state.Fingerprints(tmp_path), tmp_path, 1, lambda text: None)
+    assert stopped == [] and wrong == ["tests/toy: Toy.First is red without any bug"]
+    assert len(table.columns[0].clean.gates) == 2

@@ -241,6 +241,8 @@ struct Combination {
 inline std::ostream& operator<<(std::ostream& out, const Combination& c) {
   return out << c.integrator << ", " << c.shape << ", " << c.transfer;
 }
+// Whether a part or an integrator is one that a single test registers: all tests of a program share its lists.
+inline bool of_a_test(const std::string& name) { return name.rfind("test_", 0) == 0; }
 // Shapes whose weights are those of where points stand now.
 inline std::vector<Choice> shapes_in_space() {
   std::vector<Choice> all;
@@ -252,10 +254,10 @@ inline std::vector<Choice> shapes_in_space() {
 inline std::vector<Combination> working_combinations() {
   std::vector<Combination> all;
   for (const IntegratorEntry& entry : integrators()) {
-    if (entry.name.rfind("test_", 0) == 0) continue;  // those that single tests register
+    if (of_a_test(entry.name)) continue;
     for (const Choice& shape : shapes_in_space()) {
       for (const Choice& transfer : transfers()) {
-        if (transfer.name.rfind("test_", 0) == 0 || !lacks(entry, shape.name, transfer.name).empty()) continue;
+        if (of_a_test(transfer.name) || !lacks(entry, shape.name, transfer.name).empty()) continue;
         // Forces of linear shapes jump where points change cells: there a step may have no midpoint, and the run stops.
         if (entry.name == "implicit-midpoint" && shape.name == "linear") continue;
         all.push_back({entry.name, shape.name, transfer.name});

@@ -44,7 +44,7 @@ TEST(Transfers, LossesAtWallsAreExact) {
     for (scenes::Space space : scenes::spaces) {
       for (const Choice& shape : scenes::shapes_in_space()) {
         for (const Choice& transfer : transfers()) {
-          if (transfer.name.rfind("test_", 0) == 0) continue;  // those that single tests register
+          if (scenes::of_a_test(transfer.name)) continue;
           Scene scene = scenes::rough_gas(space, shape.name, transfer.name, scenes::no_gravity, {});
           scene.grid.walls = scenes::walls(kind, Wall::symmetry, kind, Wall::free, Wall::symmetry, kind);
           Columns& points = scene.bodies[0].points;
