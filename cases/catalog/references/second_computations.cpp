@@ -167,9 +167,10 @@ std::vector<CaseGate> gates() {
   for (const std::string& name : compared_references()) {
     all.push_back(gate(name + "/deviation", value_of("deviation"), at_most(1),
                        identity("both hold the true number within their bounds: they differ by no more than the sum")));
-    all.push_back(gate(name + "/bounds", value_of("bounds"), at_most(0.01),
-                       requirement("the bound that the second computation was compared with: whoever derives another runs that "
-                                   "again; 1 % for what functions of another C library change")));
+    all.push_back(
+        gate(name + "/bounds", value_of("bounds"), at_most(0.01),
+             requirement("the bound that the second computation was compared with: whoever derives another runs that "
+                         "again; 1 % for what functions of another C library change")));
   }
   return all;
 }
