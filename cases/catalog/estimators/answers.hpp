@@ -38,6 +38,7 @@ KnownAnswers score_answers();        // and how they are judged
 // What references are made of.
 KnownAnswers bound_answers();     // numbers with bounds
 KnownAnswers function_answers();  // functions, integrals, roots, spectra
+KnownAnswers refusal_answers();   // problems that they refuse
 
 // Gates of parts.
 KnownAnswers shape_answers();     // of shapes that are wrong by known amounts
