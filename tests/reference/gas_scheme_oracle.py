@@ -90,7 +90,7 @@ def finite_volumes(w, length, g, end_time, courant):
     return w, steps
 
 
-# Cells that move with the gas, in the plane.
+# Cells that move with the gas, in the plane; in the cylinder from the axis to a free surface, without shocks.
 def change(w, p, g):
     """Speed gained through the wave into a gas, Toro (4.6) to (4.9)."""
     shock = (p - w[2]) * numpy.sqrt(2 / ((g + 1) * p + (g - 1) * w[2]) / w[0])
@@ -134,16 +134,26 @@ def extended(w, walls):
 
 
 class Moving:
-    def __init__(self, edges, w, g, walls):
-        self.x, self.w, self.g, self.walls = edges, w, g, walls
-        self.m = w[0] * numpy.diff(edges)
+    def __init__(self, edges, w, g, walls, free=False):
+        self.x, self.w, self.g, self.walls, self.free = edges, w, g, walls, free
+        self.m = w[0] * self.volumes()
+        self.adiabat = w[2] / w[0] ** g
         self.e = w[2] / ((g - 1) * w[0]) + w[1] ** 2 / 2
+
+    def volumes(self):
+        return numpy.diff(self.x**2) / 2 if self.free else numpy.diff(self.x)
+
+    def areas(self):
+        return self.x if self.free else 1 + 0 * self.x
 
     def stable(self):
         w, g, wide = self.w, self.g, extended(self.w, self.walls)
+        if self.free:
+            wide[:, -1] = w[:, -1]
         p = numpy.maximum(numpy.maximum(wide[2, :-2], wide[2, 2:]), w[2])
         du = numpy.maximum(abs(w[1] - wide[1, :-2]), abs(wide[1, 2:] - w[1]))
-        return (self.m / (numpy.sqrt(((g + 1) * p + (g - 1) * w[2]) / 2 * w[0]) + (g + 1) / 2 * du * w[0])).min()
+        signal = numpy.sqrt(((g + 1) * p + (g - 1) * w[2]) / 2 * w[0]) + (g + 1) / 2 * du * w[0]
+        return (self.m / (self.areas()[1:] * signal)).min()
 
     def faces(self, dt):
         w, g, m = self.w, self.g, numpy.concatenate([self.m[:1], self.m, self.m[-1:]])
@@ -151,10 +161,12 @@ class Moving:
         if not self.walls:
             d[:, [0, -1]] = 0
         half = limited(d[:, :-1], d[:, 1:], apart[:-1], apart[1:], self.m / 2)
-        swell = dt / self.m * half[1]  # half a step's change of specific volume
-        shift = numpy.array([-w[0] ** 2 * swell, -dt / self.m * half[2], -g * w[2] * w[0] * swell])
+        a, b = self.areas()[:-1], self.areas()[1:]
+        swell = dt / (2 * self.m) * (b * (w[1] + half[1]) - a * (w[1] - half[1]))  # half a step's change of specific volume
+        shift = numpy.array([-w[0] ** 2 * swell, -dt / self.m * (a + b) / 2 * half[2], -g * w[2] * w[0] * swell])
         left, right = w - half + shift, w + half + shift
         good = (left[[0, 2]] > 0).all(axis=0) & (right[[0, 2]] > 0).all(axis=0)
+        good[-1] &= not self.free
         return numpy.where(good, left, w), numpy.where(good, right, w)
 
     def step(self, dt):
@@ -166,22 +178,28 @@ class Moving:
             if self.walls:
                 own = numpy.sqrt(g * face[2] * face[0])
                 p[k], u[k] = contacts(*pair(face), own, own, g)[0][0], 0
+        if self.free:  # into vacuum
+            p[-1], u[-1] = 0, right[1, -1] + 2 / (g - 1) * sound(right[:, -1], g)
+        before = self.areas()
         self.x = self.x + dt * u
-        speed = self.w[1] - dt / self.m * numpy.diff(p)
-        self.e = self.e - dt / self.m * numpy.diff(p * u)
-        density = self.m / numpy.diff(self.x)
-        self.w = numpy.array([density, speed, (g - 1) * density * (self.e - speed**2 / 2)])
+        swept = (before + self.areas()) / 2
+        speed = self.w[1] - dt / self.m * (swept[1:] + swept[:-1]) / 2 * numpy.diff(p)
+        self.e = self.e - dt / self.m * numpy.diff(swept * p * u)
+        density = self.m / self.volumes()
+        heated = (g - 1) * density * (self.e - speed**2 / 2)
+        self.w = numpy.array([density, speed, self.adiabat * density**g if self.free else heated])
 
 
 def moved(problem, cells, parts):
     """The gas at the end on the cells that it starts on: each piece between jumps has its share in multiples of parts."""
-    low, high = problem["ends"]
+    (low, high), place = problem["ends"], problem.get("place", lambda s: s)
     pieces, edges = [low, *problem["jumps"], high], [low]
     for a, b in zip(pieces[:-1], pieces[1:]):
         n = parts * max(1, round((b - a) / (high - low) * cells / parts))
-        edges += [a + (b - a) * k / n for k in range(1, n)] + [b]
+        edges += [a + (b - a) * place(k / n) for k in range(1, n)] + [b]
     edges = numpy.array(edges)
-    gas = Moving(edges, cell_means(problem["initial"], edges, problem["jumps"], 1.4), 1.4, problem["walls"])
+    gas = Moving(edges, cell_means(problem["initial"], edges, problem["jumps"], 1.4), 1.4, problem["walls"],
+                 "place" in problem)
     time, dt = 0.0, 0.01 * 0.8 * gas.stable()
     while time < problem["time"]:
         dt = min(1.2 * dt, 0.8 * gas.stable(), problem["time"] - time)
@@ -200,6 +218,8 @@ def fields(gas, x, problem):
     slope = limited(all_four[:, i] - all_four[:, i - 1], all_four[:, i + 1] - all_four[:, i], centre[i] - centre[i - 1],
                     centre[i + 1] - centre[i], half)
     found = all_four[:, j] + numpy.where(i == j, slope * (numpy.clip(x, gas.x[j], gas.x[j + 1]) - centre[j]) / half, 0)
+    if gas.free:
+        found[[0, 2, 3]] *= x <= gas.x[-1]
     if problem["walls"]:
         return found
     first = problem["initial"](numpy.array([problem["ends"][0]]))[1, 0]
@@ -211,6 +231,8 @@ def fields(gas, x, problem):
 def converged(problem, cells):
     """The flow on the finest of three meshes, and Roache's estimate of its mean errors over the domain, by field."""
     coarse, medium, fine = (moved(problem, cells * parts // 4, parts) for parts in (1, 2, 4))
+    if fine.free:
+        return fine, free_errors(problem, coarse, medium, fine)
     low, high = problem["domain"]
     x = numpy.concatenate([a + (b - a) * (numpy.arange(5) + 0.5) / 5 for a, b in zip(fine.x[:-1], fine.x[1:])])
     share = numpy.diff(fine.x).repeat(5) / 5 / (high - low) * ((x >= low) & (x <= high))
@@ -219,3 +241,20 @@ def converged(problem, cells):
     coarser = (share * abs(middle - fields(coarse, x, problem))).sum(axis=1)
     fall = 2.0 ** -numpy.clip(numpy.log2(coarser / finer), 0.5, 1)
     return fine, 1.25 * fall / (1 - fall) * numpy.maximum(finer, fall * coarser)
+
+
+def free_errors(problem, coarse, medium, fine):
+    """The same in the cylinder up to the free surface's known place: beyond the last edge the last cell's bound counts."""
+    front, speed = problem["front"]
+    parts = (numpy.arange(5) + 0.5) / 5
+    x = fine.x[:-1, None] + numpy.diff(fine.x)[:, None] * parts
+    middle, flat = fields(medium, x.ravel(), problem), x.ravel()
+    near = abs(fields(fine, flat, problem) - middle).reshape(4, -1, 5)
+    far = abs(middle - fields(coarse, flat, problem)).reshape(4, -1, 5)
+    finer, coarser = ((d * fine.volumes()[:, None] / 5).sum(axis=(1, 2)) for d in (near, far))
+    fall = 2.0 ** -numpy.clip(numpy.log2(coarser / finer), 0.5, 2)
+    factor = 1.25 * fall / (1 - fall)
+    last = factor * numpy.maximum(near[:, -5:].max(axis=(1, 2)), fall * far[:, -5:].max(axis=(1, 2)))
+    last[1] = max(last[1], abs(speed - fine.w[1, -1]))
+    whole = front**2 / 2
+    return (factor * numpy.maximum(finer, fall * coarser) + last * (whole - fine.x[-1] ** 2 / 2)) / whole

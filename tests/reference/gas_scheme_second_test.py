@@ -100,3 +100,24 @@ def test_moving_cells(flow):
         assert len(answer) == 5 + len(values)
         for k, value in enumerate(values):
             assert is_near(answer[5 + k], value, SLACK * sizes[k % 4])
+
+
+@pytest.mark.parametrize("radius,time,cells", [(0.38, 0.005, 40), (0.7, 0.02, 52), (0.2, 0.012, 44)])
+def test_moving_cells_of_a_cylinder(radius, time, cells):
+    def initial(x):
+        return numpy.array([1 + 0 * x, 0 * x, 100 + 0 * x])
+    speed = 5 * numpy.sqrt(140)
+    problem = dict(initial=initial, jumps=[], ends=(0, radius), time=time, walls=True, front=(radius + speed * time, speed),
+                   place=lambda s: 1 - (1 - s) * numpy.exp(-20 * s**4))
+    fine, errors = converged(problem, cells)
+    count = len(fine.m)
+    places = [fine.x[k] + 0.27 * (fine.x[k + 1] - fine.x[k]) for k in (0, 1, count // 2, 2 * count // 3, count - 4, count - 3,
+                                                                     count - 2, count - 1)]
+    own = fields(fine, places, problem)
+    sizes = [1, speed, 100, 250]
+    for some in (slice(0, 4), slice(4, 8)):
+        answer = evaluate([request("gas-expansion", dict(radius=radius, time=time, cells=cells), places[some])])[0]
+        for got, error, size in zip(answer[2:6], errors, sizes):
+            assert is_near(got, error, SLACK * size)
+        for k, value in enumerate(own[:, some].T.ravel()):
+            assert is_near(answer[6 + k], value, SLACK * sizes[k % 4])
