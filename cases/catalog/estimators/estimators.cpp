@@ -64,6 +64,8 @@ const std::vector<KnownTrial> all_estimators{
      few_roundings, rounded},
     {"refusals", "problems that references refuse", "One number at a time, on both sides of where its range ends.",
      refusal_answers, few_roundings, rounded},
+    {"gas-schemes", "schemes for flows of gas", "Images at walls, totals that stay, first steps by hand.",
+     gas_scheme_answers, few_roundings, rounded},
     {"shapes", "gates of shapes", "Shapes that are wrong by a known amount.", shape_answers, few_roundings, rounded},
     {"paths", "gates of shapes along lines", "Values or gradients that jump by a known amount.", path_answers,
      of_close_pieces,
