@@ -114,7 +114,7 @@ void add_totals(KnownAnswers& all) {
   }
 }
 
-// One step of a gas at rest: only the cell at the free surface feels it. Its edge leaves with 2 a/(gamma - 1), nothing presses there.
+// One step of a gas at rest: only the cell at the free surface feels it. Its edge leaves with 2 a/(gamma - 1), without pressure.
 void add_free_surface(KnownAnswers& all) {
   for (const int d : {1, 2, 3}) {
     GasProblem gas;
@@ -141,8 +141,8 @@ void add_free_surface(KnownAnswers& all) {
   }
 }
 
-// Cold gases that meet without pressure: both are stopped by strong shocks, p = (gamma + 1)/2 rho v^2 with the speed v that each loses;
-// of densities as 4 to 1 they lose it as 1 to 2. Those that part leave each other alone.
+// Cold gases that meet without pressure: both are stopped by strong shocks, p = (gamma + 1)/2 rho v^2 with the speed v that each
+// loses; of densities as 4 to 1 they lose it as 1 to 2. Of one speed they leave each other alone.
 void add_cold_gases(KnownAnswers& all) {
   GasProblem cold;
   cold.gamma = 1.6;
