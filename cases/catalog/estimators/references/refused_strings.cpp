@@ -162,8 +162,8 @@ void add_springs(KnownAnswers& all) {
       .refuses_argument("time", [](const Incline& i) { i.way_time(-1e-9); });
 }
 
-// Without weight a tube is round, its circumference L (1 + c p r) = 2 pi r: none holds a pressure of 2 pi/(c L) or more. Weight adds
-// to the pressure, so that the membrane gives way at less on top.
+// Without weight a tube is round, its circumference L (1 + c p r) = 2 pi r: none holds a pressure of 2 pi/(c L) or more. Weight
+// adds to the pressure, so that the membrane gives way at less on top.
 void add_tube(KnownAnswers& all) {
   using P = GeoTubeProblem;
   const Refused<GeoTube, P> tube(all, "geo_tube"), round(all, "round_tube", {.specific_weight = 0});
