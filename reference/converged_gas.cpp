@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 #include <mutex>
-#include <utility>
+#include <tuple>
 
 #include "reference/parameter.hpp"
 
@@ -171,17 +171,17 @@ const ConvergedGas& woodward_colella() {
   return solution;
 }
 
-const ConvergedGas& gas_expansion(double radius, double end_time) {
+const ConvergedGas& gas_expansion(double radius, double end_time, int cells) {
   check({"radius", 0, 0, rounding::infinity, true, true, "m", ""}, radius);
   const double sound = std::sqrt(1.4 * 100);
   check({"time", 0, 0, 0.8 * radius / sound, true, false, "s", ""}, end_time);
   static std::mutex mutex;
-  static std::map<std::pair<double, double>, ConvergedGas> solutions;
+  static std::map<std::tuple<double, double, int>, ConvergedGas> solutions;
   const std::lock_guard lock(mutex);
-  const auto known = solutions.find({radius, end_time});
+  const auto known = solutions.find({radius, end_time, cells});
   if (known != solutions.end()) return known->second;
   const auto problem = gas_expansion_reference(radius, end_time);
-  return solutions.try_emplace({radius, end_time}, problem, gas_expansion_cells).first->second;
+  return solutions.try_emplace({radius, end_time, cells}, problem, cells).first->second;
 }
 
 const ConvergedGas& gas_expansion() { return gas_expansion(0.38, 0.005); }

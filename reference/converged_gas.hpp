@@ -60,8 +60,8 @@ inline constexpr int shu_osher_cells = 3600, woodward_colella_cells = 2800, gas_
 const ConvergedGas& shu_osher();         // x in [-5, 5]
 const ConvergedGas& woodward_colella();  // x in [0, 1]
 const ConvergedGas& gas_expansion();     // x = radius >= 0, York's text: radius 0.38, t = 0.005
-/// Each radius (0, inf) and time (0, 0.8 radius/c0), before the rarefaction meets itself on the axis, once.
-const ConvergedGas& gas_expansion(double radius, double end_time);
+/// Each radius (0, inf), time (0, 0.8 radius/c0), before the rarefaction meets itself on the axis, and mesh once.
+const ConvergedGas& gas_expansion(double radius, double end_time, int cells = gas_expansion_cells);
 
 /// Closed forms for York's gas: first gas to move, radius - c0 t (before it reaches the axis), and edge of the
 /// vacuum, radius + 2 c0 t/(gamma - 1) (Toro, section 4.6), in the cylinder too: at the edge no pressure is left to

@@ -115,14 +115,15 @@ class GasExpansionReference : public Reference {
   std::string source() const override { return "A. R. York II, SAND97-1893, section 4.2"; }
   std::vector<Parameter> parameters() const override {
     return {{"radius", 0.38, 0, infinity, true, true, "m", "of the gas at t = 0"},
-            {"time", 0.005, 0, infinity, true, true, "s", "at most 0.8 radius/c0, c0 = 11.832 m/s"}};
+            {"time", 0.005, 0, infinity, true, true, "s", "at most 0.8 radius/c0, c0 = 11.832 m/s"},
+            cells_parameter(gas_expansion_cells)};
   }
   Parameter abscissa() const override { return place("r", 0, "radius"); }
 
  private:
   Answer solve(const std::map<std::string, double>& s, std::span<const double> at) const override {
     const double radius = s.at("radius"), time = s.at("time");
-    const ConvergedGas& gas = gas_expansion(radius, time);
+    const ConvergedGas& gas = gas_expansion(radius, time, static_cast<int>(s.at("cells")));
     Answer answer;
     answer.add("head", gas_expansion_head(radius, time));
     answer.add("front", gas_expansion_front(radius, time));

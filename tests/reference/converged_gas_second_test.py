@@ -145,5 +145,9 @@ def test_gas_expansion_by_characteristics():
     slack_u = (net[1] + net[0] / (1.2 * end_time)) / 3
     slack_c = (net[2] + net[0] / (6 * end_time)) / 3
     assert all(agrees(got, own, slack_u) for got, own in zip(answer[1::4][away], u[away]))
+    energy, pressure = c**2 / 0.56, density * c**2 / 1.4
+    assert all(agrees(got, own, left) for got, own, left in zip(answer[3::4][away], energy[away], (2 * energy / c * slack_c)[away]))
+    left_of = 7 * pressure / c * slack_c
+    assert all(agrees(got, own, left) for got, own, left in zip(answer[2::4][away], pressure[away], left_of[away]))
     slack = 5 * density / c * slack_c
     assert all(agrees(got, own, left) for got, own, left in zip(answer[::4][away], density[away], slack[away]))

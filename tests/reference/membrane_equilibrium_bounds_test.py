@@ -3,6 +3,7 @@ import gas_membrane_oracle as oracle
 import numpy
 from evaluator import evaluate, request, wide
 from gas_membrane_oracle import R, covers, mp
+from second_values import agrees
 
 
 def random_bag(random):
@@ -32,7 +33,7 @@ def test_bags():
                 if not exact.get(key):  # frequencies not wanted, or none without gas
                     continue
                 slack = 1e-24 * abs(exact[key]) if key in ("dry", "breathing") else 0  # of the oracle's differences
-                assert abs(R(answer[start + k][0]) - exact[key]) <= R(answer[start + k][1]) + slack, (p, n, key)
+                assert agrees(answer[start + k], exact[key], slack), (p, n, key)
             if "breathing" in exact:
                 assert covers(answer[start + 11], 2 * mp.pi / R(exact["breathing"]) + R(10) ** -30)
             assert all(bound <= 1e-13 * value for value, bound in answer[start : start + 9]), p

@@ -4,6 +4,7 @@ import pytest
 from evaluator import evaluate, request
 from scipy.integrate import solve_ivp
 from scipy.special import ellipk
+from second_values import agrees, is_near
 
 YORK = dict(pivot_x=0.33333, pivot_y=0.99990, bob_x=0.101, bob_y=0.303, mass=3.3, gravity=20, youngs_modulus=1e6,
             area=0.1, density=0.1, strain=0)
@@ -53,7 +54,21 @@ def test_rigid_period_is_scipys():
     across, down, rest, _ = geometry(YORK)
     square = numpy.sin(numpy.arctan2(across, -down) / 2) ** 2
     answer = evaluate([request("elastic-pendulum", YORK)])[0]
-    assert answer[2][0] == pytest.approx(4 * numpy.sqrt(rest / 20) * ellipk(square), rel=1e-13)
+    period = 4 * numpy.sqrt(rest / 20) * ellipk(square)
+    assert is_near(answer[2], period, 1e-13 * period)
+
+
+@pytest.mark.parametrize("p", [YORK | dict(density=0.7), SOFT | dict(density=0.2)], ids=["york", "soft"])
+def test_what_the_string_is_made_of(p):
+    """Hooke's law of the string, and Rayleigh's estimate of its mass: a third in the inertia, a half in the weight."""
+    across, down, rest, k = geometry(p)
+    answer = {got.name: got for got in evaluate([request("elastic-pendulum", p)])[0]}
+    ratio = p["density"] * p["area"] * rest / p["mass"]
+    heavy = answer["period"].value * numpy.sqrt((1 + ratio / 3) / (1 + ratio / 2))
+    own = dict(stiffness=k, axial_omega=numpy.sqrt(k / p["mass"]), rest_length=rest, angle=numpy.arctan2(across, -down),
+               heavy_period=heavy)
+    for name, one in own.items():
+        assert is_near(answer[name], one, 1e-13 * abs(one)), name
 
 
 def heavy_period(angle, kappa, ratio, elements):
@@ -91,6 +106,6 @@ def test_mass_of_the_string(angle, kappa, ratio):
              area=1, youngs_modulus=kappa, density=ratio, strain=0, one_way=0)
     answer = evaluate([request("elastic-pendulum", p)])[0]
     light, (heavy, bound) = answer[0][0], answer[1]
-    assert abs(period - heavy) <= bound + abs(fine - coarse) / 3
+    assert agrees(answer[1], period, abs(fine - coarse) / 3)
     assert bound <= 0.5 * abs(heavy - light)  # the correction is known to better than half of itself
     assert abs(period - light) > abs(period - heavy)

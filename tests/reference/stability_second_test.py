@@ -150,6 +150,27 @@ def test_growth_of_all_waves_on_a_ring():
         assert is_near(seen, growth, 2e-6 * growth), case
 
 
+@pytest.mark.parametrize("update", UPDATES)
+def test_limits_of_a_ring(update):
+    """FLIP on a ring that holds the fastest wave: the least step at which something grows, by halving. What grows does so as the
+    root of the excess, or as the excess: 2e-6 of growth is within 1e-5 of the limit. Where infinitely long waves grow first the
+    longest of 24 cells stands for them: limits depend on even powers of its phase, at the least on (2 pi/24)^4 = 5e-3 of a share
+    below one half. Points that are worst on a node stand 1e-7 of a cell beside it, where the node behind has a mass."""
+    shape = "linear"
+    for per_cell in (1, 2):
+        chosen = settings(update, shape, "flip", 2, 0.0, points_per_cell=per_cell, offset=0.0)
+        answer = {got.name: got for got in evaluate([request("mpm-stability", chosen)])[0]}
+        for offset, name in ((0.0, "courant_limit"), (answer["worst_offset"].value, "worst_offset_limit")):
+            points = [i + (k + 0.5) / per_cell + offset - 1e-7 * (offset != 0) for i in range(24) for k in range(per_cell)]
+            bar = Bar(points, 1 / per_cell, shape, ring=24)
+            low, high = 0.05, 8.0
+            while high - low > 1e-5:
+                middle = (low + high) / 2
+                stable = bar.growth(middle, update, "flip", 2, 0.0) <= 1 + 2e-6
+                low, high = (middle, high) if stable else (low, middle)
+            assert is_near(answer[name], low, 2.5e-3 * low), (per_cell, name, answer[name], low)
+
+
 @pytest.mark.parametrize("seed", [1, 2])
 def test_limits_of_free_bars(seed):
     rows, requests = [], []

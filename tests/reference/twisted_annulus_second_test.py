@@ -43,16 +43,29 @@ class Ritz:
 
     def stress(self, unknown, x):
         """Of the larger principal strain alone: its nominal stress, polar components rR, tR, tT; and that strain."""
-        r, dr, _, turn = self.shape(unknown, x)
-        place = self.place(x)
-        f = numpy.zeros((len(x), 2, 2))
-        f[:, 0, 0], f[:, 1, 0], f[:, 1, 1] = dr, r * turn, r / place
+        f = self.gradient(unknown, x)
         strain = (numpy.einsum("kia,kib->kab", f, f) - numpy.eye(2)) / 2
         largest, directions = numpy.linalg.eigh(strain)
         assert (largest[:, 0] + self.p["poisson_ratio"] * largest[:, 1] < 0).all()
         n = directions[:, :, 1]
         nominal = numpy.einsum("k,kia,ka,kb->kib", largest[:, 1], f, n, n)
         return nominal[:, 0, 0], nominal[:, 1, 0], nominal[:, 1, 1], largest[:, 1]
+
+    def gradient(self, unknown, x):
+        r, dr, _, turn = self.shape(unknown, x)
+        f = numpy.zeros((len(x), 2, 2))
+        f[:, 0, 0], f[:, 1, 0], f[:, 1, 1] = dr, r * turn, r / self.place(x)
+        return f
+
+    def determinant(self, unknown, x):
+        return numpy.linalg.det(self.gradient(unknown, x))
+
+    def directions(self, unknown, x):
+        """Angles of the lines of tension from the radius, at rest and in the twisted ring."""
+        f = self.gradient(unknown, x)
+        n = numpy.linalg.eigh(numpy.einsum("kia,kib->kab", f, f))[1][:, :, 1]
+        m = numpy.einsum("kia,ka->ki", f, n)
+        return (abs(numpy.arctan2(v[:, 1] * numpy.sign(v[:, 0]), abs(v[:, 0]))) for v in (n, m))
 
     def slopes(self, unknown):
         """Of the energy by the unknowns, over E."""
@@ -80,7 +93,11 @@ def test_least_energy(name):
     assert all(is_near(answer[2], one, 1e-7 * abs(one)) for one in torque)
     energy = numpy.pi * stiff * (ritz.weights * ritz.stress(found.x, ritz.x)[3] ** 2).sum()
     assert is_near(answer[3], energy, 1e-9 * energy)
-    for k, (found, margin) in {0: (r, 1e-9), 1: (turned, 1e-9),
+    at_rest, now = ritz.directions(found.x, x)
+    lengths = numpy.sqrt(1 + 2 * strain)
+    stretched = ritz.determinant(found.x, x) / lengths
+    for k, (found, margin) in {0: (r, 1e-9), 1: (turned, 1e-9), 2: (lengths, 1e-7), 3: (stretched, 1e-6), 5: (at_rest, 1e-6),
+                               6: (now, 1e-6),
                                4: (p["youngs_modulus"] * strain, 1e-7 * p["youngs_modulus"] * strain)}.items():
         margins = numpy.broadcast_to(margin, found.shape)
         assert all(is_near(got, one, own) for got, one, own in zip(answer[4 + k :: 7], found, margins))

@@ -37,8 +37,10 @@ KnownAnswers handed_in_answers();    // what these kept of the start
 KnownAnswers score_answers();        // and how they are judged
 
 // What references are made of.
-KnownAnswers bound_answers();     // numbers with bounds
-KnownAnswers function_answers();  // functions, integrals, roots, spectra
+KnownAnswers bound_answers();       // numbers with bounds
+KnownAnswers function_answers();    // functions, integrals, roots, spectra
+KnownAnswers refusal_answers();     // problems that they refuse
+KnownAnswers gas_scheme_answers();  // schemes for flows of gas
 
 // Gates of parts.
 KnownAnswers shape_answers();     // of shapes that are wrong by known amounts
