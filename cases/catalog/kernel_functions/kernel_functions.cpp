@@ -1,0 +1,16 @@
+// Functions that the kernel is built from, of arguments whose answers closed forms or another computation give.
+#include "cases/catalog/kernel_functions/answers.hpp"
+
+namespace plumbline::kernel_functions {
+namespace {
+
+// In the order of answers.hpp.
+const std::vector<KnownTrial> all_functions{
+    {"shapes", "weights, gradients and integrals of shapes", "B-splines by the recursion of Cox and de Boor.",
+     shape_answers, few_roundings, rounded}};
+
+Case kernel_functions() { return known_answers_case("kernel-functions", all_functions); }
+PLUMBLINE_CASE(kernel_functions);
+
+}  // namespace
+}  // namespace plumbline::kernel_functions
