@@ -5,6 +5,8 @@
 
 namespace plumbline::kernel_functions {
 
-KnownAnswers shape_answers();  // weights, gradients, integrals and moments of B-splines and of tents averaged over boxes
+KnownAnswers shape_answers();        // weights, gradients, integrals and moments of B-splines and of tents averaged over boxes
+KnownAnswers circle_answers();       // normals by circles, and tangents of chains
+KnownAnswers surface_fit_answers();  // normals by planes and quadratics in space
 
 }  // namespace plumbline::kernel_functions

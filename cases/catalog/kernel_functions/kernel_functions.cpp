@@ -7,7 +7,11 @@ namespace {
 // In the order of answers.hpp.
 const std::vector<KnownTrial> all_functions{
     {"shapes", "weights, gradients and integrals of shapes", "B-splines by the recursion of Cox and de Boor.",
-     shape_answers, few_roundings, rounded}};
+     shape_answers, few_roundings, rounded},
+    {"circles", "normals by circles, tangents of chains", "Circles and lines are found exactly, others by least squares.",
+     circle_answers, few_roundings, rounded},
+    {"surface-fits", "normals by planes and quadratics in space", "Least squares by orthogonal factorisations.",
+     surface_fit_answers, few_roundings, rounded}};
 
 Case kernel_functions() { return known_answers_case("kernel-functions", all_functions); }
 PLUMBLINE_CASE(kernel_functions);

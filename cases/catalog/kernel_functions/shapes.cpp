@@ -87,7 +87,7 @@ double over_box(double from, double half) {
 void add_boxes(KnownAnswers& all) {
   // A box within a cell, one that reaches over a node, and one as wide as a cell.
   for (const double half : {0.125, 0.25, 0.375, 0.5}) {
-    for (const double f : {-0.4375, -0.1875, 0.0625, 0.28125, 0.4375}) {
+    for (const double f : {-0.4375, -0.1875, 0.0625, 0.28125, 0.49609375}) {
       double w[Gimp::support], g[Gimp::support], a[Gimp::support];
       Gimp::weights(f, half, w);
       Gimp::gradients(f, half, g);
@@ -127,9 +127,9 @@ KnownAnswers shape_answers() {
   add_spline<Quadratic>("quadratic", {-0.4375, -0.1875, 0.0625, 0.40625}, all);
   add_spline<Cubic>("cubic", {0.0625, 0.3125, 0.8125}, all);
   add_anchors<Linear>("linear", {{0, 4, 0}, {2.625, 4, 2}, {3, 4, 3}, {4, 4, 3}}, all);
-  add_anchors<Quadratic>("quadratic", {{0, 4, 0}, {2.375, 4, 2}, {2.625, 4, 3}, {4, 4, 4}}, all);
+  add_anchors<Quadratic>("quadratic", {{0, 4, 0}, {2.49609375, 4, 2}, {2.50390625, 4, 3}, {4, 4, 4}}, all);
   add_anchors<Cubic>("cubic", {{0, 4, 0}, {2.625, 4, 2}, {3, 4, 3}, {4, 4, 3}}, all);
-  add_anchors<Gimp>("box", {{0, 4, 0}, {2.375, 4, 2}, {2.625, 4, 3}, {4, 4, 4}}, all);
+  add_anchors<Gimp>("box", {{0, 4, 0}, {2.49609375, 4, 2}, {2.50390625, 4, 3}, {4, 4, 4}}, all);
   add_boxes(all);
   return all;
 }
