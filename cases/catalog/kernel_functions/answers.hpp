@@ -8,5 +8,7 @@ namespace plumbline::kernel_functions {
 KnownAnswers shape_answers();        // weights, gradients, integrals and moments of B-splines and of tents averaged over boxes
 KnownAnswers circle_answers();       // normals by circles, and tangents of chains
 KnownAnswers surface_fit_answers();  // normals by planes and quadratics in space
+KnownAnswers enclosed_answers();     // what of a polygon is each node's
+KnownAnswers cell_volume_answers();  // what of space is
 
 }  // namespace plumbline::kernel_functions

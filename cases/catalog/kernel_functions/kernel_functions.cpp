@@ -11,7 +11,11 @@ const std::vector<KnownTrial> all_functions{
     {"circles", "normals by circles, tangents of chains", "Circles and lines are found exactly, others by least squares.",
      circle_answers, few_roundings, rounded},
     {"surface-fits", "normals by planes and quadratics in space", "Least squares by orthogonal factorisations.",
-     surface_fit_answers, few_roundings, rounded}};
+     surface_fit_answers, few_roundings, rounded},
+    {"enclosed", "volumes of nodes inside polygons", "By Green's theorem, of integrals of B-splines.", enclosed_answers,
+     few_roundings, rounded},
+    {"cell-volumes", "volumes of nodes of grids", "Integrals of B-splines between walls, and folded there.",
+     cell_volume_answers, few_roundings, rounded}};
 
 Case kernel_functions() { return known_answers_case("kernel-functions", all_functions); }
 PLUMBLINE_CASE(kernel_functions);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cases/catalog/kernel_functions/answers.hpp"
+#include "cases/catalog/kernel_functions/splines.hpp"
 #include "kernel/shapes/cubic.hpp"
 #include "kernel/shapes/gimp.hpp"
 #include "kernel/shapes/linear.hpp"
@@ -11,20 +12,6 @@
 
 namespace plumbline::kernel_functions {
 namespace {
-
-// B of a degree with knots one apart, centred on zero: each is the one before averaged over one cell.
-double spline(int degree, double x) {
-  if (degree == 0) return x >= -0.5 && x < 0.5 ? 1 : 0;
-  const double half = 0.5 * (degree + 1);
-  return ((half + x) * spline(degree - 1, x + 0.5) + (half - x) * spline(degree - 1, x - 0.5)) / degree;
-}
-double spline_slope(int degree, double x) { return spline(degree - 1, x + 0.5) - spline(degree - 1, x - 0.5); }
-// Its integral from -inf to x: the slopes of these sum to it, one by one.
-double spline_integral(int degree, double x) {
-  double sum = 0;
-  for (int k = 0; k <= degree + 3; ++k) sum += spline(degree + 1, x - 0.5 - k);
-  return sum;
-}
 
 std::string place_name(double x) { return std::to_string(x).substr(0, 5); }
 
