@@ -10,5 +10,6 @@ KnownAnswers circle_answers();       // normals by circles, and tangents of chai
 KnownAnswers surface_fit_answers();  // normals by planes and quadratics in space
 KnownAnswers enclosed_answers();     // what of a polygon is each node's
 KnownAnswers cell_volume_answers();  // what of space is
+KnownAnswers speed_answers();        // of waves, by which materials bound the step
 
 }  // namespace plumbline::kernel_functions

@@ -15,7 +15,9 @@ const std::vector<KnownTrial> all_functions{
     {"enclosed", "volumes of nodes inside polygons", "By Green's theorem, of integrals of B-splines.", enclosed_answers,
      few_roundings, rounded},
     {"cell-volumes", "volumes of nodes of grids", "Integrals of B-splines between walls, and folded there.",
-     cell_volume_answers, few_roundings, rounded}};
+     cell_volume_answers, few_roundings, rounded},
+    {"speeds", "speeds of waves that bound the step", "Along principal axes, and by row sums of asymmetric deformations.",
+     speed_answers, few_roundings, rounded}};
 
 Case kernel_functions() { return known_answers_case("kernel-functions", all_functions); }
 PLUMBLINE_CASE(kernel_functions);
