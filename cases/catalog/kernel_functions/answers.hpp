@@ -11,5 +11,6 @@ KnownAnswers surface_fit_answers();  // normals by planes and quadratics in spac
 KnownAnswers enclosed_answers();     // what of a polygon is each node's
 KnownAnswers cell_volume_answers();  // what of space is
 KnownAnswers speed_answers();        // of waves, by which materials bound the step
+KnownAnswers membrane_answers();     // of membranes in space: stresses, energies, rates, speeds
 
 }  // namespace plumbline::kernel_functions

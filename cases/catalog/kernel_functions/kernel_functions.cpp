@@ -17,7 +17,9 @@ const std::vector<KnownTrial> all_functions{
     {"cell-volumes", "volumes of nodes of grids", "Integrals of B-splines between walls, and folded there.",
      cell_volume_answers, few_roundings, rounded},
     {"speeds", "speeds of waves that bound the step", "Along principal axes, and by row sums of asymmetric deformations.",
-     speed_answers, few_roundings, rounded}};
+     speed_answers, few_roundings, rounded},
+    {"membranes", "membranes in space, now and later", "Of tangents that are set, or sums over places.",
+     membrane_answers, few_roundings, rounded}};
 
 Case kernel_functions() { return known_answers_case("kernel-functions", all_functions); }
 PLUMBLINE_CASE(kernel_functions);
