@@ -1,0 +1,28 @@
+// Functions that the kernel is built from, of arguments whose answers closed forms or another computation give.
+#include "cases/catalog/kernel_functions/answers.hpp"
+
+namespace plumbline::kernel_functions {
+namespace {
+
+// In the order of answers.hpp.
+const std::vector<KnownTrial> all_functions{
+    {"shapes", "weights, gradients and integrals of shapes", "B-splines by the recursion of Cox and de Boor.",
+     shape_answers, few_roundings, rounded},
+    {"circles", "normals by circles, tangents of chains", "Circles and lines are found exactly, others by least squares.",
+     circle_answers, few_roundings, rounded},
+    {"surface-fits", "normals by planes and quadratics in space", "Least squares by orthogonal factorisations.",
+     surface_fit_answers, few_roundings, rounded},
+    {"enclosed", "volumes of nodes inside polygons", "By Green's theorem, of integrals of B-splines.", enclosed_answers,
+     few_roundings, rounded},
+    {"cell-volumes", "volumes of nodes of grids", "Integrals of B-splines between walls, and folded there.",
+     cell_volume_answers, few_roundings, rounded},
+    {"speeds", "speeds of waves that bound the step", "Along principal axes, and by row sums of asymmetric deformations.",
+     speed_answers, few_roundings, rounded},
+    {"membranes", "membranes in space, now and later", "Of tangents that are set, or sums over places.",
+     membrane_answers, few_roundings, rounded}};
+
+Case kernel_functions() { return known_answers_case("kernel-functions", all_functions); }
+PLUMBLINE_CASE(kernel_functions);
+
+}  // namespace
+}  // namespace plumbline::kernel_functions
