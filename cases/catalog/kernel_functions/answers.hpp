@@ -12,5 +12,6 @@ KnownAnswers enclosed_answers();     // what of a polygon is each node's
 KnownAnswers cell_volume_answers();  // what of space is
 KnownAnswers speed_answers();        // of waves, by which materials bound the step
 KnownAnswers membrane_answers();     // of membranes in space: stresses, energies, rates, speeds
+KnownAnswers chain_answers();        // the same of chains
 
 }  // namespace plumbline::kernel_functions

@@ -19,7 +19,9 @@ const std::vector<KnownTrial> all_functions{
     {"speeds", "speeds of waves that bound the step", "Along principal axes, and by row sums of asymmetric deformations.",
      speed_answers, few_roundings, rounded},
     {"membranes", "membranes in space, now and later", "Of tangents that are set, or sums over places.",
-     membrane_answers, few_roundings, rounded}};
+     membrane_answers, few_roundings, rounded},
+    {"chains", "layers of points and chains of segments", "Strains along tangents and of segments, some of them slack.",
+     chain_answers, few_roundings, rounded}};
 
 Case kernel_functions() { return known_answers_case("kernel-functions", all_functions); }
 PLUMBLINE_CASE(kernel_functions);

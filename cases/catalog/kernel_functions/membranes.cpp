@@ -263,7 +263,7 @@ void add_surface(bool with_images, bool neo_hookean, KnownAnswers& all) {
     if (p > 0) stored += energy.back() - (0.01 * p - 0.3);
     if (p > 0) kept += energy.back();
     all.push_back({name + ".power" + std::to_string(p), rates[static_cast<std::size_t>(p)], power,
-                   std::max(1.0, std::abs(power))});
+                   std::max(1.0, pulls[static_cast<std::size_t>(p)].norm())});
   }
   const double size = std::max(1.0, kept);
   all.push_back({name + ".stored", material->advance(points, {1, membrane_points}, context, dt), stored, size});
