@@ -183,18 +183,21 @@ double SegmentMembrane::point_forces(const Columns& points, std::vector<double>&
   const int dim = chain.dim, n = chain.points;
   const double *mass = points(column::mass), *rest = chain.rest, *radius = revolved ? chain.rest_radius : nullptr;
   forces.assign(static_cast<std::size_t>(dim * n), 0.0);
+  const double stiff = youngs_modulus / (1 - poissons_ratio * poissons_ratio) * section;
+  const auto stiffness_of = [&](int p) {
+    const double along = stiff * (radius ? radius[p] : 1.0) / rest[p];
+    return radius ? along + stiff * rest[p] / (4 * radius[p]) : along;
+  };
   double fastest = 0, stiffness_before = 0;
   Band before;
   if (closed) {
     before = band_of(chain, n - 1, 0);
-    stiffness_before = section * youngs_modulus / rest[n - 1];
+    stiffness_before = stiffness_of(n - 1);
   }
   for (int p = 0; p < n; ++p) {
     const bool starts = has_segment(points, p);
     const Band own = starts ? band_of(chain, p, 0) : Band{};
-    const double stiff = youngs_modulus / (1 - poissons_ratio * poissons_ratio) * section;
-    double stiffness = starts ? stiff * (radius ? radius[p] : 1.0) / rest[p] : 0.0;
-    if (starts && radius) stiffness += stiff * rest[p] / (4 * radius[p]);
+    const double stiffness = starts ? stiffness_of(p) : 0.0;
     for (int d = 0; d < dim; ++d) {
       const auto k = static_cast<std::size_t>(d);
       forces[static_cast<std::size_t>(d * n + p)] = own.first[k] + before.second[k];

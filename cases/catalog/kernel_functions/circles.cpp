@@ -143,7 +143,8 @@ void add_circles(KnownAnswers& all) {
   }
   Spots line;
   for (int k = 0; k < 24; ++k) line.push_back(centre + (0.05 * (k - 12) + 0.02 * std::sin(7.0 * k)) * axis);
-  add_normals("line", grid, line, [&](const Flat&) { return Flat(-axis[1], axis[0]); }, all);
+  add_normals(
+      "line", grid, line, [&](const Flat&) { return Flat(-axis[1], axis[0]); }, all);
   GridSpec mirrored = grid;
   mirrored.walls[0][0] = mirrored.walls[1][1] = Wall::symmetry;
   const Flat corner(left, low + 5 * grid_h);
@@ -156,8 +157,9 @@ void add_circles(KnownAnswers& all) {
   for (const int count : {60, 20}) {
     Spots points = around(centre, 0.6, count, count == 60 ? 0.015 : 0.05);
     for (const Flat& p : around(centre, 0.85, count + 5, 0.01)) points.push_back(p);
-    add_normals("off" + std::to_string(count), grid, points,
-                [&](const Flat& p) { return circle_normal(points, p, grid_h); }, all);
+    add_normals(
+        "off" + std::to_string(count), grid, points, [&](const Flat& p) { return circle_normal(points, p, grid_h); },
+        all);
   }
   Spots images;
   for (const Flat& p : quarter) {
@@ -165,16 +167,19 @@ void add_circles(KnownAnswers& all) {
       for (const double y : {p[1], 2 * corner[1] - p[1]}) images.emplace_back(x, y);
     }
   }
-  add_normals("mirrored", mirrored, quarter, [&](const Flat& p) { return circle_normal(images, p, grid_h); }, all);
+  add_normals(
+      "mirrored", mirrored, quarter, [&](const Flat& p) { return circle_normal(images, p, grid_h); }, all);
   // So few that the search goes out: to two, four and eight cells.
   const Spots few{{0, 1}, {1.1, 1.5}, {2.3, 0.9}, {0.5, 2.4}}, three{{0.1, 0.4}, {0.7, 0.75}, {1.4, 0.5}};
   for (const Spots& points : {few, three}) {
-    add_normals("few" + std::to_string(points.size()), grid, points,
-                [&](const Flat& p) { return circle_normal(points, p, grid_h); }, all);
+    add_normals(
+        "few" + std::to_string(points.size()), grid, points,
+        [&](const Flat& p) { return circle_normal(points, p, grid_h); }, all);
   }
   // Two: the chord, from one end of the grid to the other. One: what it was.
   const Spots pair{{left + 0.05, low + 0.05}, {left + 2.9, low + 0.85}};
-  add_normals("pair", flat_grid(6, 2), pair, [&](const Flat& p) { return circle_normal(pair, p, grid_h); }, all);
+  add_normals(
+      "pair", flat_grid(6, 2), pair, [&](const Flat& p) { return circle_normal(pair, p, grid_h); }, all);
   const Spots alone{{0.4, 0.9}};
   const FoundNormals kept = found_normals(grid, alone, true), none = found_normals(grid, alone);
   all.push_back({"alone.x", kept.x[0], 0.28});
@@ -241,8 +246,7 @@ KnownAnswers circle_answers() {
 KnownAnswers surface_fit_answers() {
   KnownAnswers all;
   std::vector<Eigen::Vector3d> points;
-  const Eigen::Matrix3d axes =
-      Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, -2, 3).normalized()).toRotationMatrix();
+  const Eigen::Matrix3d axes = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, -2, 3).normalized()).toRotationMatrix();
   for (int k = 0; k < 48; ++k) {
     const double u = 0.1 * (k % 8) + 0.02 * std::sin(3.0 * k), v = 0.12 * (k / 8) + 0.02 * std::cos(5.0 * k);
     points.emplace_back(axes * Eigen::Vector3d(u, v, 0.6 * u * u - 0.4 * u * v + 0.3 * v * v * v));

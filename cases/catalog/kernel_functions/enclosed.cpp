@@ -63,8 +63,8 @@ double inside(const Polygon& corners, const Grid<2>& grid, const OfShape& shape,
     const double length = std::sqrt((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0));
     const double pieces = std::max(1.0, std::ceil(length / (h / 4)));
     for (double piece = 0; piece < pieces; ++piece) {
-      for (const double place_in_piece : rings ? std::vector{0.5 - std::sqrt(1.0 / 12), 0.5 + std::sqrt(1.0 / 12)}
-                                               : std::vector{0.5}) {
+      for (const double place_in_piece :
+           rings ? std::vector{0.5 - std::sqrt(1.0 / 12), 0.5 + std::sqrt(1.0 / 12)} : std::vector{0.5}) {
         const double t = (piece + place_in_piece) / pieces, x = x0 + t * (x1 - x0), y = y0 + t * (y1 - y0);
         const double u = (x - place[0]) / h, v = (y - place[1]) / h;
         const double phi = rings ? h * place[0] * shape.mass(u) + h * h * shape.moment(u) : h * shape.mass(u);

@@ -61,9 +61,8 @@ void set_tangents(Columns& points, int p, const Tangents& f) {
   for (int k = 0; k < 6; ++k) points(column::tangents, k)[p] = f(k % 3, k / 3);
 }
 Tangents tangents_of(const Columns& points, int p) {
-  return Tangents::NullaryExpr([&](Eigen::Index d, Eigen::Index a) {
-    return points(column::tangents, static_cast<int>(3 * a + d))[p];
-  });
+  return Tangents::NullaryExpr(
+      [&](Eigen::Index d, Eigen::Index a) { return points(column::tangents, static_cast<int>(3 * a + d))[p]; });
 }
 
 template <class Membrane>
@@ -108,8 +107,8 @@ void add_carried(bool neo_hookean, KnownAnswers& all) {
     energy += points(column::volume)[p] * answer_of(f.back(), neo_hookean).energy;
   }
   all.push_back({name + ".energy", material->stored_energy(points, all_points(points)), energy});
-  all.push_back({name + ".energy_of_one", material->stored_energy(points, {2, 3}),
-                 0.34 * answer_of(f[2], neo_hookean).energy});
+  all.push_back(
+      {name + ".energy_of_one", material->stored_energy(points, {2, 3}), 0.34 * answer_of(f[2], neo_hookean).energy});
   MaterialContext context;
   context.dim = 3;
   for (const double ahead : {0.0, 0.2, -0.15}) {
@@ -120,9 +119,10 @@ void add_carried(bool neo_hookean, KnownAnswers& all) {
       const Tangents then = f[static_cast<std::size_t>(p)] + ahead * gradient_at(p) * f[static_cast<std::size_t>(p)];
       const Eigen::Matrix3d stress = then * answer_of(then, neo_hookean).stress * then.transpose();
       for (int k = 0; k < 9; ++k) {
-        all.push_back({name + ".stress" + std::to_string(k) + "." + std::to_string(p) + (ahead > 0   ? ".later"
-                                                                                         : ahead < 0 ? ".before"
-                                                                                                     : ""),
+        all.push_back({name + ".stress" + std::to_string(k) + "." + std::to_string(p) +
+                           (ahead > 0   ? ".later"
+                            : ahead < 0 ? ".before"
+                                        : ""),
                        points(column::stress, k)[p], stress(k / 3, k % 3)});
       }
     }
@@ -134,8 +134,8 @@ void add_carried(bool neo_hookean, KnownAnswers& all) {
   for (int p = 1; p < membrane_points; ++p) {
     const Tangents rate = gradient_at(p) * f[static_cast<std::size_t>(p)];
     const Tangents then = f[static_cast<std::size_t>(p)] + dt * rate;
-    stored += points(column::volume)[p] * (answer_of(then, neo_hookean).energy -
-                                           answer_of(f[static_cast<std::size_t>(p)], neo_hookean).energy);
+    stored += points(column::volume)[p] *
+              (answer_of(then, neo_hookean).energy - answer_of(f[static_cast<std::size_t>(p)], neo_hookean).energy);
     for (int k = 0; k < 6; ++k) {
       all.push_back({name + ".rate" + std::to_string(k) + "." + std::to_string(p),
                      rates[static_cast<std::size_t>(k * membrane_points + p)], rate(k % 3, k / 3)});
@@ -263,7 +263,7 @@ void add_surface(bool with_images, bool neo_hookean, KnownAnswers& all) {
     if (p > 0) stored += energy.back() - (0.01 * p - 0.3);
     if (p > 0) kept += energy.back();
     all.push_back({name + ".power" + std::to_string(p), rates[static_cast<std::size_t>(p)], power,
-                   std::max(1.0, std::abs(power))});
+                   std::max(1.0, pulls[static_cast<std::size_t>(p)].norm())});
   }
   const double size = std::max(1.0, kept);
   all.push_back({name + ".stored", material->advance(points, {1, membrane_points}, context, dt), stored, size});

@@ -144,10 +144,9 @@ void add_neo_hookean(KnownAnswers& all) {
       set_full(points, column::deformation_at_start, space, p, start);
       const double log_j = std::log(f.determinant()), bulk = log_j < 1 ? first_lame * (1 - log_j) : 0;
       const Tensor back = start * f.inverse();
-      wave[static_cast<std::size_t>(p)] = std::sqrt(
-          (shear * row_sum(space.of(start * start.transpose(), 0)) +
-           (shear + bulk) * row_sum(space.of(back * back.transpose(), 0))) /
-          rest_density);
+      wave[static_cast<std::size_t>(p)] = std::sqrt((shear * row_sum(space.of(start * start.transpose(), 0)) +
+                                                     (shear + bulk) * row_sum(space.of(back * back.transpose(), 0))) /
+                                                    rest_density);
     }
     add_ranges(std::string("neo_hookean.start.") + space.name, *material, points, space.dim, wave, motion, all);
     const RestState rest = material->rest(space.dim).value();
@@ -225,10 +224,10 @@ void add_plastic(KnownAnswers& all) {
       motion.push_back(set_velocity(points, space, p));
     }
     add_ranges(std::string("plastic.") + space.name, *material, points, space.dim, wave, motion, all);
-    all.push_back({std::string("plastic.rest.") + space.name, material->rest(space.dim).value().modulus,
-                   first_lame + 2 * shear});
-    all.push_back({std::string("plastic.density.") + space.name, material->rest(space.dim).value().density,
-                   rest_density});
+    all.push_back(
+        {std::string("plastic.rest.") + space.name, material->rest(space.dim).value().modulus, first_lame + 2 * shear});
+    all.push_back(
+        {std::string("plastic.density.") + space.name, material->rest(space.dim).value().density, rest_density});
   }
 }
 

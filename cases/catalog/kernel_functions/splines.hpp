@@ -11,7 +11,7 @@ inline double spline(int degree, double x) {
 
 inline double spline_slope(int degree, double x) { return spline(degree - 1, x + 0.5) - spline(degree - 1, x - 0.5); }
 
-// Integrated so many times from -inf to x: the slopes of splines of one degree more, one after another, sum to one of this degree.
+// Integrated so many times from -inf to x: slopes of splines of one degree more, one after another, sum to one of this degree.
 inline double spline_integral(int degree, double x, int times = 1) {
   if (times == 0) return spline(degree, x);
   double sum = 0;
