@@ -9,7 +9,7 @@
 #include "kernel/materials/segment_membrane.hpp"
 #include "kernel/points/body.hpp"
 
-namespace plumbline::kernel_functions {
+namespace plumbline::kernel_functions::chains_trial {
 namespace {
 
 constexpr double chain_modulus = 2.3, chain_ratio = 0.3, chain_density = 1.4, chain_section = 0.15;
@@ -214,4 +214,4 @@ KnownAnswers chain_answers() {
   return all;
 }
 
-}  // namespace plumbline::kernel_functions
+}  // namespace plumbline::kernel_functions::chains_trial

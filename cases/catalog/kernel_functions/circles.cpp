@@ -12,7 +12,7 @@
 #include "kernel/normals/directions.hpp"
 #include "kernel/normals/surface_fit.hpp"
 
-namespace plumbline::kernel_functions {
+namespace plumbline::kernel_functions::circles_trial {
 namespace {
 
 using Flat = Eigen::Vector2d;
@@ -293,4 +293,4 @@ KnownAnswers surface_fit_answers() {
   return all;
 }
 
-}  // namespace plumbline::kernel_functions
+}  // namespace plumbline::kernel_functions::circles_trial

@@ -13,7 +13,7 @@
 #include "kernel/shapes/linear.hpp"
 #include "kernel/shapes/quadratic.hpp"
 
-namespace plumbline::kernel_functions {
+namespace plumbline::kernel_functions::enclosed_trial {
 namespace {
 
 constexpr double cell_edge = 0.5;  // m
@@ -213,4 +213,4 @@ KnownAnswers cell_volume_answers() {
   return all;
 }
 
-}  // namespace plumbline::kernel_functions
+}  // namespace plumbline::kernel_functions::enclosed_trial

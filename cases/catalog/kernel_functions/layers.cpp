@@ -9,7 +9,7 @@
 #include "kernel/materials/uniaxial_membrane.hpp"
 #include "kernel/points/body.hpp"
 
-namespace plumbline::kernel_functions {
+namespace plumbline::kernel_functions::layers_trial {
 namespace {
 
 constexpr double layer_modulus = 2.3, layer_ratio = 0.3, layer_density = 1.4;
@@ -131,4 +131,4 @@ KnownAnswers layer_answers() {
   return all;
 }
 
-}  // namespace plumbline::kernel_functions
+}  // namespace plumbline::kernel_functions::layers_trial

@@ -10,7 +10,7 @@
 #include "kernel/materials/surface_membrane.hpp"
 #include "kernel/points/body.hpp"
 
-namespace plumbline::kernel_functions {
+namespace plumbline::kernel_functions::membranes_trial {
 namespace {
 
 using Tangents = Eigen::Matrix<double, 3, 2>;
@@ -295,4 +295,4 @@ KnownAnswers membrane_answers() {
   return all;
 }
 
-}  // namespace plumbline::kernel_functions
+}  // namespace plumbline::kernel_functions::membranes_trial

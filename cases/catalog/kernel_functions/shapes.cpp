@@ -10,7 +10,7 @@
 #include "kernel/shapes/linear.hpp"
 #include "kernel/shapes/quadratic.hpp"
 
-namespace plumbline::kernel_functions {
+namespace plumbline::kernel_functions::shapes_trial {
 namespace {
 
 std::string place_name(double x) { return std::to_string(x).substr(0, 5); }
@@ -121,4 +121,4 @@ KnownAnswers shape_answers() {
   return all;
 }
 
-}  // namespace plumbline::kernel_functions
+}  // namespace plumbline::kernel_functions::shapes_trial

@@ -16,7 +16,7 @@
 #include "kernel/points/body.hpp"
 #include "kernel/shapes/reference_columns.hpp"
 
-namespace plumbline::kernel_functions {
+namespace plumbline::kernel_functions::speeds_trial {
 namespace {
 
 using Tensor = Eigen::Matrix3d;
@@ -303,4 +303,4 @@ KnownAnswers speed_answers() {
   return all;
 }
 
-}  // namespace plumbline::kernel_functions
+}  // namespace plumbline::kernel_functions::speeds_trial

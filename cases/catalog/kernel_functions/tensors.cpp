@@ -13,7 +13,7 @@
 #include "kernel/points/pack_tensors.hpp"
 #include "kernel/rotations.hpp"
 
-namespace plumbline::kernel_functions {
+namespace plumbline::kernel_functions::tensors_trial {
 namespace {
 
 using Tensor = Eigen::Matrix3d;
@@ -213,4 +213,4 @@ KnownAnswers logarithm_answers() {
   return all;
 }
 
-}  // namespace plumbline::kernel_functions
+}  // namespace plumbline::kernel_functions::tensors_trial
