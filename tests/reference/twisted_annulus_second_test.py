@@ -79,7 +79,8 @@ class Ritz:
 
 @pytest.mark.parametrize("name", RINGS)
 def test_least_energy(name):
-    """From the ring twisted evenly; 24 polynomials leave less than 1e-9 of the shape."""
+    """From the ring twisted evenly; 24 polynomials leave less than 1e-9 of the shape and 1e-7 of its slopes. Directions are known to
+    that over the difference of the principal stretches."""
     p = DEFAULT | RINGS[name]
     ritz = Ritz(p)
     found = root(ritz.slopes, numpy.zeros(2 * ritz.terms), method="hybr", tol=1e-13)
@@ -96,8 +97,9 @@ def test_least_energy(name):
     at_rest, now = ritz.directions(found.x, x)
     lengths = numpy.sqrt(1 + 2 * strain)
     stretched = ritz.determinant(found.x, x) / lengths
-    for k, (found, margin) in {0: (r, 1e-9), 1: (turned, 1e-9), 2: (lengths, 1e-7), 3: (stretched, 1e-6), 5: (at_rest, 1e-6),
-                               6: (now, 1e-6),
+    turn = 1e-7 / abs(lengths - stretched)
+    for k, (found, margin) in {0: (r, 1e-9), 1: (turned, 1e-9), 2: (lengths, 1e-7), 3: (stretched, 1e-7), 5: (at_rest, turn),
+                               6: (now, turn),
                                4: (p["youngs_modulus"] * strain, 1e-7 * p["youngs_modulus"] * strain)}.items():
         margins = numpy.broadcast_to(margin, found.shape)
         assert all(is_near(got, one, own) for got, one, own in zip(answer[4 + k :: 7], found, margins))
